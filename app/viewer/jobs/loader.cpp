@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "spiraling_edge/explain/what_if_check.h"
-#include "spiraling_edge/stepper/edited_points.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
 

@@ -13,7 +13,7 @@
 #include "run/strings.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/stepper/stage_table.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "input_hash.h"
-#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/scenes/scenes.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/base/file_extension.h"
+#include "spiraling_edge/base/files.h"
 
 namespace se::view {
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <system_error>
 
-#include "spiraling_edge/base/system_reason.h"
+#include "spiraling_edge/base/files.h"
 
 namespace se {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,6 +11,10 @@
 namespace se {
 
 using Vec3 = glm::dvec3;
+
+inline bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// Index of a point, a ring entry or a ring. 32 bits: at most 4,294,967,294 of each.
 using Index = std::uint32_t;

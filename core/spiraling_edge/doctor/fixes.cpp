@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "spiraling_edge/doctor/checks.h"
-#include "spiraling_edge/points/kept_rows.h"
+#include "spiraling_edge/points/used_points.h"
 
 namespace se {
 namespace {

@@ -11,7 +11,7 @@
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/scan_run.h"
-#include "spiraling_edge/stepper/stage_table.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

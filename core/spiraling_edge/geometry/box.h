@@ -1,6 +1,9 @@
-/// Axis-aligned boxes, to skip exact tests of shapes that are apart.
+/// Axis-aligned boxes, and the grid cells they touch, to skip exact tests of shapes that are apart.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <glm/common.hpp>
 
 #include "spiraling_edge/points/point_set.h"
@@ -27,5 +30,53 @@ inline Box boxOf(const PointSet& points, const Triangle& t) {
     box.add(points.position[t.c]);
     return box;
 }
+
+/// Grid cells that boxes touch: two boxes that meet have a cell in common.
+class BoxCells {
+  public:
+    /// Maximum number of cells of a box; larger boxes are kept apart.
+    static constexpr std::uint64_t kManyCells = 512;
+
+    /// `low` is the lower corner of all boxes, `cell` the width of a cell, above 0.
+    BoxCells(Vec3 low, double cell) : low_(low), perCell_(1.0 / cell) {}
+
+    /// Calls `visit` with the number of each cell. False, without a call, if they are too many.
+    template <typename Visit>
+    bool forEachCell(const Vec3& low, const Vec3& high, Visit&& visit) const {
+        const auto from = place(low);
+        const auto to = place(high);
+        std::uint64_t count = 1;
+        for (std::size_t i = 0; i < 3; ++i)
+            count *= std::min<std::uint64_t>(to[i] - from[i] + 1, 1U << 20U);
+        if (count > kManyCells) return false;
+        for (std::uint64_t x = from[0]; x <= to[0]; ++x) {
+            for (std::uint64_t y = from[1]; y <= to[1]; ++y) {
+                for (std::uint64_t z = from[2]; z <= to[2]; ++z) visit((x << 42U) | (y << 21U) | z);
+            }
+        }
+        return true;
+    }
+
+    /// The one cell, of all that both boxes touch, in which the pair is tested.
+    std::uint64_t cellOfPair(const Vec3& lowA, const Vec3& lowB) const {
+        const auto c = place(glm::max(lowA, lowB));
+        return (c[0] << 42U) | (c[1] << 21U) | c[2];
+    }
+
+  private:
+    std::array<std::uint64_t, 3> place(const Vec3& p) const {
+        constexpr double kMax = (1U << 21U) - 1;
+        std::array<std::uint64_t, 3> cell{};
+        for (int i = 0; i < 3; ++i) {
+            const double x = (p[i] - low_[i]) * perCell_;
+            cell[static_cast<std::size_t>(i)] =
+                static_cast<std::uint64_t>(std::min(std::max(x, 0.0), kMax));
+        }
+        return cell;
+    }
+
+    Vec3 low_;
+    double perCell_;
+};
 
 }  // namespace se

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 
 namespace se {
@@ -91,26 +93,15 @@ int orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return e(a, 2).times(bc).plus(e(b, 2).times(ca)).plus(e(c, 2).times(ab)).sign();
 }
 
-struct Flat {
-    double x, y;
-};
-
-Flat flatten(const Vec3& p, Axis dropped) {
-    switch (dropped) {
-        case Axis::X:
-            return {p.y, p.z};
-        case Axis::Y:
-            return {p.z, p.x};
-        case Axis::Z:
-            break;
-    }
-    return {p.x, p.y};
+/// The two other coordinates, in cyclic order.
+glm::dvec2 flatten(const Vec3& p, Axis dropped) {
+    const int axis = static_cast<int>(dropped);
+    return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
 /// The axis along which the triangle's normal is longest.
 Axis dominantAxis(const Vec3* t) {
-    const Vec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
-    const Vec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
+    const Vec3 size = glm::abs(glm::cross(t[1] - t[0], t[2] - t[0]));
     if (size.x >= size.y && size.x >= size.z) return Axis::X;
     return size.y >= size.z ? Axis::Y : Axis::Z;
 }
@@ -123,9 +114,9 @@ bool segmentsMeetInPlane(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3
     if (a != 0 || b != 0 || c != 0 || d != 0) return a * b <= 0 && c * d <= 0;
     // All collinear: they meet if their extents do.
     const auto within = [&](const Vec3& x, const Vec3& u, const Vec3& v) {
-        const Flat f = flatten(x, axis);
-        const Flat g = flatten(u, axis);
-        const Flat h = flatten(v, axis);
+        const glm::dvec2 f = flatten(x, axis);
+        const glm::dvec2 g = flatten(u, axis);
+        const glm::dvec2 h = flatten(v, axis);
         return std::min(g.x, h.x) <= f.x && f.x <= std::max(g.x, h.x) &&
                std::min(g.y, h.y) <= f.y && f.y <= std::max(g.y, h.y);
     };
@@ -168,9 +159,9 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int orient2d(const Vec3& a3, const Vec3& b3, const Vec3& c3, Axis dropped) {
-    const Flat a = flatten(a3, dropped);
-    const Flat b = flatten(b3, dropped);
-    const Flat c = flatten(c3, dropped);
+    const glm::dvec2 a = flatten(a3, dropped);
+    const glm::dvec2 b = flatten(b3, dropped);
+    const glm::dvec2 c = flatten(c3, dropped);
     const double left = (a.x - c.x) * (b.y - c.y);
     const double right = (a.y - c.y) * (b.x - c.x);
     const double determinant = left - right;

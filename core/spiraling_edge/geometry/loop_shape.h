@@ -1,6 +1,7 @@
 /// The shape in space of an edge ring that stopped growing, or of any other closed chain of points.
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -54,7 +55,16 @@ class ShapeSum {
 };
 
 /// The shape of the closed loop through these points in this order. Requires at least one.
-LoopShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
-                      std::span<const Index> loop);
+inline LoopShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
+                             std::span<const Index> loop) {
+    assert(!loop.empty());
+    const Vec3 origin = position[loop.front()];
+    ShapeSum sum;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Index following = loop[i + 1 < loop.size() ? i + 1 : 0];
+        sum.add(position[loop[i]] - origin, normal[loop[i]], position[following] - origin);
+    }
+    return sum.shape();
+}
 
 }  // namespace se

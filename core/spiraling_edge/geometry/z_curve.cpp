@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
@@ -30,23 +30,17 @@ std::uint64_t spread(std::uint64_t x) {
 using Coded = std::uint64_t;
 
 std::vector<Coded> codesOf(std::span<const Vec3> position) {
-    Vec3 low(std::numeric_limits<double>::max());
-    Vec3 high(std::numeric_limits<double>::lowest());
-    for (const Vec3& p : position) {
-        if (!isFinite(p)) continue;
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    const WallBox box = boxAround(position);
     // Halves, so that a box from lowest to max does not overflow; the last step of an axis is left
     // to positions that are not finite.
-    const Vec3 half = 0.5 * high - 0.5 * low;
+    const Vec3 half = 0.5 * box.high - 0.5 * box.low;
     const double side = std::max({half.x, half.y, half.z, std::numeric_limits<double>::min()});
     constexpr double kSteps = (1U << kBits) - 2U;
     std::vector<Coded> coded(position.size());
     for (std::size_t i = 0; i < position.size(); ++i) {
         std::uint64_t code = kNowhere;
         if (isFinite(position[i])) {
-            const Vec3 place = (0.5 * position[i] - 0.5 * low) / side * kSteps;
+            const Vec3 place = (0.5 * position[i] - 0.5 * box.low) / side * kSteps;
             const auto step = [](double x) { return spread(static_cast<std::uint64_t>(x)); };
             code = step(place.x) | step(place.y) << 1U | step(place.z) << 2U;
         }

@@ -7,9 +7,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "spiraling_edge/base/file_extension.h"
-#include "spiraling_edge/base/read_file.h"
-#include "spiraling_edge/base/system_reason.h"
+#include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
 

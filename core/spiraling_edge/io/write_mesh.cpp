@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/base/file_extension.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/formats.h"
 

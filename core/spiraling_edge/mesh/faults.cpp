@@ -10,9 +10,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/geometry/box.h"
-#include "spiraling_edge/geometry/box_grid.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
@@ -60,28 +58,18 @@ class FaultFinder {
           allowed_(kIntersectionWork + kIntersectionWorkPerTriangle * triangles.size()),
           work_(allowed_) {}
 
-    std::vector<Fault> findLocal() {
+    FaultSearch find(bool intersections) {
         findShapes();
         findEdgeFaults();
-        putInOrder();
-        return std::move(faults_);
-    }
-
-    FaultSearch find() {
-        findShapes();
-        findEdgeFaults();
-        findIntersections();
-        putInOrder();
-        return {std::move(faults_), !isOver(), allowed_ - work_};
-    }
-
-  private:
-    void putInOrder() {
+        if (intersections) findIntersections();
         std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
             return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
         });
         faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
+        return {std::move(faults_), !isOver(), allowed_ - work_};
     }
+
+  private:
     void add(FaultKind kind, Index a, Index b) {
         if (b != kNone && b < a) std::swap(a, b);
         faults_.push_back({kind, a, b});
@@ -127,22 +115,19 @@ void FaultFinder::findFold(Index a, Index b) {
 }
 
 void FaultFinder::findEdgeFaults() {
-    const std::vector<TriangleSide> sides = sortedSides(triangles_);
-    for (std::size_t i = 0; i < sides.size();) {
-        const std::size_t end = endOfEdge(sides, i);
-        for (std::size_t j = i + 1; j < end; ++j) {
-            if (end - i > 2) {
-                add(FaultKind::NonManifoldEdge, sides[i].triangle, sides[j].triangle);
+    forEachEdge(sortedSides(triangles_), [this](std::span<const TriangleSide> edge) {
+        for (std::size_t i = 1; i < edge.size(); ++i) {
+            if (edge.size() > 2) {
+                add(FaultKind::NonManifoldEdge, edge[0].triangle, edge[i].triangle);
             }
-            if (sides[j].ascending == sides[j - 1].ascending) {
-                add(FaultKind::InconsistentEdge, sides[j - 1].triangle, sides[j].triangle);
+            if (edge[i].ascending == edge[i - 1].ascending) {
+                add(FaultKind::InconsistentEdge, edge[i - 1].triangle, edge[i].triangle);
             }
         }
-        if (end - i == 2 && sides[i].ascending != sides[i + 1].ascending) {
-            findFold(sides[i].triangle, sides[i + 1].triangle);
+        if (edge.size() == 2 && edge[0].ascending != edge[1].ascending) {
+            findFold(edge[0].triangle, edge[1].triangle);
         }
-        i = end;
-    }
+    });
 }
 
 void FaultFinder::findIntersections() {
@@ -221,7 +206,7 @@ std::string_view faultName(FaultKind kind) {
 
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()) && usesFinitePositions(points, triangles));
-    return FaultFinder(points, triangles).find();
+    return FaultFinder(points, triangles).find(true);
 }
 
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
@@ -229,7 +214,7 @@ std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> 
 }
 
 std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles) {
-    return FaultFinder(points, triangles).findLocal();
+    return FaultFinder(points, triangles).find(false).faults;
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

@@ -1,14 +1,122 @@
 #include "spiraling_edge/mesh/inspection.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cstdio>
+#include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
+#include "spiraling_edge/points/used_points.h"
 
 namespace se {
+
+InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
+    : triangles(mesh), sides(sortedSides(mesh)), used(usedPoints(input.size(), mesh)) {
+    points.position = input.position;
+    points.normal = input.normal;
+    points.type = input.type;
+    points.normal.resize(input.size(), Vec3(0.0));
+    points.type.resize(input.size(), kInterior);
+    FaultSearch search = searchFaults(points, mesh);
+    faults = std::move(search.faults);
+    allFaults = search.complete;
+    faultWork = search.work;
+    double sum = 0.0;
+    for (const TriangleSide& side : sides) {
+        const Vec3 d = points.position[side.high] - points.position[side.low];
+        sum += std::sqrt(glm::dot(d, d));
+    }
+    if (!sides.empty()) meanEdge = sum / static_cast<double>(sides.size());
+}
+
+MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
+    MeshFailure failure;
+    const auto inOrder = [](std::vector<Index>& list) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    };
+    inOrder(itsPoints);
+    inOrder(itsTriangles);
+    for (const Index p : itsPoints) failure.place += points.position[p];
+    failure.place /= static_cast<double>(std::max<std::size_t>(itsPoints.size(), 1));
+    failure.points = std::move(itsPoints);
+    failure.triangles = std::move(itsTriangles);
+    return failure;
+}
+
 namespace {
+
+// ---- checks of triangles ------------------------------------------------------------------------
+
+std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<Index> triangles) {
+    std::vector<Index> points;
+    for (const Index i : triangles) {
+        if (i == kNone) continue;
+        const Triangle& t = mesh.triangles[i];
+        points.insert(points.end(), {t.a, t.b, t.c});
+    }
+    return points;
+}
+
+/// Appends the faults of a kind as failures; of intersections the first ones.
+template <FaultKind kind>
+void ofKind(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+    constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+    std::size_t left = kind == FaultKind::Intersecting ? kMaxListed : kNoLimit;
+    for (const Fault& fault : mesh.faults) {
+        if (fault.kind != kind) continue;
+        if (left-- == 0) return;
+        std::vector<Index> triangles{fault.triangle};
+        if (fault.other != kNone) triangles.push_back(fault.other);
+        failures.push_back(
+            mesh.at(cornersOf(mesh, {fault.triangle, fault.other}), std::move(triangles)));
+    }
+}
+
+void duplicates(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+    struct Corners {
+        std::array<Index, 3> points;
+        Index triangle;
+    };
+    std::vector<Corners> all;
+    all.reserve(mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        Corners corners{{t.a, t.b, t.c}, static_cast<Index>(i)};
+        std::sort(corners.points.begin(), corners.points.end());
+        all.push_back(corners);
+    }
+    std::sort(all.begin(), all.end(), [](const Corners& x, const Corners& y) {
+        return std::tie(x.points, x.triangle) < std::tie(y.points, y.triangle);
+    });
+    for (std::size_t i = 0; i < all.size();) {
+        std::size_t end = i + 1;
+        std::vector<Index> same{all[i].triangle};
+        for (; end < all.size() && all[end].points == all[i].points; ++end)
+            same.push_back(all[end].triangle);
+        if (same.size() > 1) {
+            failures.push_back(
+                mesh.at({all[i].points.begin(), all[i].points.end()}, std::move(same)));
+        }
+        i = end;
+    }
+}
+
+void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        if (isDegenerate(mesh.points, t) || leastAngleCosine(mesh.points, t) <= kSliverCosine)
+            continue;
+        const auto triangle = static_cast<Index>(i);
+        failures.push_back(mesh.at(cornersOf(mesh, {triangle}), {triangle}));
+    }
+}
+
+// ---- the table ----------------------------------------------------------------------------------
 
 constexpr FailureClass kClasses[] = {
     {"non_manifold_edges", "Three or more triangles meet at an edge.", inspect::nonManifoldEdges},
@@ -17,14 +125,16 @@ constexpr FailureClass kClasses[] = {
     {"inconsistent_edges",
      "Two triangles pass an edge in the same direction: one of them is inside out.",
      inspect::inconsistentEdges},
-    {"duplicate_triangles", "Two triangles have the same three points.", inspect::duplicates},
-    {"degenerate_triangles", "A triangle has a corner twice, or no area.", inspect::degenerate},
+    {"duplicate_triangles", "Two triangles have the same three points.", duplicates},
+    {"degenerate_triangles", "A triangle has a corner twice, or no area.",
+     ofKind<FaultKind::Degenerate>},
     {"intersecting_triangles", "Two triangles share more than their common corners.",
-     inspect::intersecting},
-    {"folded_edges", "Two triangles at an edge lie nearly on one another.", inspect::folded},
+     ofKind<FaultKind::Intersecting>},
+    {"folded_edges", "Two triangles at an edge lie nearly on one another.",
+     ofKind<FaultKind::Folded>},
     {"flipped_triangles", "A triangle faces away from the normals of its points.",
-     inspect::flipped},
-    {"slivers", "A triangle has an angle below one degree.", inspect::slivers},
+     ofKind<FaultKind::Flipped>},
+    {"slivers", "A triangle has an angle below one degree.", slivers},
     {"holes", "A boundary loop that does not run along the walls.", inspect::holes},
     {"small_components", "A piece of a few triangles that hangs on nothing.",
      inspect::smallComponents},
@@ -93,7 +203,7 @@ MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangl
         if (each.find != nullptr) each.find(mesh, all);
         for (std::size_t i = begin; i < all.size(); ++i) all[i].kind = &each;
         ClassTotal total{all.size() - begin, all.size() - begin, true};
-        if (each.find == inspect::intersecting) {
+        if (each.find == ofKind<FaultKind::Intersecting>) {
             total.total = countFaults(mesh.faults)[std::size_t(FaultKind::Intersecting)];
             total.exact = mesh.allFaults;
         }

@@ -29,7 +29,7 @@ namespace inspect {
 
 using Failures = std::vector<MeshFailure>;
 
-// Edges and points: inspection_edges.cpp.
+// Edges and points: inspection_edges.cpp; those of triangles are in inspection.cpp.
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures);
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures);
 void inconsistentEdges(const InspectedMesh& mesh, Failures& failures);
@@ -37,13 +37,6 @@ void holes(const InspectedMesh& mesh, Failures& failures);
 void smallComponents(const InspectedMesh& mesh, Failures& failures);
 void unusedPoints(const InspectedMesh& mesh, Failures& failures);
 void isolatedPoints(const InspectedMesh& mesh, Failures& failures);
-// Triangles: inspection_triangles.cpp.
-void duplicates(const InspectedMesh& mesh, Failures& failures);
-void degenerate(const InspectedMesh& mesh, Failures& failures);
-void intersecting(const InspectedMesh& mesh, Failures& failures);
-void folded(const InspectedMesh& mesh, Failures& failures);
-void flipped(const InspectedMesh& mesh, Failures& failures);
-void slivers(const InspectedMesh& mesh, Failures& failures);
 
 }  // namespace inspect
 }  // namespace se

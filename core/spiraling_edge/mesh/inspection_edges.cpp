@@ -3,107 +3,108 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se::inspect {
 namespace {
 
-/// Calls `see(begin, end)` for the sides of each edge.
-template <typename Visit>
-void forEachEdge(const InspectedMesh& mesh, Visit&& visit) {
-    for (std::size_t i = 0; i < mesh.sides.size();) {
-        const std::size_t end = endOfEdge(mesh.sides, i);
-        visit(i, end);
-        i = end;
-    }
-}
-
-MeshFailure atEdge(const InspectedMesh& mesh, std::size_t begin, std::size_t end) {
+MeshFailure atEdge(const InspectedMesh& mesh, std::span<const TriangleSide> edge) {
     std::vector<Index> triangles;
-    for (std::size_t i = begin; i < end; ++i) triangles.push_back(mesh.sides[i].triangle);
-    return mesh.at({mesh.sides[begin].low, mesh.sides[begin].high}, std::move(triangles));
+    for (const TriangleSide& side : edge) triangles.push_back(side.triangle);
+    return mesh.at({edge[0].low, edge[0].high}, std::move(triangles));
 }
 
-/// Triangles at each point: those of p are at[first[p] .. first[p + 1]).
-struct Incidence {
-    std::vector<std::size_t> first;
-    std::vector<Index> at;
-};
-Incidence incidenceOf(const InspectedMesh& mesh) {
-    Incidence result;
-    result.first.assign(mesh.points.size() + 1, 0);
-    for (const Triangle& t : mesh.triangles) {
-        for (const Index p : {t.a, t.b, t.c}) ++result.first[p + 1];
+/// Finds the points in no triangle that have a finite position: those near a used point, or the
+/// isolated ones.
+void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
+    const double reach = kIsolated * mesh.meanEdge;
+    std::vector<Vec3> used;
+    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+        if (mesh.used[p]) used.push_back(mesh.points.position[p]);
     }
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) result.first[p + 1] += result.first[p];
-    result.at.resize(3 * mesh.triangles.size());
-    std::vector<std::size_t> next = result.first;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        for (const Index p : {t.a, t.b, t.c}) result.at[next[p]++] = static_cast<Index>(i);
+    std::optional<CellGrid> grid;
+    if (!used.empty() && reach > 0.0) {
+        const WallBox box = boxAround(used);
+        grid.emplace(box.low, box.high, reach);
+        for (const Vec3& x : used) grid->add(x);
     }
-    return result;
+    for (Index p = 0; p < mesh.points.size(); ++p) {
+        const Vec3& x = mesh.points.position[p];
+        if (mesh.used[p] || !isFinite(x)) continue;
+        bool isolated = true;
+        const auto look = [&](Index i) {
+            const Vec3 d = used[i] - x;
+            if (glm::dot(d, d) <= reach * reach) isolated = false;
+        };
+        if (grid) grid->near(x, look);
+        if (isolated == isolatedOnes) failures.push_back(mesh.at({p}, {}));
+    }
 }
 
 }  // namespace
 
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
-    forEachEdge(mesh, [&](std::size_t begin, std::size_t end) {
-        if (end - begin > 2) failures.push_back(atEdge(mesh, begin, end));
+    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+        if (edge.size() > 2) failures.push_back(atEdge(mesh, edge));
     });
 }
 
 void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
-    forEachEdge(mesh, [&](std::size_t begin, std::size_t end) {
-        std::size_t ascending = 0;
-        for (std::size_t i = begin; i < end; ++i) ascending += mesh.sides[i].ascending ? 1U : 0U;
-        if (ascending > 1 || end - begin - ascending > 1)
-            failures.push_back(atEdge(mesh, begin, end));
+    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+        if (isInconsistent(edge)) failures.push_back(atEdge(mesh, edge));
     });
 }
 
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
-    const Incidence incidence = incidenceOf(mesh);
+    std::map<Index, std::vector<Index>> trianglesAt;
     for (const Index p : nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size())) {
-        failures.push_back(mesh.at(
-            {p}, {incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p]),
-                  incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p + 1])}));
+        trianglesAt[p] = {};
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size() && !trianglesAt.empty(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        for (const Index p : {t.a, t.b, t.c}) {
+            const auto found = trianglesAt.find(p);
+            if (found != trianglesAt.end()) found->second.push_back(static_cast<Index>(i));
+        }
+    }
+    for (auto& [p, triangles] : trianglesAt) {
+        failures.push_back(mesh.at({p}, std::move(triangles)));
     }
 }
 
 void holes(const InspectedMesh& mesh, Failures& failures) {
-    struct Loop {
-        std::vector<Index> points;
-        std::vector<Index> triangles;
-        std::vector<TriangleSide> steps;
-    };
     DisjointSets joined(mesh.points.size());
     std::vector<TriangleSide> border;
-    forEachEdge(mesh, [&](std::size_t begin, std::size_t end) {
-        if (end - begin != 1) return;
-        border.push_back(mesh.sides[begin]);
+    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+        if (edge.size() != 1) return;
+        border.push_back(edge[0]);
         joined.unite(border.back().low, border.back().high);
     });
-    std::map<Index, Loop> loops;  // by least point
-    for (const TriangleSide& side : border) {
-        Loop& loop = loops[joined.find(side.low)];
-        loop.points.insert(loop.points.end(), {side.low, side.high});
-        loop.triangles.push_back(side.triangle);
-        loop.steps.push_back(side);
-    }
-    for (auto& [least, loop] : loops) {
-        const bool alongWalls = std::all_of(loop.points.begin(), loop.points.end(), [&](Index p) {
-            return isBoundary(mesh.points.type[p]);
+    std::map<Index, std::vector<TriangleSide>> loops;  // by least point
+    for (const TriangleSide& side : border) loops[joined.find(side.low)].push_back(side);
+    const std::vector<Vec3>& position = mesh.points.position;
+    const std::vector<std::uint8_t>& type = mesh.points.type;
+    for (const auto& [least, loop] : loops) {
+        const bool alongWalls = std::all_of(loop.begin(), loop.end(), [&](const TriangleSide& s) {
+            return isBoundary(type[s.low]) && isBoundary(type[s.high]);
         });
         if (alongWalls) continue;
-        MeshFailure failure = mesh.at(std::move(loop.points), std::move(loop.triangles));
+        std::vector<Index> points;
+        std::vector<Index> triangles;
+        for (const TriangleSide& side : loop) {
+            points.insert(points.end(), {side.low, side.high});
+            triangles.push_back(side.triangle);
+        }
+        MeshFailure failure = mesh.at(std::move(points), std::move(triangles));
         Vec3 area(0.0);
-        for (const TriangleSide& step : loop.steps) {
-            const Vec3 u = mesh.points.position[step.ascending ? step.low : step.high];
-            const Vec3 v = mesh.points.position[step.ascending ? step.high : step.low];
+        for (const TriangleSide& side : loop) {
+            const Vec3 u = position[side.ascending ? side.low : side.high];
+            const Vec3 v = position[side.ascending ? side.high : side.low];
             failure.length += std::sqrt(glm::dot(v - u, v - u));
             area += glm::cross(u - failure.place, v - failure.place);
         }
@@ -136,61 +137,12 @@ void smallComponents(const InspectedMesh& mesh, Failures& failures) {
     }
 }
 
-namespace {
-
-/// Calls `see(p, isolated)` for the points in no triangle that have a finite position.
-template <typename Visit>
-void forEachUnused(const InspectedMesh& mesh, Visit&& visit) {
-    const auto finite = [&](std::size_t p) {
-        const Vec3& x = mesh.points.position[p];
-        return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-    };
-    const double reach = kIsolated * mesh.meanEdge;
-    Vec3 low(0.0);
-    Vec3 high(0.0);
-    bool any = false;
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        if (!mesh.used[p]) continue;
-        low = any ? glm::min(low, mesh.points.position[p]) : mesh.points.position[p];
-        high = any ? glm::max(high, mesh.points.position[p]) : mesh.points.position[p];
-        any = true;
-    }
-    if (!any || !(reach > 0.0)) {
-        for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-            if (!mesh.used[p] && finite(p)) visit(static_cast<Index>(p), true);
-        }
-        return;
-    }
-    CellGrid grid(low, high, reach);
-    std::vector<Index> numbers;
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        if (!mesh.used[p]) continue;
-        grid.add(mesh.points.position[p]);
-        numbers.push_back(static_cast<Index>(p));
-    }
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        if (mesh.used[p] || !finite(p)) continue;
-        bool isolated = true;
-        grid.near(mesh.points.position[p], [&](Index i) {
-            const Vec3 d = mesh.points.position[numbers[i]] - mesh.points.position[p];
-            if (glm::dot(d, d) <= reach * reach) isolated = false;
-        });
-        visit(static_cast<Index>(p), isolated);
-    }
-}
-
-}  // namespace
-
 void unusedPoints(const InspectedMesh& mesh, Failures& failures) {
-    forEachUnused(mesh, [&](Index p, bool isolated) {
-        if (!isolated) failures.push_back(mesh.at({p}, {}));
-    });
+    findUnused(mesh, false, failures);
 }
 
 void isolatedPoints(const InspectedMesh& mesh, Failures& failures) {
-    forEachUnused(mesh, [&](Index p, bool isolated) {
-        if (isolated) failures.push_back(mesh.at({p}, {}));
-    });
+    findUnused(mesh, true, failures);
 }
 
 }  // namespace se::inspect

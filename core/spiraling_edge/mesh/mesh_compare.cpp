@@ -1,14 +1,20 @@
 /// Two meshes as sorted lists of corner triples, merged in one pass; triangles in only one of them
-/// are joined by common points to regions (union-find). O(t log t).
+/// are joined by common points to regions (union-find). O(t log t). The vertices of a mesh from a
+/// file are found among the points in a grid with about one point per cell: about O(1) per vertex.
 #include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
@@ -46,55 +52,49 @@ std::vector<Entry> sortedEntries(std::span<const Triangle> triangles) {
     return entries;
 }
 
+/// Pairs triangles with the same corners: those of equal winding first, then the rest.
+void pairTriangles(std::span<const Entry> a, std::span<const Entry> b, MeshDifference& found) {
+    for (const bool alike : {true, false}) {
+        for (const Entry& x : a) {
+            if (found.a[x.triangle] != Match::Missing) continue;
+            const auto y = std::find_if(b.begin(), b.end(), [&](const Entry& e) {
+                return found.b[e.triangle] == Match::Missing && (e.odd == x.odd) == alike;
+            });
+            if (y == b.end()) continue;
+            found.a[x.triangle] = found.b[y->triangle] = alike ? Match::Same : Match::Reversed;
+            ++(alike ? found.both : found.reversed);
+        }
+    }
+}
+
 /// Goes through both lists, one set of three corners at a time.
-class Pairing {
-  public:
-    Pairing(std::span<const Triangle> a, std::span<const Triangle> b) {
-        found_.a.assign(a.size(), Match::Missing);
-        found_.b.assign(b.size(), Match::Missing);
-        const std::vector<Entry> left = sortedEntries(a);
-        const std::vector<Entry> right = sortedEntries(b);
-        auto i = left.begin();
-        auto j = right.begin();
-        while (i != left.end() && j != right.end()) {
-            if (i->corners < j->corners) {
-                ++i;
-            } else if (j->corners < i->corners) {
-                ++j;
-            } else {
-                const auto other = [&](const Entry& e) { return e.corners != i->corners; };
-                const auto iEnd = std::find_if(i, left.end(), other);
-                const auto jEnd = std::find_if(j, right.end(), other);
-                pair({&*i, static_cast<std::size_t>(iEnd - i)},
-                     {&*j, static_cast<std::size_t>(jEnd - j)});
-                i = iEnd;
-                j = jEnd;
-            }
-        }
-        found_.onlyA = a.size() - found_.both - found_.reversed;
-        found_.onlyB = b.size() - found_.both - found_.reversed;
-    }
-    MeshDifference take() { return std::move(found_); }
-
-  private:
-    /// Pairs triangles of equal winding first, then the rest.
-    void pair(std::span<const Entry> a, std::span<const Entry> b) {
-        for (const bool alike : {true, false}) {
-            for (const Entry& x : a) {
-                if (found_.a[x.triangle] != Match::Missing) continue;
-                const auto y = std::find_if(b.begin(), b.end(), [&](const Entry& e) {
-                    return found_.b[e.triangle] == Match::Missing && (e.odd == x.odd) == alike;
-                });
-                if (y == b.end()) continue;
-                found_.a[x.triangle] = found_.b[y->triangle] =
-                    alike ? Match::Same : Match::Reversed;
-                ++(alike ? found_.both : found_.reversed);
-            }
+MeshDifference pairAll(std::span<const Triangle> a, std::span<const Triangle> b) {
+    MeshDifference found;
+    found.a.assign(a.size(), Match::Missing);
+    found.b.assign(b.size(), Match::Missing);
+    const std::vector<Entry> left = sortedEntries(a);
+    const std::vector<Entry> right = sortedEntries(b);
+    auto i = left.begin();
+    auto j = right.begin();
+    while (i != left.end() && j != right.end()) {
+        if (i->corners < j->corners) {
+            ++i;
+        } else if (j->corners < i->corners) {
+            ++j;
+        } else {
+            const auto other = [&](const Entry& e) { return e.corners != i->corners; };
+            const auto iEnd = std::find_if(i, left.end(), other);
+            const auto jEnd = std::find_if(j, right.end(), other);
+            pairTriangles({&*i, static_cast<std::size_t>(iEnd - i)},
+                          {&*j, static_cast<std::size_t>(jEnd - j)}, found);
+            i = iEnd;
+            j = jEnd;
         }
     }
-
-    MeshDifference found_;
-};
+    found.onlyA = a.size() - found.both - found.reversed;
+    found.onlyB = b.size() - found.both - found.reversed;
+    return found;
+}
 
 /// Groups the triangles that are not in both by common points.
 class RegionFinder {
@@ -158,12 +158,76 @@ class RegionFinder {
     std::vector<DifferenceRegion> regions_;
 };
 
+/// Points by position, to find one within a small distance.
+class PointFinder {
+  public:
+    explicit PointFinder(std::span<const Vec3> points) : points_(points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (isFinite(points[i])) known_.push_back(static_cast<Index>(i));
+        }
+        if (known_.empty()) return;
+        const WallBox box = boxAround(points);
+        const double diagonal = glm::length(box.high - box.low);
+        tolerance_ = kSamePointTolerance * diagonal;
+        // Cells of about one point each; the tolerance is far smaller.
+        const double cell = diagonal / std::max(2.0, std::sqrt(static_cast<double>(known_.size())));
+        grid_.emplace(box.low, box.high, cell > 0.0 ? cell : 1.0);
+        for (const Index p : known_) grid_->add(points[p]);
+    }
+    bool isAt(Index point, const Vec3& x) const {
+        return point < points_.size() && glm::length(points_[point] - x) <= tolerance_;
+    }
+    /// kNone if no point is that near.
+    Index at(const Vec3& x) const {
+        Index best = kNone;
+        if (!grid_ || !isFinite(x)) return best;
+        double least = tolerance_;
+        grid_->near(x, [&](Index number) {
+            const Index p = known_[number];
+            const double distance = glm::length(points_[p] - x);
+            if (!(distance <= tolerance_)) return;
+            if (best != kNone && (distance > least || (distance == least && p > best))) return;
+            best = p;
+            least = distance;
+        });
+        return best;
+    }
+
+  private:
+    std::span<const Vec3> points_;
+    std::vector<Index> known_;  ///< Points with a finite position, as the grid numbers them.
+    std::optional<CellGrid> grid_;
+    double tolerance_ = 0.0;
+};
+
 }  // namespace
+
+MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
+    assert(cornersBelow(mesh.faces, mesh.position.size()));
+    const PointFinder finder(points);
+    const bool sameCount = points.size() == mesh.position.size();
+    const std::vector<bool> used = usedPoints(mesh.position.size(), mesh.faces);
+    MatchedMesh matched;
+    std::vector<Index> pointOf(mesh.position.size(), kNone);
+    for (Index v = 0; v < mesh.position.size(); ++v) {
+        if (!used[v]) continue;
+        const Vec3& x = mesh.position[v];
+        pointOf[v] = sameCount && finder.isAt(v, x) ? v : finder.at(x);
+        if (pointOf[v] != kNone) continue;
+        pointOf[v] = static_cast<Index>(points.size() + matched.unmatchedVertices.size());
+        matched.unmatchedVertices.push_back(x);
+        matched.unmatchedNumbers.push_back(v);
+    }
+    matched.triangles.reserve(mesh.faces.size());
+    for (const Triangle& t : mesh.faces)
+        matched.triangles.push_back({pointOf[t.a], pointOf[t.b], pointOf[t.c]});
+    return matched;
+}
 
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b) {
     assert(cornersBelow(a, position.size()) && cornersBelow(b, position.size()));
-    MeshDifference found = Pairing(a, b).take();
+    MeshDifference found = pairAll(a, b);
     found.regions = RegionFinder(position, a, b, found).take();
     return found;
 }

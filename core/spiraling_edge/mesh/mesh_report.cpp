@@ -8,6 +8,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
+#include "spiraling_edge/points/used_points.h"
 
 namespace se {
 namespace {
@@ -17,21 +18,16 @@ void countEdges(const std::vector<TriangleSide>& sides, std::size_t points, Mesh
     DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
-    for (std::size_t i = 0; i < sides.size();) {
-        const std::size_t end = endOfEdge(sides, i);
-        const std::size_t count = end - i;
-        std::size_t ascending = 0;
-        for (std::size_t j = i; j < end; ++j) ascending += sides[j].ascending ? 1U : 0U;
+    forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
         ++report.edges;
-        if (count > 2) ++report.nonManifoldEdges;
-        if (ascending > 1 || count - ascending > 1) ++report.inconsistentEdges;
-        if (count == 1) {
+        if (edge.size() > 2) ++report.nonManifoldEdges;
+        if (isInconsistent(edge)) ++report.inconsistentEdges;
+        if (edge.size() == 1) {
             ++report.boundaryEdges;
-            onBoundary[sides[i].low] = onBoundary[sides[i].high] = true;
-            if (boundary.unite(sides[i].low, sides[i].high)) ++joined;
+            onBoundary[edge[0].low] = onBoundary[edge[0].high] = true;
+            if (boundary.unite(edge[0].low, edge[0].high)) ++joined;
         }
-        i = end;
-    }
+    });
     const auto ends =
         static_cast<std::size_t>(std::count(onBoundary.begin(), onBoundary.end(), true));
     report.boundaryLoops = ends - joined;
@@ -86,14 +82,12 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.points = points.size();
     report.triangles = triangles.size();
     DisjointSets pieces(points.size());
-    std::vector<bool> used(points.size(), false);
     std::size_t joined = 0;
     for (const Triangle& t : triangles) {
-        used[t.a] = used[t.b] = used[t.c] = true;
         joined += pieces.unite(t.a, t.b) ? 1U : 0U;
         joined += pieces.unite(t.b, t.c) ? 1U : 0U;
     }
-    report.usedPoints = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+    report.usedPoints = countUsedPoints(points.size(), triangles);
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
     const std::vector<TriangleSide> sides = sortedSides(triangles);

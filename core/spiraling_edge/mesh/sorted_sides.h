@@ -38,11 +38,24 @@ inline std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles
     return sides;
 }
 
-/// One past the last side of the edge whose first side is at `begin`.
-inline std::size_t endOfEdge(const std::vector<TriangleSide>& sides, std::size_t begin) {
-    std::size_t end = begin + 1;
-    while (end < sides.size() && sides[end].sameEdge(sides[begin])) ++end;
-    return end;
+/// Calls visit(sides of an edge) for each edge in turn.
+template <typename Visit>
+void forEachEdge(std::span<const TriangleSide> sides, Visit&& visit) {
+    while (!sides.empty()) {
+        const auto end = std::find_if_not(sides.begin(), sides.end(), [&](const TriangleSide& s) {
+            return s.sameEdge(sides.front());
+        });
+        const auto count = static_cast<std::size_t>(end - sides.begin());
+        visit(sides.first(count));
+        sides = sides.subspan(count);
+    }
+}
+
+/// True if two sides of the edge pass it in the same direction.
+inline bool isInconsistent(std::span<const TriangleSide> edge) {
+    const auto ascending =
+        std::count_if(edge.begin(), edge.end(), [](const TriangleSide& s) { return s.ascending; });
+    return ascending > 1 || static_cast<std::ptrdiff_t>(edge.size()) - ascending > 1;
 }
 
 /// Points whose triangles form more than one fan, ascending: they are not connected by edges at

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "spiraling_edge/base/finite.h"
-
 namespace se {
 namespace {
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
+
+#include "spiraling_edge/base/float_bits.h"
 
 namespace se {
 namespace {
@@ -41,9 +42,8 @@ class PositionTable {
     static std::size_t hash(const Vec3& v) {
         std::uint64_t h = 0;
         for (const double coordinate : {v.x, v.y, v.z}) {
-            const double unsignedZero = coordinate + 0.0;  // -0 equals 0, so it must hash like it
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, &unsignedZero, sizeof bits);
+            const auto bits =
+                bitsAs<std::uint64_t>(coordinate + 0.0);  // -0 equals 0: hashes like it
             h = (h ^ bits) * 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio: spreads low bits upwards
             h ^= h >> 32U;
         }

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/points/point_file.h"
 
 namespace se {

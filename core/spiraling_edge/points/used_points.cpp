@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cassert>
 
-#include "spiraling_edge/points/kept_rows.h"
 #include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {
 
-std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
-    assert(cornersBelow(triangles, points));
-    std::vector<bool> used(points, false);
-    for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
-    return used;
+/// Keeps the rows of a column that are marked; an empty column stays empty.
+template <typename T>
+void keepRows(std::vector<T>& column, const std::vector<bool>& keep) {
+    if (column.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i]) column[kept++] = column[i];
+    }
+    column.resize(kept);
 }
 
 /// The lists of the points that have a number, in their order, renumbered.
@@ -32,6 +35,29 @@ NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& nu
 }
 
 }  // namespace
+
+std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points));
+    std::vector<bool> used(points, false);
+    for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
+    return used;
+}
+
+void keepColumns(PointFile& file, const std::vector<bool>& keep) {
+    keepRows(file.position, keep);
+    keepRows(file.normal, keep);
+    keepRows(file.type, keep);
+    for (Attribute& attribute : file.attributes) keepRows(attribute.values, keep);
+}
+
+std::vector<Index> keptNumbers(const std::vector<bool>& keep) {
+    std::vector<Index> number(keep.size(), kNone);
+    Index next = 0;
+    for (std::size_t p = 0; p < keep.size(); ++p) {
+        if (keep[p]) number[p] = next++;
+    }
+    return number;
+}
 
 PointFile withUsedPoints(const PointFile& points, std::span<const Triangle> triangles) {
     assert(checkColumns(points).ok());

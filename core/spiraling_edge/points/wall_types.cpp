@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/common.hpp>
-
-#include "spiraling_edge/base/finite.h"
 
 namespace se {
 namespace {

@@ -12,7 +12,6 @@
 #include <numeric>
 #include <string>
 
-#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/z_curve.h"
 

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/stepper/stage_table.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
-#include "spiraling_edge/geometry/box_grid.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"

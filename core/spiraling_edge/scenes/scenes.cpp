@@ -1,8 +1,10 @@
+/// The scenes that work, small inputs that each show one figure of the paper among them.
+/// tests/core/scenes/scenes_test.cpp checks the pivots named in the table.
 #include "spiraling_edge/scenes/scenes.h"
 
+#include <algorithm>
 #include <array>
 
-#include "spiraling_edge/scenes/figure_scenes.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 
 namespace se {
@@ -14,18 +16,96 @@ PointFile grid() {
     PointFile file;
     for (int y = -kHalf; y <= kHalf; ++y) {
         for (int x = -kHalf; x <= kHalf; ++x) {
-            unsigned faces = 0;
-            if (x == kHalf) faces |= kPositiveX;
-            if (y == kHalf) faces |= kPositiveY;
-            if (x == -kHalf) faces |= kNegativeX;
-            if (y == -kHalf) faces |= kNegativeY;
             file.position.emplace_back(x, y, 0);
             file.normal.emplace_back(0, 0, 1);
-            file.type.push_back(withCornerBit(static_cast<std::uint8_t>(faces)));
+            file.type.push_back(wallsAt(file.position.back(), Vec3(-kHalf), Vec3(kHalf)));
         }
     }
     return file;
 }
+
+// ---- the figures of the paper -------------------------------------------------------------------
+
+/// Moves the first `count` points to the end.
+PointFile movedToBack(PointFile file, std::ptrdiff_t count) {
+    const auto rotate = [count](auto& values) {
+        std::rotate(values.begin(), values.begin() + count, values.end());
+    };
+    rotate(file.position);
+    rotate(file.normal);
+    rotate(file.type);
+    return file;
+}
+
+/// A small sheet whose run begins at an interior point.
+PointFile smallSheet(const ImplicitSurface& sheet, std::uint64_t seed, std::size_t k) {
+    constexpr std::size_t kPerSide = 5;
+    constexpr std::ptrdiff_t kRim = 4 * (kPerSide + 1);
+    return withNeighborLists(movedToBack(sampleSheet(sheet, kPerSide, 26, seed), kRim),
+                             {KNearest{k}});
+}
+
+PointFile smallTorus(std::uint64_t seed, std::size_t k) {
+    return withNeighborLists(sampleClosed(torus(), 160, 0.3375, seed), {KNearest{k}});
+}
+
+/// The points of Figure 2 around point 1, in the order of their numbers; spacing 1.
+constexpr double kFigure2[][2] = {
+    {0.0, 0.0},                                     // 1
+    {0.94, 0.0},    {0.52, 0.88},  {-0.5, 0.9},     // 2 to 4
+    {-1.0, 0.02},   {-0.49, -0.9}, {0.52, -0.88},   // 5 to 7
+    {1.56, -0.88},  {1.92, 0.1},   {1.34, 1.26},    // 8 to 10, around 2
+    {0.06, 1.8},                                    // 11, around 3
+    {-1.0, 1.74},   {-1.62, 0.92},                  // 12, 13, around 4
+    {-1.96, 0.2},   {-1.9, -0.62}, {-1.34, -1.36},  // 14 to 16, around 5
+    {-0.46, -1.86}, {0.5, -1.84},                   // 17, 18
+};
+
+PointFile figure2() {
+    constexpr int kRows = 4;
+    constexpr double kRowHeight = 0.9;
+    constexpr double kHalfWidth = 4.0;
+    const Vec3 high(kHalfWidth, kRows * kRowHeight, 0.0);
+    PointFile file;
+    file.positionType = ScalarType::Double;
+    const auto add = [&](double x, double y) {
+        file.position.emplace_back(x, y, 0.0);
+        file.normal.emplace_back(0.0, 0.0, 1.0);
+        file.type.push_back(wallsAt(file.position.back(), -high, high));
+    };
+    for (const auto& p : kFigure2) add(p[0], p[1]);
+    for (int row = -kRows; row <= kRows; ++row) {
+        // Eight or seven steps from wall to wall: rows are shifted against each other.
+        const int steps = row % 2 == 0 ? 8 : 7;
+        const double y = row * kRowHeight;
+        for (int i = 0; i <= steps; ++i) {
+            const double x = i == steps ? kHalfWidth : -kHalfWidth + i * (2.0 * kHalfWidth) / steps;
+            const bool taken =
+                std::any_of(std::begin(kFigure2), std::end(kFigure2), [&](const auto& p) {
+                    const double dx = x - p[0];
+                    const double dy = y - p[1];
+                    return dx * dx + dy * dy < 0.55;
+                });
+            if (!taken) add(x, y);
+        }
+    }
+    return file;
+}
+
+PointFile figure4() { return smallSheet(flatSheet(), 1, 10); }
+PointFile figure5() { return smallTorus(1, 10); }
+PointFile figure6() { return smallSheet(wavySheet(), 122, 12); }
+PointFile figure7() { return smallTorus(1, 14); }
+PointFile figure9() { return smallTorus(11, 10); }
+PointFile figure12() { return smallTorus(5, 10); }
+
+/// Begins with two points on one wall.
+PointFile figure14() {
+    // Rim points come in groups of four, from the corners on: this begins on the wall y = -1.
+    return withNeighborLists(movedToBack(sampleSheet(flatSheet(), 5, 26, 1), 8), {KNearest{10}});
+}
+
+// ---- the table ----------------------------------------------------------------------------------
 
 constexpr std::array kScenes{
     Scene{

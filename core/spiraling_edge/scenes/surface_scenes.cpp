@@ -125,14 +125,23 @@ PointFile sampleSheet(const ImplicitSurface& sheet, std::size_t perSide, std::si
                     std::clamp(x.y, low.y + margin, high.y - margin));
     });
     PointFile file = fileOf(sheet, std::move(position));
-    for (const Vec3& x : file.position) {
-        unsigned faces = 0;
-        if (x.x == high.x) faces |= kPositiveX;
-        if (x.y == high.y) faces |= kPositiveY;
-        if (x.x == low.x) faces |= kNegativeX;
-        if (x.y == low.y) faces |= kNegativeY;
-        file.type.push_back(withCornerBit(static_cast<std::uint8_t>(faces)));
-    }
+    for (const Vec3& x : file.position) file.type.push_back(wallsAt(x, low, high));
+    return file;
+}
+
+std::uint8_t wallsAt(const Vec3& x, const Vec3& low, const Vec3& high) {
+    unsigned faces = 0;
+    if (x.x == high.x) faces |= kPositiveX;
+    if (x.y == high.y) faces |= kPositiveY;
+    if (x.x == low.x) faces |= kNegativeX;
+    if (x.y == low.y) faces |= kNegativeY;
+    return withCornerBit(static_cast<std::uint8_t>(faces));
+}
+
+PointFile withNeighborLists(PointFile file, const NeighborOptions& reach) {
+    const std::vector<bool> usable(file.position.size(), true);
+    auto lists = findNeighbors(file.position, file.normal, usable, reach);
+    if (lists.ok()) file.neighbors = std::move(lists.value());
     return file;
 }
 

@@ -7,6 +7,7 @@
 
 #include "spiraling_edge/geometry/implicit_surfaces.h"
 #include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 
@@ -18,5 +19,12 @@ PointFile sampleClosed(const ImplicitSurface& surface, std::size_t count, double
 /// of the four walls, typed, and `interior` points between them.
 PointFile sampleSheet(const ImplicitSurface& sheet, std::size_t perSide, std::size_t interior,
                       std::uint64_t seed);
+
+/// The face bits, with the corner bit, of a point of a sheet over the rectangle from `low` to
+/// `high`.
+std::uint8_t wallsAt(const Vec3& x, const Vec3& low, const Vec3& high);
+
+/// The file with lists of this reach, so that what it shows does not depend on options.
+PointFile withNeighborLists(PointFile file, const NeighborOptions& reach);
 
 }  // namespace se

@@ -3,7 +3,6 @@
 /// costs the length of the shorter one, and after a join that of the shorter ring.
 #include "spiraling_edge/stepper/edge_ring.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -160,10 +159,11 @@ Exchange EdgeRings::finishJoin(Index x, Index y, Index ringX, Index ringY) {
     return {false, kept, kept};
 }
 
-void EdgeRings::activate(Index ring) {
+Index EdgeRings::activate(Index ring) {
     assert(length(ring) > 0);
     removeFromStack(ring);
     active_ = ring;
+    return rings_[ring].head;
 }
 
 void EdgeRings::push(Index ring, Index head) {
@@ -210,18 +210,8 @@ std::size_t EdgeRings::bytesWithoutPoints() const {
            (stack_.size() + freeRings_.size()) * sizeof(Index);
 }
 
-Index EdgeRings::pop() {
-    if (stack_.empty()) return kNone;
-    const Index ring = stack_.back();
-    activate(ring);
-    return rings_[ring].head;
-}
+Index EdgeRings::pop() { return stack_.empty() ? kNone : activate(stack_.back()); }
 
-Index EdgeRings::popOldest() {
-    if (stack_.empty()) return kNone;
-    const Index ring = stack_.front();
-    activate(ring);
-    return rings_[ring].head;
-}
+Index EdgeRings::popOldest() { return stack_.empty() ? kNone : activate(stack_.front()); }
 
 }  // namespace se

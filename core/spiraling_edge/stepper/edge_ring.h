@@ -53,6 +53,12 @@ class EdgeRings {
     Index length(Index ring) const { return rings_[ring].length; }
     /// An entry of the ring to start walking at; for a stacked ring, the pivot when it is popped.
     Index head(Index ring) const { return rings_[ring].head; }
+    /// Calls visit(entry) for each entry of a ring, from its head on.
+    template <typename Visit>
+    void forEachEntry(Index ring, Visit&& visit) const {
+        Index entry = head(ring);
+        for (Index i = 0; i < length(ring); ++i, entry = next(entry)) visit(entry);
+    }
     /// The active ring, kNone if there is none.
     Index active() const { return active_; }
     /// Stacked rings, the most recently pushed last.
@@ -78,8 +84,8 @@ class EdgeRings {
     /// joined ring is active if either was, and leaves the stack then.
     Exchange exchangeSuccessors(Index x, Index y);
     /// Makes `ring` the active one; takes it off the stack if it was there.
-    /// The ring that was active is neither afterwards.
-    void activate(Index ring);
+    /// The ring that was active is neither afterwards. Returns the head.
+    Index activate(Index ring);
     /// Puts a ring on top of the stack; `head` is where its traversal will begin.
     void push(Index ring, Index head);
     /// Makes the top of the stack the active ring and returns its head; kNone if the stack is

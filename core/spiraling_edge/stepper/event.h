@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -44,7 +45,35 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Done) + 1;
 
-/// "sphere", "twopoint", ... (stage_table.h).
+/// The tests of a stage that a what-if can override (what_if.h).
+enum class StageTests : std::uint8_t {
+    None,
+    OfPoints,  ///< Each tests one point.
+    OfFans,    ///< Also of the neighbor ring as a whole: refused, no triangle is made.
+};
+
+/// One stage.
+struct StageRow {
+    Stage id;
+    std::string_view name;     ///< "sphere", as shown to users and in addresses.
+    std::string_view section;  ///< "6.3"; empty for those beyond the paper (docs/robust.md).
+    StageTests tests;
+};
+
+/// True if the rows of a table are in the order of the enum of their ids.
+template <typename Rows>
+constexpr bool isInOrder(const Rows& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].id != static_cast<decltype(rows[i].id)>(i)) return false;
+    }
+    return true;
+}
+
+/// All stages, in the order of the enum. A new stage is a value of Stage and a row of this table.
+std::span<const StageRow> stageTable();
+const StageRow& rowOf(Stage stage);
+
+/// "sphere", "twopoint", ...
 std::string_view stageName(Stage stage);
 std::optional<Stage> stageFromName(std::string_view name);
 /// "6.3"; the paper's section of a stage. Empty for those beyond the paper (docs/robust.md).

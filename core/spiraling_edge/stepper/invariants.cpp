@@ -18,12 +18,6 @@ std::vector<Index> liveRings(const EdgeRings& rings) {
     return all;
 }
 
-template <typename Visit>
-void forEachEntry(const EdgeRings& rings, Index ring, Visit&& visit) {
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) visit(entry);
-}
-
 /// Invariant 2, for one ring.
 std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) {
     const Index length = rings.length(ring);
@@ -31,7 +25,7 @@ std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) 
     std::string problem;
     bool allOpen = true;
     bool anyOpen = false;
-    forEachEntry(rings, ring, [&](Index e) {
+    rings.forEachEntry(ring, [&](Index e) {
         if (rings.ringOf(e) != ring) problem = at("2: an entry names another ring", rings.point(e));
         if (rings.prev(rings.next(e)) != e) {
             problem = at("2: next and prev disagree", rings.point(e));
@@ -59,7 +53,7 @@ std::string checkRings(const State& s, const Params& params) {
     for (const Index ring : rings) {
         const std::string problem = checkRing(s.rings, ring, params);
         if (!problem.empty()) return problem;
-        forEachEntry(s.rings, ring, [&](Index e) { ++entries[s.rings.point(e)]; });
+        s.rings.forEachEntry(ring, [&](Index e) { ++entries[s.rings.point(e)]; });
     }
     for (Index p = 0; p < s.status.size(); ++p) {
         if (std::max(s.status[p], 0) != entries[p]) return at("1: status is not the entries", p);
@@ -121,13 +115,13 @@ InvariantChecker::InvariantChecker(const PointSet& points, const Params& params,
       params_(params),
       level_(level),
       trianglesOf_(points.size()),
-      statusBefore_(points.size(), kUnused) {}
+      before_(points.size()) {}
 
 /// Invariants 6 and 9.
 std::string InvariantChecker::checkPivot(const State& s) const {
-    const std::size_t before = trianglesBefore_.size();
+    const std::size_t before = before_.triangles.size();
     if (s.triangles.size() < before ||
-        !std::equal(trianglesBefore_.begin(), trianglesBefore_.end(), s.triangles.begin())) {
+        !std::equal(before_.triangles.begin(), before_.triangles.end(), s.triangles.begin())) {
         return "6: a triangle was taken back";
     }
     if (s.triangles.size() - before != s.pivotTriangles) return "6: triangles are miscounted";
@@ -136,10 +130,10 @@ std::string InvariantChecker::checkPivot(const State& s) const {
         if (t.a != s.triangles[before].a) return at("6: a fan with two centers", t.a);
         if (i > before && t.b != s.triangles[i - 1].c) return at("6: a fan is torn", t.b);
     }
-    if (s.pivotTriangles == 0 && s.counters.freedRings == countersBefore_.freedRings &&
-        s.counters.seeds == countersBefore_.seeds &&
-        s.counters.stranded == countersBefore_.stranded &&
-        s.counters.isolated == countersBefore_.isolated && s.status != statusBefore_) {
+    if (s.pivotTriangles == 0 && s.counters.freedRings == before_.counters.freedRings &&
+        s.counters.seeds == before_.counters.seeds &&
+        s.counters.stranded == before_.counters.stranded &&
+        s.counters.isolated == before_.counters.isolated && s.status != before_.status) {
         return "9: a pivot without triangles changed a status";
     }
     return {};
@@ -148,11 +142,11 @@ std::string InvariantChecker::checkPivot(const State& s) const {
 /// Invariant 7.
 std::string InvariantChecker::checkStatusChanges(const State& s) const {
     for (Index p = 0; p < s.status.size(); ++p) {
-        if (statusBefore_[p] == kDone && s.status[p] != kDone) return at("7: DONE is final", p);
+        if (before_.status[p] == kDone && s.status[p] != kDone) return at("7: DONE is final", p);
     }
-    for (std::size_t i = trianglesBefore_.size(); i < s.triangles.size(); ++i) {
+    for (std::size_t i = before_.triangles.size(); i < s.triangles.size(); ++i) {
         for (const Index p : {s.triangles[i].a, s.triangles[i].b, s.triangles[i].c}) {
-            if (statusBefore_[p] == kDone) return at("7: a DONE point is in a new triangle", p);
+            if (before_.status[p] == kDone) return at("7: a DONE point is in a new triangle", p);
             if (s.status[p] == kUnused) return at("7: an UNUSED point is in a triangle", p);
         }
     }
@@ -162,19 +156,20 @@ std::string InvariantChecker::checkStatusChanges(const State& s) const {
 /// Invariant 10: +1 per seed and split, -1 per join, closed and freed ring.
 std::string InvariantChecker::checkRingCount(const State& s) const {
     const Counters& now = s.counters;
-    const Counters& old = countersBefore_;
+    const Counters& old = before_.counters;
     const auto change = static_cast<long>(now.seeds - old.seeds) +
                         static_cast<long>(now.splits - old.splits) -
                         static_cast<long>(now.joins - old.joins) -
                         static_cast<long>(now.closedRings - old.closedRings) -
                         static_cast<long>(now.freedRings - old.freedRings);
     const auto rings = static_cast<long>(liveRings(s.rings).size());
-    return rings == static_cast<long>(ringsBefore_) + change ? "" : "10: a ring came or went";
+    const auto ringsBefore = static_cast<long>(liveRings(before_.rings).size());
+    return rings == ringsBefore + change ? "" : "10: a ring came or went";
 }
 
 /// Invariants 3, 4 and 5.
 std::string InvariantChecker::checkEdges(const State& s) {
-    for (std::size_t i = trianglesBefore_.size(); i < s.triangles.size(); ++i) {
+    for (std::size_t i = before_.triangles.size(); i < s.triangles.size(); ++i) {
         const Triangle& t = s.triangles[i];
         for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
             if (++directedEdges_[edgeKey(u, v)] > 1) return at("5: an edge is passed twice", u);
@@ -183,7 +178,7 @@ std::string InvariantChecker::checkEdges(const State& s) {
     }
     std::string problem;
     for (const Index ring : liveRings(s.rings)) {
-        forEachEntry(s.rings, ring, [&](Index e) {
+        s.rings.forEachEntry(ring, [&](Index e) {
             if (s.rings.open(e)) return;
             const Index u = s.rings.point(e);
             const Index v = s.rings.point(s.rings.next(e));
@@ -200,9 +195,9 @@ std::string InvariantChecker::checkEdges(const State& s) {
 
 /// Invariant 12: an interior point that became DONE by §6.5 is inside one closed fan.
 std::string InvariantChecker::checkSurrounded(const State& s) const {
-    if (s.counters.freedRings != countersBefore_.freedRings) return {};
+    if (s.counters.freedRings != before_.counters.freedRings) return {};
     for (Index p = 0; p < s.status.size(); ++p) {
-        if (s.status[p] != kDone || statusBefore_[p] == kDone) continue;
+        if (s.status[p] != kDone || before_.status[p] == kDone) continue;
         if (isBoundary(points_.type[p]) || trianglesOf_[p].empty()) continue;
         std::unordered_map<Index, Index> following;
         for (const Index i : trianglesOf_[p]) {
@@ -226,17 +221,9 @@ std::string InvariantChecker::checkSurrounded(const State& s) const {
     return {};
 }
 
-void InvariantChecker::recordState(const State& s) {
-    statusBefore_ = s.status;
-    trianglesBefore_ = s.triangles;
-    countersBefore_ = s.counters;
-    ringsBefore_ = liveRings(s.rings).size();
-    startPointerBefore_ = s.startPointer;
-}
-
 std::string InvariantChecker::check(const State& s) {
     std::string problem = checkInvariants(s, points_, params_);
-    if (problem.empty() && s.startPointer < startPointerBefore_) {
+    if (problem.empty() && s.startPointer < before_.startPointer) {
         problem = "11: the start pointer went back";
     }
     if (problem.empty()) problem = checkPivot(s);
@@ -244,7 +231,7 @@ std::string InvariantChecker::check(const State& s) {
     if (problem.empty()) problem = checkRingCount(s);
     if (problem.empty() && level_ != Level::AnyInput) problem = checkEdges(s);
     if (problem.empty() && level_ == Level::WellSampled) problem = checkSurrounded(s);
-    recordState(s);
+    before_ = s;
     return problem;
 }
 

@@ -37,7 +37,6 @@ class InvariantChecker {
     std::string checkRingCount(const State& state) const;
     std::string checkEdges(const State& state);
     std::string checkSurrounded(const State& state) const;
-    void recordState(const State& state);
 
     const PointSet& points_;
     Params params_;
@@ -45,11 +44,7 @@ class InvariantChecker {
     /// Triangles that pass u -> v in this direction, by (u, v).
     std::unordered_map<std::uint64_t, int> directedEdges_;
     std::vector<std::vector<Index>> trianglesOf_;
-    std::vector<PointStatus> statusBefore_;
-    std::vector<Triangle> trianglesBefore_;
-    Counters countersBefore_;
-    std::size_t ringsBefore_ = 0;
-    Index startPointerBefore_ = 0;
+    State before_;  ///< At the previous check.
 };
 
 }  // namespace se

@@ -2,10 +2,12 @@
 /// triangles is unchanged; the repairs edit a copy, one step at a time.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "spiraling_edge/mesh/edge_table.h"
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se {
@@ -40,23 +42,18 @@ inline constexpr std::uint32_t kRepairRounds = 3;
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
 
 /// RobustRules::reinsert: puts the next stranded point into the triangle it lies over, if that
-/// makes three triangles without a fault. False if no point is left to try; `point` is the one that
-/// was inserted.
-bool reinsertNext(const PointSet& points, RepairState& repair, Index& point);
+/// makes three triangles without a fault. Nothing if no point is left to try.
+std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
-/// An edge that was flipped: u v became x y.
-struct Flip {
-    Index u, v, x, y;
-};
 /// RobustRules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a
-/// larger least angle where the surface is flat. False if none is left. Terminates: every flip
+/// larger least angle where the surface is flat. Nothing if none is left. Terminates: every flip
 /// reduces the faults, or keeps them and increases the least angle of its two triangles.
-bool flipNext(const PointSet& points, const RobustThresholds& thresholds, RepairState& repair,
-              Flip& flip);
+std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
+                                     RepairState& repair);
 
 /// RobustRules::removeFolded: takes out a point at the next flipped triangle, if the hole of its
-/// triangles can be closed without a fault. False if none is left. Terminates: every point taken
+/// triangles can be closed without a fault. Nothing if none is left. Terminates: every point taken
 /// out leaves two triangles less.
-bool removeFoldedPoint(const PointSet& points, RepairState& repair, Index& point);
+std::optional<RemoveFoldedEvidence> removeFoldedPoint(const PointSet& points, RepairState& repair);
 
 }  // namespace se

@@ -2,19 +2,125 @@
 #include "spiraling_edge/stepper/rule_settings.h"
 
 #include <array>
-
-#include "spiraling_edge/base/degrees.h"
-#include "spiraling_edge/stepper/rule_table.h"
+#include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace se {
 namespace {
 
-using table::angle;
-using table::number;
-using table::option;
-using table::reading;
-using table::robust;
-using table::rule;
+constexpr double kPi = 3.14159265358979323846;
+
+/// The cosine of an angle from 0 to 180 degrees by + - * / alone, so that it is the same on every
+/// machine; correctly rounded where rules have their default values.
+double cosineOfDegrees(double degrees) {
+    struct Known {
+        double degrees, cosine;
+    };
+    constexpr std::array kKnown{
+        Known{0.0, 1.0},    Known{45.0, 0.70710678118654752},  Known{60.0, 0.5},   Known{90.0, 0.0},
+        Known{120.0, -0.5}, Known{150.0, -0.8660254037844386}, Known{180.0, -1.0},
+    };
+    for (const Known& each : kKnown) {
+        if (each.degrees == degrees) return each.cosine;
+    }
+    // About 90 degrees: cos(90 + x) = -sin(x), |x| <= pi / 2, where the series is short.
+    const double x = (degrees - 90.0) * kPi / 180.0;
+    double term = x;
+    double sine = x;
+    for (int n = 1; n <= 12; ++n) {
+        term *= -x * x / (2.0 * n * (2.0 * n + 1.0));
+        sine += term;
+    }
+    return -sine;
+}
+
+// ---- the makers of rows -------------------------------------------------------------------------
+
+/// The last member of a path: member of the member before it, first of the params.
+template <auto... path>
+constexpr auto& memberOf(auto& params) {
+    return (params.*....*path);
+}
+
+/// That member as the number that a setting is.
+template <auto... path>
+struct Member {
+    using Type = std::remove_reference_t<decltype(memberOf<path...>(std::declval<Params&>()))>;
+    static double get(const Params& p) { return static_cast<double>(memberOf<path...>(p)); }
+    static void set(Params& p, double value) { memberOf<path...>(p) = static_cast<Type>(value); }
+};
+
+constexpr std::string_view kOnOff[] = {"off", "on"};
+
+/// A switch, or one of several ways if `options` names them.
+template <auto... path>
+constexpr RuleSetting choice(std::string_view name, std::string_view section,
+                             std::string_view summary, std::string_view paper,
+                             std::span<const std::string_view> options = kOnOff) {
+    using M = Member<path...>;
+    constexpr bool isSwitch = std::is_same_v<typename M::Type, bool>;
+    const double high = static_cast<double>(options.size()) - 1.0;
+    return {
+        name, section, false, summary, paper,  isSwitch ? SettingKind::Switch : SettingKind::Option,
+        0.0,  high,    "",    options, M::get, M::set,
+        false};
+}
+
+/// A number from `low` to `high`; a whole one if the member is.
+template <auto... path>
+constexpr RuleSetting number(std::string_view name, std::string_view section,
+                             std::string_view summary, double low, double high,
+                             std::string_view unit, std::string_view paper = "") {
+    using M = Member<path...>;
+    constexpr bool isWhole = std::is_integral_v<typename M::Type>;
+    return {
+        name, section, false, summary, paper,  isWhole ? SettingKind::Whole : SettingKind::Number,
+        low,  high,    unit,  {},      M::get, M::set,
+        false};
+}
+
+/// An angle from `low` to 180 degrees; held as its cosine.
+template <auto... path>
+constexpr RuleSetting angle(std::string_view name, std::string_view section,
+                            std::string_view summary, double low, std::string_view paper = "") {
+    RuleSetting row = number<path...>(name, section, summary, low, 180.0, "degrees", paper);
+    row.get = [](const Params& p) { return degreesOf(Member<path...>::get(p)); };
+    row.set = [](Params& p, double value) { Member<path...>::set(p, cosineOfDegrees(value)); };
+    return row;
+}
+
+constexpr RuleSetting beyondPaper(RuleSetting row) {
+    row.beyondPaper = true;
+    return row;
+}
+constexpr RuleSetting ruleSwitch(RuleSetting row) {
+    row.isRuleSwitch = true;
+    return row;
+}
+
+/// A switch of the paper's own, or one of several ways to read it.
+template <auto member>
+constexpr RuleSetting rule(std::string_view name, std::string_view section,
+                           std::string_view summary, std::string_view paper,
+                           std::span<const std::string_view> options = kOnOff) {
+    return choice<&Params::paper, member>(name, section, summary, paper, options);
+}
+/// A reading of the paper.
+template <bool Readings::*member>
+constexpr RuleSetting reading(std::string_view name, std::string_view section,
+                              std::string_view summary, std::string_view paper) {
+    return ruleSwitch(choice<&Params::readings, member>(name, section, summary, paper));
+}
+/// A rule beyond the paper.
+template <bool RobustRules::*member>
+constexpr RuleSetting robust(std::string_view name, std::string_view section,
+                             std::string_view summary) {
+    return ruleSwitch(beyondPaper(choice<&Params::robust, member>(name, section, summary, "")));
+}
+constexpr auto kThresholds = &Params::thresholds;
+
+// ---- the table ----------------------------------------------------------------------------------
 
 constexpr std::string_view kTies[] = {"nearest", "farthest", "both"};
 constexpr std::string_view kTurns[] = {"counterclockwise", "clockwise"};
@@ -34,30 +140,17 @@ constexpr std::string_view kSplitWords =
     "one of the rings is pushed onto a stack.";
 
 constexpr auto kSettings = std::to_array<RuleSetting>({
-    {"opposing", "3", false, "neighbors with an opposing normal are left out of computed lists", "",
-     SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
-     [](const Params& p) { return p.dropOpposingNormals ? 1.0 : 0.0; },
-     [](Params& p, double value) { p.dropOpposingNormals = value != 0.0; }, false},
+    choice<&Params::dropOpposingNormals>(
+        "opposing", "3", "neighbors with an opposing normal are left out of computed lists", ""),
 
-    option<&PaperRules::tie>(
+    rule<&PaperRules::tie>(
         "tie", "6.1", "which of two neighbors at the same angle stays",
         "If two neighboring points are found to have the same angle, the point closest to p is "
         "included in the ring and the other point is eliminated from consideration.",
         kTies),
-    {"sameangle",
-     "6.1",
-     false,
-     "angles nearer than this are the same",
-     "",
-     SettingKind::Number,
-     0.0,
-     0.01,
-     "1 - cos",
-     {},
-     [](const Params& p) { return p.sameAngle; },
-     [](Params& p, double value) { p.sameAngle = value; },
-     false},
-    option<&PaperRules::turn>(
+    number<&Params::sameAngle>("sameangle", "6.1", "angles nearer than this are the same", 0.0,
+                               0.01, "1 - cos"),
+    rule<&PaperRules::turn>(
         "turn", "6.1", "the side to which angles grow: n = normal x z, or z x normal",
         "... taking the cross product of z and p's normals, producing the normal of the plane "
         "slicing the ring at 180 degrees.",
@@ -92,20 +185,12 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "freesector", "6.1", "the reciprocal test looks at the free side of the ring",
         "... the angles formed by the preceding and succeeding points on "
         "the edge list (elast and efirst) are calculated."),
-    {"holesize",
-     "6.2",
-     false,
-     "largest number of edges of a hole that is known; below 3: none",
-     "Note that the algorithm will not recognize a hole formed by more than three points. ... "
-     "Although checks for larger holes could be made, it would be a case of diminishing returns.",
-     SettingKind::Whole,
-     0.0,
-     8.0,
-     "edges",
-     {},
-     [](const Params& p) { return static_cast<double>(p.paper.holeSize); },
-     [](Params& p, double value) { p.paper.holeSize = static_cast<std::uint32_t>(value); },
-     false},
+    number<&Params::paper, &PaperRules::holeSize>(
+        "holesize", "6.2", "largest number of edges of a hole that is known; below 3: none", 0.0,
+        8.0, "edges",
+        "Note that the algorithm will not recognize a hole formed by more than three points. ... "
+        "Although checks for larger holes could be made, it would be a case of diminishing "
+        "returns."),
     reading<&Readings::realHole>(
         "realhole", "6.2", "a hole of three has three mesh edges and under 180 degrees",
         "First the algorithm checks for the special case of filling a hole "
@@ -115,24 +200,14 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "If q falls inside the circumsphere or its removal would create an angle difference "
         "between s and t of more than 120 degrees, q must be kept. Otherwise, q is removed from "
         "the neighbor ring."),
-    {"maxgap",
-     "6.3",
-     false,
-     "a neighbor is kept if without it the gap would exceed this",
-     "... or its removal would create an angle difference between s and t of more than 120 "
-     "degrees, q must be kept.",
-     SettingKind::Number,
-     90.0,
-     180.0,
-     "degrees",
-     {},
-     [](const Params& p) { return degreesOfCosine(p.maxGapCosine); },
-     [](Params& p, double value) { p.maxGapCosine = cosineOfDegrees(value); },
-     false},
-    option<&PaperRules::onSphere>(
+    angle<&Params::maxGapCosine>(
+        "maxgap", "6.3", "a neighbor is kept if without it the gap would exceed this", 90.0,
+        "... or its removal would create an angle difference between s and t of more than 120 "
+        "degrees, q must be kept."),
+    rule<&PaperRules::onSphere>(
         "onsphere", "6.3", "what becomes of a neighbor exactly on the sphere",
         "If q falls inside the circumsphere ... q must be kept.", kOnSphere),
-    option<&PaperRules::twoPoint>(
+    rule<&PaperRules::twoPoint>(
         "twopoint", "6.4", "two-point rings are discarded over 180 degrees, from 180 on, or never",
         "... if the neighbor ring consists of only two points and the angle they form around the "
         "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
@@ -141,23 +216,23 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     reading<&Readings::closeTwo>("closetwo", "6.5", "a ring of two finished edges is closed",
                                  "Each time the edge ring becomes empty, a disconnected surface "
                                  "component has finished triangulation."),
-    option<&PaperRules::instance>(
+    rule<&PaperRules::instance>(
         "instance", "6.5",
         "the other instance: the first whose sector holds p, or the first at all",
         "If a point is encountered that is already USED, the first other instance of the point in "
         "the edge ring is located.",
         kInstances),
-    option<&PaperRules::active>("active", "6.5",
-                                "which part of a split ring stays active; the other is pushed",
-                                kSplitWords, kActives),
-    option<&PaperRules::stack>("stack", "6.5", "which stacked ring is taken up next",
-                               "... the stack of edge rings is searched in top down order so that "
-                               "the most recently split edge ring will be found first.",
-                               kStacks),
-    option<&PaperRules::next>("next", "6.5", "where the traversal goes on after triangles",
-                              "Once the edge ring is finished being updated, the new point is the "
-                              "point that had been the end particle in the neighbor ring.",
-                              kNexts),
+    rule<&PaperRules::active>("active", "6.5",
+                              "which part of a split ring stays active; the other is pushed",
+                              kSplitWords, kActives),
+    rule<&PaperRules::stack>("stack", "6.5", "which stacked ring is taken up next",
+                             "... the stack of edge rings is searched in top down order so that "
+                             "the most recently split edge ring will be found first.",
+                             kStacks),
+    rule<&PaperRules::next>("next", "6.5", "where the traversal goes on after triangles",
+                            "Once the edge ring is finished being updated, the new point is the "
+                            "point that had been the end particle in the neighbor ring.",
+                            kNexts),
     rule<&PaperRules::walls>(
         "walls", "7", "boundary points are passed over as pivots",
         "First, we avoid using boundary points as pivot points with only a few exceptions."),
@@ -179,23 +254,10 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "The algorithm uses the same approach as before, inserting another UNUSED boundary point "
         "into the edge ring either before or after p."),
 
-    {"cap",
-     "8",
-     true,
-     "the run stops above this many triangles per point",
-     "",
-     SettingKind::Whole,
-     2.0,
-     64.0,
-     "per point",
-     {},
-     [](const Params& p) { return static_cast<double>(p.maxTrianglesPerPoint); },
-     [](Params& p, double value) { p.maxTrianglesPerPoint = static_cast<std::uint32_t>(value); },
-     false},
-    {"noise", "3", true, "points are set aside where noise is as wide as their spacing", "",
-     SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
-     [](const Params& p) { return p.setNoiseAside ? 1.0 : 0.0; },
-     [](Params& p, double value) { p.setNoiseAside = value != 0.0; }, false},
+    beyondPaper(number<&Params::maxTrianglesPerPoint>(
+        "cap", "8", "the run stops above this many triangles per point", 2.0, 64.0, "per point")),
+    beyondPaper(choice<&Params::setNoiseAside>(
+        "noise", "3", "points are set aside where noise is as wide as their spacing", "")),
     robust<&RobustRules::tangent>("tangent", "6.1",
                                   "angles are measured in the tangent plane of the pivot"),
     robust<&RobustRules::unblocked>("unblocked", "6.1",
@@ -214,84 +276,62 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     robust<&RobustRules::noCross>("nocross", "6.4", "no new edge across a ring edge nearby"),
     robust<&RobustRules::noFold>("nofold", "6.4",
                                  "no triangle against its normals or folded onto another"),
-    angle<&RobustThresholds::foldCosine>(
-        "foldangle", "6.4", "nofold: normals of two triangles at an edge are no farther apart", 90),
+    beyondPaper(angle<kThresholds, &RobustThresholds::foldCosine>(
+        "foldangle", "6.4", "nofold: normals of two triangles at an edge are no farther apart",
+        90)),
     robust<&RobustRules::noMeet>("nomeet", "6.4", "no triangle that meets a finished one nearby"),
-    angle<&RobustThresholds::flatCosine>(
-        "flatangle", "6.4", "nomeet looks only where normals about the pivot are farther apart", 0),
+    beyondPaper(angle<kThresholds, &RobustThresholds::flatCosine>(
+        "flatangle", "6.4", "nomeet looks only where normals about the pivot are farther apart",
+        0)),
     robust<&RobustRules::rim>("rim", "7", "the surface ends where neighbors leave a wide gap"),
-    angle<&RobustThresholds::rimGapCosine>("rimgap", "7",
-                                           "rim: the surface ends where neighbors leave more", 60),
-    angle<&RobustThresholds::rimAngleCosine>(
-        "rimangle", "7", "rim: no triangle over more than this where the surface ends", 60),
-    number<&RobustThresholds::openingWidth>(
+    beyondPaper(angle<kThresholds, &RobustThresholds::rimGapCosine>(
+        "rimgap", "7", "rim: the surface ends where neighbors leave more", 60)),
+    beyondPaper(angle<kThresholds, &RobustThresholds::rimAngleCosine>(
+        "rimangle", "7", "rim: no triangle over more than this where the surface ends", 60)),
+    beyondPaper(number<kThresholds, &RobustThresholds::openingWidth>(
         "openingwidth", "7", "rim: a ring where the surface ends is an opening from this width on",
-        0.0, 64.0, "of its edges"),
+        0.0, 64.0, "of its edges")),
     robust<&RobustRules::delay>("delay", "6.5", "fans with steep triangles wait for a circuit"),
-    angle<&RobustThresholds::steepCosine>(
-        "steepangle", "6.5", "delay: steep is farther than this off a corner's normal", 0),
+    beyondPaper(angle<kThresholds, &RobustThresholds::steepCosine>(
+        "steepangle", "6.5", "delay: steep is farther than this off a corner's normal", 0)),
     robust<&RobustRules::fill>("fill", "6.5", "rings with interior points are closed by ears"),
-    {"filllength",
-     "6.5",
-     true,
-     "fill closes rings of at most this many entries",
-     "",
-     SettingKind::Whole,
-     3.0,
-     4096.0,
-     "entries",
-     {},
-     [](const Params& p) { return static_cast<double>(p.maxFillLength); },
-     [](Params& p, double value) { p.maxFillLength = static_cast<std::uint32_t>(value); },
-     false},
-    {"fillwidth",
-     "6.5",
-     true,
-     "... and of at most this width",
-     "",
-     SettingKind::Number,
-     1.0,
-     4096.0,
-     "spacings",
-     {},
-     [](const Params& p) { return p.maxFillWidth; },
-     [](Params& p, double value) { p.maxFillWidth = value; },
-     false},
+    beyondPaper(number<&Params::maxFillLength>("filllength", "6.5",
+                                               "fill closes rings of at most this many entries",
+                                               3.0, 4096.0, "entries")),
+    beyondPaper(number<&Params::maxFillWidth>("fillwidth", "6.5", "... and of at most this width",
+                                              1.0, 4096.0, "spacings")),
     robust<&RobustRules::reinsert>("reinsert", "4",
                                    "stranded points go into the triangle they lie over"),
     robust<&RobustRules::flip>("flip", "6.3",
                                "edges that are better the other way round are flipped"),
-    number<&RobustThresholds::flipFlatCosine>(
+    beyondPaper(number<kThresholds, &RobustThresholds::flipFlatCosine>(
         "flipflat", "6.3", "flip: two triangles are flat if their normals agree more than this",
-        -1.0, 1.0, "cosine"),
-    number<&RobustThresholds::flipNarrowCosine>(
+        -1.0, 1.0, "cosine")),
+    beyondPaper(number<kThresholds, &RobustThresholds::flipNarrowCosine>(
         "flipnarrow", "6.3",
         "flip: a triangle is narrow if its least angle has this cosine or more", 0.5, 1.0,
-        "cosine"),
+        "cosine")),
     robust<&RobustRules::removeFolded>(
         "reseat", "4", "points at flipped triangles are taken out where that mends"),
 });
 
-constexpr std::size_t kSwitchCount = [] {
-    std::size_t count = 0;
-    for (const RuleSetting& each : kSettings) count += each.isRuleSwitch ? 1 : 0;
-    return count;
-}();
-
-constexpr auto kSwitches = [] {
-    std::array<RuleSwitch, kSwitchCount> rows{};
-    std::size_t i = 0;
-    for (const RuleSetting& each : kSettings) {
-        if (each.isRuleSwitch)
-            rows[i++] = {each.name, each.section, each.summary, each.get, each.set};
-    }
-    return rows;
-}();
-
 }  // namespace
 
-double degreesOf(double cosine) { return degreesOfCosine(cosine); }
+double degreesOf(double cosine) {
+    constexpr double kDigits = 1e9;  // Rounded to nine digits after the point for display.
+    return std::round(std::acos(cosine) * 180.0 / kPi * kDigits) / kDigits;
+}
 std::span<const RuleSetting> ruleSettings() { return kSettings; }
-std::span<const RuleSwitch> ruleSwitches() { return kSwitches; }
+std::span<const RuleSwitch> ruleSwitches() {
+    static const std::vector<RuleSwitch> switches = [] {
+        std::vector<RuleSwitch> rows;
+        for (const RuleSetting& each : kSettings) {
+            if (!each.isRuleSwitch) continue;
+            rows.push_back({each.name, each.section, each.summary, each.get, each.set});
+        }
+        return rows;
+    }();
+    return switches;
+}
 
 }  // namespace se

@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se {
@@ -12,17 +13,6 @@ namespace {
 std::string numberText(double value) {
     std::string text;
     appendNumber(text, value);
-    return text;
-}
-
-/// "on or off", "a, b or c".
-template <typename Texts>
-std::string alternatives(const Texts& options) {
-    std::string text;
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        text += i == 0 ? "" : i + 1 == options.size() ? " or " : ", ";
-        text += options[i];
-    }
     return text;
 }
 
@@ -50,7 +40,7 @@ std::string valueText(const RuleSetting& setting, double value) {
 
 std::string valuesText(const RuleSetting& setting) {
     if (setting.kind == SettingKind::Switch) return "on or off";
-    if (!setting.options.empty()) return alternatives(setting.options);
+    if (!setting.options.empty()) return wordList(setting.options, "or");
     const std::string unit = setting.unit.empty() ? "" : " (" + std::string(setting.unit) + ")";
     return (setting.kind == SettingKind::Whole ? "a whole number from " : "a number from ") +
            numberText(setting.low) + " to " + numberText(setting.high) + unit;
@@ -66,11 +56,9 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     if (option != setting.options.end()) {
         return static_cast<double>(option - setting.options.begin());
     }
-    double value = 0.0;
-    if (setting.options.empty() && io::parseDouble(text, value) && isValue(setting, value)) {
-        return value;
-    }
     if (setting.options.empty()) {
+        double value = 0.0;
+        if (io::parseDouble(text, value) && isValue(setting, value)) return value;
         return Error{"Write " + std::string(setting.name) + "=VALUE with " + valuesText(setting) +
                      "."};
     }
@@ -80,7 +68,7 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     }
     // "on or off" is the usual order.
     if (setting.kind == SettingKind::Switch) std::reverse(ways.begin(), ways.end());
-    return Error{"Write " + alternatives(ways) + "."};
+    return Error{"Write " + wordList(ways, "or") + "."};
 }
 
 Result<RuleValue> ruleValueFromText(std::string_view text) {

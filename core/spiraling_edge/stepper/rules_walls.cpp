@@ -21,6 +21,19 @@ constexpr Wall kWalls[] = {
     {kNegativeX, {-1, 0, 0}}, {kNegativeY, {0, -1, 0}}, {kNegativeZ, {0, 0, -1}},
 };
 
+/// The direction in the middle of the sector from u counterclockwise to v, of any size.
+Vec3 middleOf(const Frame& frame, const Vec3& u, const Vec3& v) {
+    const auto unitInPlane = [&](const Vec3& d) {
+        const Vec3 along = d - glm::dot(d, frame.normal) * frame.normal;
+        const double lengthSq = glm::dot(along, along);
+        return lengthSq > 0.0 ? along / std::sqrt(lengthSq) : along;
+    };
+    const Vec3 from = unitInPlane(u);
+    const Vec3 chord = unitInPlane(v) - from;
+    // A quarter turn clockwise from the chord; the sector is the full turn without one.
+    return glm::dot(chord, chord) > 1e-18 ? glm::cross(chord, frame.normal) : -from;
+}
+
 }  // namespace
 
 bool pointsOut(const Vec3& direction, std::uint8_t faces) {
@@ -64,23 +77,6 @@ ThirdPointSide placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t f
     const bool before = !fits(printed) && fits(!printed) ? !printed : printed;
     return {cross, before};
 }
-
-namespace {
-
-/// The direction in the middle of the sector from u counterclockwise to v, of any size.
-Vec3 middleOf(const Frame& frame, const Vec3& u, const Vec3& v) {
-    const auto unitInPlane = [&](const Vec3& d) {
-        const Vec3 along = d - glm::dot(d, frame.normal) * frame.normal;
-        const double lengthSq = glm::dot(along, along);
-        return lengthSq > 0.0 ? along / std::sqrt(lengthSq) : along;
-    };
-    const Vec3 from = unitInPlane(u);
-    const Vec3 chord = unitInPlane(v) - from;
-    // A quarter turn clockwise from the chord; the sector is the full turn without one.
-    return glm::dot(chord, chord) > 1e-18 ? glm::cross(chord, frame.normal) : -from;
-}
-
-}  // namespace
 
 RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, const Vec3& last,
                         bool sameEntry, const Vec3& from, const Vec3& to) {

@@ -1,8 +1,6 @@
 #include "spiraling_edge/stepper/state.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace se {
 
@@ -17,11 +15,13 @@ namespace {
 /// 64 bits at a time, mixed as in FNV-1a with a final avalanche; endianness does not matter.
 class Hasher {
   public:
-    void add(std::uint64_t value) {
-        hash_ = (hash_ ^ value) * 0x9E3779B97F4A7C15ULL;
-        hash_ ^= hash_ >> 32U;
+    template <typename... Numbers>
+    void add(Numbers... values) {
+        for (const std::uint64_t value : {static_cast<std::uint64_t>(values)...}) {
+            hash_ = (hash_ ^ value) * 0x9E3779B97F4A7C15ULL;
+            hash_ ^= hash_ >> 32U;
+        }
     }
-    void addSigned(std::int64_t value) { add(static_cast<std::uint64_t>(value)); }
     std::uint64_t value() const { return hash_; }
 
   private:
@@ -31,19 +31,15 @@ class Hasher {
 void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
     Index entry = from;
     do {
-        hasher.add(rings.point(entry));
-        hasher.add(rings.open(entry) ? 1 : 0);
+        hasher.add(rings.point(entry), rings.open(entry));
         entry = rings.next(entry);
     } while (entry != from);
 }
 
 void addCounters(Hasher& hasher, const Counters& c) {
-    for (const std::uint32_t value :
-         {c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded, c.refused,
-          c.splits, c.joins, c.closedRings, c.freedRings, c.holes, c.openings, c.filled,
-          c.lostSeeds, c.maxRingLength, c.maxStackDepth}) {
-        hasher.add(value);
-    }
+    hasher.add(c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded,
+               c.refused, c.splits, c.joins, c.closedRings, c.freedRings, c.holes, c.openings,
+               c.filled, c.lostSeeds, c.maxRingLength, c.maxStackDepth);
 }
 
 void addPivot(Hasher& hasher, const State& s) {
@@ -62,13 +58,10 @@ void addPivot(Hasher& hasher, const State& s) {
 
 std::uint64_t stateHash(const State& s) {
     Hasher hasher;
-    hasher.add(static_cast<std::uint64_t>(s.phase));
-    hasher.add(s.startPointer);
-    hasher.add(s.circuit);
-    hasher.add(s.retryLevel);
+    hasher.add(s.phase, s.startPointer, s.circuit, s.retryLevel);
     addCounters(hasher, s.counters);
     addPivot(hasher, s);
-    for (const PointStatus status : s.status) hasher.addSigned(status);
+    for (const PointStatus status : s.status) hasher.add(status);
     if (s.rings.active() != kNone) {
         const bool atPivot = s.rings.alive(s.pivot.pivot);
         addRing(hasher, s.rings, atPivot ? s.pivot.pivot : s.rings.head(s.rings.active()));
@@ -76,11 +69,7 @@ std::uint64_t stateHash(const State& s) {
     hasher.add(s.rings.stack().size());
     for (const Index ring : s.rings.stack()) addRing(hasher, s.rings, s.rings.head(ring));
     hasher.add(s.triangles.size());
-    for (const Triangle& t : s.triangles) {
-        hasher.add(t.a);
-        hasher.add(t.b);
-        hasher.add(t.c);
-    }
+    for (const Triangle& t : s.triangles) hasher.add(t.a, t.b, t.c);
     for (const Alert& alert : s.alerts) hasher.add(alert.pivot);
     return hasher.value();
 }

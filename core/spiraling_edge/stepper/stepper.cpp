@@ -4,55 +4,45 @@
 #include "spiraling_edge/stepper/stepper.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {
 
+template <AnyContext Context>
+struct PhaseRow {
+    Phase id;
+    void (*run)(Context&);
+};
+/// All phases but Finished, which is never run.
+template <AnyContext Context>
+constexpr std::array<PhaseRow<Context>, static_cast<std::size_t>(Phase::Finished)> kPhases{
+    {{Phase::Seed, phaseSeed},
+     {Phase::Pivot, phasePivot},
+     {Phase::Sort, phaseSort},
+     {Phase::Limits, phaseLimits},
+     {Phase::Convex, phaseConvex},
+     {Phase::Reciprocal, phaseReciprocal},
+     {Phase::Hole, phaseHole},
+     {Phase::Sphere, phaseSphere},
+     {Phase::TwoPoint, phaseTwoPoint},
+     {Phase::Guard, phaseGuard},
+     {Phase::Emit, phaseEmit},
+     {Phase::Ring, phaseRing},
+     {Phase::Link, phaseLink},
+     {Phase::Fill, phaseFill},
+     {Phase::Advance, phaseAdvance},
+     {Phase::Reinsert, phaseReinsert},
+     {Phase::Flip, phaseFlip},
+     {Phase::RemoveFolded, phaseRemoveFolded}}};
+static_assert(isInOrder(kPhases<UnloggedContext>));
+
 /// Inline, since it only dispatches on the phase, 12 times per pivot.
-[[gnu::always_inline]] inline void runPhase(AnyContext auto& context) {
-    switch (context.state.phase) {
-        case Phase::Seed:
-            return phaseSeed(context);
-        case Phase::Pivot:
-            return phasePivot(context);
-        case Phase::Sort:
-            return phaseSort(context);
-        case Phase::Limits:
-            return phaseLimits(context);
-        case Phase::Convex:
-            return phaseConvex(context);
-        case Phase::Reciprocal:
-            return phaseReciprocal(context);
-        case Phase::Hole:
-            return phaseHole(context);
-        case Phase::Sphere:
-            return phaseSphere(context);
-        case Phase::TwoPoint:
-            return phaseTwoPoint(context);
-        case Phase::Guard:
-            return phaseGuard(context);
-        case Phase::Emit:
-            return phaseEmit(context);
-        case Phase::Ring:
-            return phaseRing(context);
-        case Phase::Link:
-            return phaseLink(context);
-        case Phase::Fill:
-            return phaseFill(context);
-        case Phase::Advance:
-            return phaseAdvance(context);
-        case Phase::Reinsert:
-            return phaseReinsert(context);
-        case Phase::Flip:
-            return phaseFlip(context);
-        case Phase::RemoveFolded:
-            return phaseRemoveFolded(context);
-        case Phase::Finished:
-            return;
-    }
+template <AnyContext Context>
+[[gnu::always_inline]] inline void runPhase(Context& context) {
+    kPhases<Context>[static_cast<std::size_t>(context.state.phase)].run(context);
 }
 
 /// True for the phases after which the run is between two pivots.
@@ -68,18 +58,6 @@ State freshState(const PointSet& points, const Params& params) {
     if (params.robust.needsEdges()) state.edges = EdgeTable(points.size());
     return state;
 }
-
-}  // namespace
-
-Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
-    : points_(points),
-      params_(params),
-      edited_(editedPoints(points, params)),
-      altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
-      state_(freshState(points, params)),
-      log_(log) {}
-
-namespace {
 
 /// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
@@ -102,6 +80,14 @@ bool forksAt(const Params& params, std::uint32_t pivot) {
 }
 
 }  // namespace
+
+Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
+    : points_(points),
+      params_(params),
+      edited_(editedPoints(points, params)),
+      altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
+      state_(freshState(points, params)),
+      log_(log) {}
 
 const PointSet& Stepper::points() const {
     const PointSet* found = &points_;

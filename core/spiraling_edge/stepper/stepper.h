@@ -6,12 +6,21 @@
 #include <utility>
 
 #include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/edited_points.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
 
 namespace se {
+
+/// The points as a what-if changes them, from a pivot on.
+struct EditedPoints {
+    std::uint32_t from = 0;
+    PointSet points;
+};
+
+/// The points as Move and List leave them, each from a pivot on, in the order of the run; empty
+/// without such.
+std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
 
 /// The reason why runUntil() returned.
 enum class StopReason : std::uint8_t {

@@ -55,13 +55,7 @@ constexpr std::array<VerdictRow, kVerdictCount> kVerdictTable{{
 }};
 // clang-format on
 
-constexpr bool isInOrder() {
-    for (std::size_t i = 0; i < kVerdictCount; ++i) {
-        if (kVerdictTable[i].id != static_cast<Verdict>(i)) return false;
-    }
-    return true;
-}
-static_assert(isInOrder());
+static_assert(isInOrder(kVerdictTable));
 
 }  // namespace
 

@@ -6,20 +6,13 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {
 
-struct KindRow {
-    WhatIfKind kind;
-    std::string_view verb;
-};
-constexpr std::array kKinds{
-    KindRow{WhatIfKind::Keep, "keep"},   KindRow{WhatIfKind::Drop, "drop"},
-    KindRow{WhatIfKind::Pivot, "pivot"}, KindRow{WhatIfKind::Move, "move"},
-    KindRow{WhatIfKind::List, "list"},
-};
+/// By WhatIfKind.
+constexpr std::array<std::string_view, 5> kVerbs{"keep", "drop", "pivot", "move", "list"};
+static_assert(kVerbs.size() == static_cast<std::size_t>(WhatIfKind::List) + 1);
 
 Error expected(std::string_view text) {
     return Error{"\"" + std::string(text) +
@@ -86,8 +79,8 @@ std::string pointText(const WhatIf& what) { return "point " + std::to_string(wha
 std::string lineOf(const WhatIf& what) {
     std::string text = std::to_string(what.pivot);
     if (what.stage != Stage::Pivot) text += "." + std::string(stageName(what.stage));
-    const std::size_t kind = static_cast<std::size_t>(what.kind);
-    text += " " + std::string(kKinds[kind].verb) + " " + std::to_string(what.point);
+    text += " " + std::string(kVerbs[static_cast<std::size_t>(what.kind)]) + " " +
+            std::to_string(what.point);
     for (int i = 0; what.kind == WhatIfKind::Move && i < 3; ++i) {
         text += ' ';
         appendNumber(text, what.to[i]);
@@ -128,13 +121,12 @@ Result<WhatIf> whatIfFromText(std::string_view text) {
     const std::vector<std::string_view> parts = words(text);
     if (parts.size() < 3) return expected(text);
     const auto place = addressFromString(parts[0]);
-    const auto row = std::find_if(kKinds.begin(), kKinds.end(),
-                                  [&](const KindRow& each) { return each.verb == parts[1]; });
+    const auto verb = std::find(kVerbs.begin(), kVerbs.end(), parts[1]);
     WhatIf what;
-    if (!place || place->pivot == 0 || row == kKinds.end() || !readIndex(parts[2], what.point)) {
+    if (!place || place->pivot == 0 || verb == kVerbs.end() || !readIndex(parts[2], what.point)) {
         return expected(text);
     }
-    what.kind = row->kind;
+    what.kind = static_cast<WhatIfKind>(verb - kVerbs.begin());
     what.pivot = place->pivot;
     if (!readRest(parts, place->stage, what)) return expected(text);
     return what;

@@ -3,7 +3,6 @@
 /// one stepper applies it.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

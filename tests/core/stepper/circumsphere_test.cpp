@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "fan_scene.h"
 #include "spiraling_edge/stepper/rules.h"
 #include "support/oracles.h"
 #include "support/rig.h"
@@ -9,18 +10,10 @@ using namespace se::test;
 
 namespace {
 
-/// p = 0 at the origin, first = 1 in the east, last = 2 at an angle, candidates from 5 on.
-std::vector<Vec3> fan(double lastDegrees, std::vector<Vec3> more) {
-    std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};
-    position.insert(position.end(), more.begin(), more.end());
-    return position;
-}
-const Points kRingOfFive{0, 2, 3, 4, 1};
-
 /// The candidates that 6.3 keeps.
 Points thinned(double lastDegrees, const std::vector<Vec3>& more, const Params& params = paper()) {
-    Rig rig(fan(lastDegrees, more), params);
-    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
+    Rig rig(inSector(lastDegrees, more), params);
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
     return rig.candidates();
 }
 
@@ -60,7 +53,7 @@ TEST_CASE("6.3 the distance is taken in three dimensions") {
 
 TEST_CASE("6.3 a point exactly on the sphere is removed") {
     Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-9, -9, 0}, {9, -9, 0}, {1, 1, 0}});
-    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
     CHECK(rig.candidates().empty());
     CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::Removed);
 }
@@ -80,14 +73,14 @@ TEST_CASE("6.3 the gap is measured between the points beside the evaluated one")
 
 TEST_CASE("6.3 without a circle a point is kept") {
     CHECK(thinned(180, {polar(90, 9)}) == Points{5});
-    Rig rig(fan(180, {polar(90, 9)}));
-    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
+    Rig rig(inSector(180, {polar(90, 9)}));
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
     CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::NoCircle);
 }
 
 TEST_CASE("6.3 Figure 8: after a removal the evaluation moves on, with the last kept point as t") {
-    Rig rig(fan(100, {polar(30, 9), polar(50, 9), polar(70, 9)}));
-    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
+    Rig rig(inSector(100, {polar(30, 9), polar(50, 9), polar(70, 9)}));
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
     const auto looks = rig.all<SphereEvidence>();
     REQUIRE(looks.size() == 3);
     CHECK(looks[0].t == 1);
@@ -105,51 +98,4 @@ TEST_CASE("6.3 one pass: a point is not looked at again when its neighbor went")
     CHECK(thinned(100, more) == Points{5});
     CHECK(thinned(100, {more[0]}).empty());
     CHECK(thinned(100, more, paperBut(&RobustRules::stepBack)).empty());
-}
-
-// ---- 6.4 ----------------------------------------------------------------------------------------
-
-TEST_CASE("6.4 Figure 9: two points over 180 degrees apart are discarded, the pivot stays") {
-    Rig rig(fan(200, {}));
-    rig.listAll().ring(kRingOfFive).pivot();
-    CHECK(rig.triangles().empty());
-    CHECK(rig.status(0) == 1);
-    CHECK(rig.state().counters.discarded == 1);
-    CHECK(rig.activeRing() == Points{2, 3, 4, 1, 0});
-}
-
-TEST_CASE("6.4 two points under 180 degrees apart are a hole being filled") {
-    for (const double last : {30.0, 90.0, 179.0}) {
-        Rig rig(fan(last, {}));
-        rig.list(0, {1, 2}).ring(kRingOfFive).pivot();
-        CHECK(rig.triangles() == Triangles{{0, 1, 2}});
-        CHECK(rig.status(0) == kDone);
-        CHECK(rig.activeRing() == Points{2, 3, 4, 1});
-    }
-}
-
-TEST_CASE("6.4 180 degrees are not greater than 180") {
-    Rig rig({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-9, -9, 0}, {9, -9, 0}});
-    rig.list(0, {1, 2}).ring(kRingOfFive).pivot();
-    CHECK(rig.triangles().size() == 1);
-}
-
-TEST_CASE("6.4 the test is for rings of two points only") {
-    // 5 beyond first is the new start: three points, 190 degrees in all.
-    Rig rig({{0, 0, 0}, {1, 0, 0}, polar(190), {-9, -9, 0}, {9, -9, 0}, {1.2, 1.2, 0}});
-    rig.list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).pivot();
-    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
-    Rig one(fan(190, {polar(90)}));
-    one.list(0, {5}).ring(kRingOfFive).pivot();
-    CHECK(one.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
-}
-
-TEST_CASE("6.4 Figure 10: triangles run p, first, t; counterclockwise about the normal") {
-    Rig rig(fan(170, {polar(40), polar(80), polar(120)}));
-    rig.listAll().ring(kRingOfFive).pivot();
-    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 2}});
-    for (const Triangle& t : rig.triangles()) {
-        const auto& x = rig.points().position;
-        CHECK(glm::cross(x[t.b] - x[t.a], x[t.c] - x[t.a]).z > 0);
-    }
 }

@@ -1,6 +1,7 @@
 /// Minimal inputs for a rule that examines the fan of one pivot, and their results.
 #pragma once
 
+#include "support/oracles.h"
 #include "support/rig.h"
 
 namespace se::test {
@@ -17,6 +18,12 @@ inline std::vector<Vec3> underHalf(const std::vector<Vec3>& more) {
 inline std::vector<Vec3> overHalf(const std::vector<Vec3>& more) {
     std::vector<Vec3> position = underHalf(more);
     position[1].y = position[2].y = -0.2;
+    return position;
+}
+/// p = 0 at the origin, first = 1 in the east, last = 2 at an angle, candidates from 5 on.
+inline std::vector<Vec3> inSector(double lastDegrees, std::vector<Vec3> more) {
+    std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};
+    position.insert(position.end(), more.begin(), more.end());
     return position;
 }
 inline const Points kRing{0, 2, 3, 4, 1};

@@ -95,17 +95,15 @@ std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
 /// All points that are inserted, in order; the state is checked after each.
 Points reinsertAll(const PointSet& points, RepairState& m) {
     Points in;
-    Index point = kNone;
-    while (reinsertNext(points, m, point)) {
-        in.push_back(point);
+    while (const auto step = reinsertNext(points, m)) {
+        in.push_back(step->point);
         CHECK(manifoldFault(m) == "");
     }
     return in;
 }
 std::size_t flipAll(const PointSet& points, RepairState& m) {
     std::size_t count = 0;
-    Flip flip{};
-    while (flipNext(points, RobustThresholds{}, m, flip)) {
+    while (flipNext(points, RobustThresholds{}, m)) {
         ++count;
         CHECK(manifoldFault(m) == "");
     }
@@ -209,11 +207,11 @@ TEST_CASE("reinsert: no triangle that meets another one nearby") {
     PointSet points = flatPoints(
         {{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 1}, {2.2, -9, 0.3}, {2.2, 9, 0.3}, {2.2, 0, 9}});
     RepairState free = beginRepair(7, {{0, 1, 2}});
-    Index point = kNone;
-    REQUIRE(reinsertNext(points, free, point));
-    CHECK(point == 3);
+    const auto step = reinsertNext(points, free);
+    REQUIRE(step);
+    CHECK(step->point == 3);
     RepairState cut = beginRepair(7, {{0, 1, 2}, {4, 5, 6}});
-    CHECK_FALSE(reinsertNext(points, cut, point));
+    CHECK_FALSE(reinsertNext(points, cut));
 }
 
 TEST_CASE("reinsert: with the rule, points that a run stranded are used; without, they are not") {
@@ -241,13 +239,13 @@ TEST_CASE("flip: the diagonal of a flat quad that makes the least angle larger")
     // A rhombus with its long diagonal.
     const PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
     RepairState m = beginRepair(4, kSquare);
-    Flip flip{};
-    REQUIRE(flipNext(points, RobustThresholds{}, m, flip));
+    const auto flip = flipNext(points, RobustThresholds{}, m);
+    REQUIRE(flip);
     CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}}));
-    CHECK(std::set<Index>{flip.u, flip.v} == std::set<Index>{0, 2});
-    CHECK(std::set<Index>{flip.x, flip.y} == std::set<Index>{1, 3});
+    CHECK(std::set<Index>{flip->u, flip->v} == std::set<Index>{0, 2});
+    CHECK(std::set<Index>{flip->x, flip->y} == std::set<Index>{1, 3});
     CHECK(manifoldFault(m) == "");
-    CHECK_FALSE(flipNext(points, RobustThresholds{}, m, flip));
+    CHECK_FALSE(flipNext(points, RobustThresholds{}, m));
     CHECK(m.flipped == 1);
 }
 
@@ -369,13 +367,13 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
     REQUIRE(flippedIn(input.points, input.triangles) > 0);
     RepairState m = beginRepair(11, input.triangles);
     REQUIRE(manifoldFault(m) == "");
-    Index point = kNone;
-    REQUIRE(removeFoldedPoint(input.points, m, point));
+    const auto step = removeFoldedPoint(input.points, m);
+    REQUIRE(step);
     CHECK(manifoldFault(m) == "");
-    CHECK(m.sideOf[point] == kNone);
+    CHECK(m.sideOf[step->point] == kNone);
     CHECK(m.triangles.size() == input.triangles.size() - 2);
     CHECK(m.takenOut == 1);
-    while (removeFoldedPoint(input.points, m, point)) CHECK(manifoldFault(m) == "");
+    while (removeFoldedPoint(input.points, m)) CHECK(manifoldFault(m) == "");
     CHECK(flippedIn(input.points, m.triangles) == 0);
     // And it is reinserted where it lies.
     m.nextPoint = 0;
@@ -386,16 +384,14 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
 TEST_CASE("reseat: leaves a mesh without flipped triangles alone") {
     const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
     RepairState m = beginRepair(points.size(), runAll(points, paper()).state.triangles);
-    Index point = kNone;
-    CHECK_FALSE(removeFoldedPoint(points, m, point));
+    CHECK_FALSE(removeFoldedPoint(points, m));
     CHECK(m.takenOut == 0);
 }
 
 TEST_CASE("reseat: a point at the border or with three triangles stays") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -1, 0}});
     RepairState m = beginRepair(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-    Index point = kNone;
-    CHECK_FALSE(removeFoldedPoint(points, m, point));
+    CHECK_FALSE(removeFoldedPoint(points, m));
 }
 
 TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than without") {
@@ -474,19 +470,17 @@ TEST_CASE("repair: neighbors agree after every step, on triangles that are no su
         if (soup.empty()) continue;
         RepairState m = beginRepair(points.size(), soup);
         std::string fault = adjacencyFault(m);
-        Index point = kNone;
-        Flip flip{};
         for (; m.round < kRepairRounds && fault.empty(); ++m.round) {
             m.nextPoint = m.nextTriangle = 0;
-            while (fault.empty() && reinsertNext(points, m, point)) {
+            while (fault.empty() && reinsertNext(points, m)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }
-            while (fault.empty() && flipNext(points, RobustThresholds{}, m, flip)) {
+            while (fault.empty() && flipNext(points, RobustThresholds{}, m)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }
-            while (fault.empty() && removeFoldedPoint(points, m, point)) {
+            while (fault.empty() && removeFoldedPoint(points, m)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }

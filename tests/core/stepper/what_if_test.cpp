@@ -1,7 +1,6 @@
 /// Forks: overrides of the rules at one place of a run.
 #include "spiraling_edge/stepper/what_if.h"
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/stepper/edited_points.h"
 
 #include <doctest/doctest.h>
 
@@ -12,6 +11,7 @@
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/stepper/stepper.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
 #include "support/random_points.h"

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "spiraling_edge/base/file_extension.h"
-#include "spiraling_edge/base/read_file.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/sampling/nrrd.h"
 

@@ -1,6 +1,8 @@
 /// §7: decides whether a boundary point may be a pivot, and inserts the third point of §7.1 and
 /// §7.2. Rim points follow the same rules, with the end of their gap in place of a wall's point.
 /// O(list).
+#include <algorithm>
+
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
@@ -29,10 +31,8 @@ struct OnRing {
     Index p, previous, next;
 };
 
-// ---- rim points ---------------------------------------------------------------------------------
-
-/// Choice: a rim point's next on the rim, `third`, takes the place of the third point on its wall.
-bool insertOnRim(AnyContext auto& context, InsertEvidence evidence, Index third, bool before) {
+/// Inserts `third` next to the pivot and logs it, also if there is none. True if there is one.
+bool insertThird(AnyContext auto& context, InsertEvidence evidence, Index third, bool before) {
     if (third != kNone) {
         putOnRing(context, third, before);
         evidence.third = third;
@@ -41,6 +41,10 @@ bool insertOnRim(AnyContext auto& context, InsertEvidence evidence, Index third,
     note(context, Stage::Insert, [&] { return evidence; });
     return third != kNone;
 }
+
+// ---- rim points ---------------------------------------------------------------------------------
+
+// Choice: a rim point's next on the rim takes the place of the third point on its wall.
 
 /// §7.1 for a rim point: the end of its gap goes before it, the beginning after it, so that the
 /// remaining sector lies on the surface.
@@ -51,7 +55,7 @@ bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
     };
     const bool before = isFree(gap.to);
     const Index third = before ? gap.to : isFree(gap.from) ? gap.from : kNone;
-    return insertOnRim(
+    return insertThird(
         context,
         {p, second, kNone, false, Vec3(0.0), context.points.type[p], Verdict::NoThirdPoint}, third,
         before);
@@ -72,7 +76,7 @@ bool tryRimPivot(AnyContext auto& context, const OnRing& at) {
     if (sector.openAtFirst == sector.openAtLast) return false;
     const bool before = sector.openAtLast;
     const Index third = before ? gap.to : gap.from;
-    return insertOnRim(context,
+    return insertThird(context,
                        {at.p, before ? at.next : at.previous, kNone, true, Vec3(0.0),
                         points.type[at.p], Verdict::NoThirdPoint},
                        context.state.status[third] == kUnused ? third : kNone, before);
@@ -85,22 +89,18 @@ bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     const PointSet& points = context.points;
     InsertEvidence evidence{
         p, second, kNone, false, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
-    for (const Index x : points.neighbors[p]) {
-        if (!unusedOnSameWall(context, p, x)) continue;
-        const ThirdPointSide place =
-            paperRules(context).stayInside
-                ? placeThirdPoint(points.position[p], points.normal[p], points.type[p],
-                                  points.position[second], points.position[x])
-                : printedThirdPointSide(points.position[p], points.normal[p], points.type[p],
-                                        points.position[second]);
-        putOnRing(context, x, place.before);
-        evidence.third = x;
-        evidence.cross = place.cross;
-        evidence.verdict = place.before ? Verdict::Before : Verdict::After;
-        break;
-    }
-    note(context, Stage::Insert, [&] { return evidence; });
-    return evidence.third != kNone;
+    const auto list = points.neighbors[p];
+    const auto third = std::find_if(list.begin(), list.end(),
+                                    [&](Index x) { return unusedOnSameWall(context, p, x); });
+    if (third == list.end()) return insertThird(context, evidence, kNone, false);
+    const ThirdPointSide place =
+        paperRules(context).stayInside
+            ? placeThirdPoint(points.position[p], points.normal[p], points.type[p],
+                              points.position[second], points.position[*third])
+            : printedThirdPointSide(points.position[p], points.normal[p], points.type[p],
+                                    points.position[second]);
+    evidence.cross = place.cross;
+    return insertThird(context, evidence, *third, place.before);
 }
 
 /// §7.2: a transition between p and the ring neighbor across the corner: next ("entering", the
@@ -115,23 +115,18 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
         p, across, kNone, true, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
     if (context.params.robust.bothWalls && !shareFace(points.type[p], points.type[other])) {
         evidence.verdict = Verdict::OtherSideOpen;
-        note(context, Stage::Insert, [&] { return evidence; });
-        return false;
+        return insertThird(context, evidence, kNone, before);
     }
-    for (const Index x : points.neighbors[p]) {
-        if (!unusedOnSameWall(context, p, x)) continue;
+    const auto fits = [&](Index x) {
+        if (!unusedOnSameWall(context, p, x)) return false;
         const Vec3& from = before ? points.position[x] : points.position[across];
         const Vec3& to = before ? points.position[across] : points.position[x];
-        if (paperRules(context).stayInside &&
-            !sectorStaysInside(position, points.normal[p], points.type[p], from, to))
-            continue;
-        putOnRing(context, x, before);
-        evidence.third = x;
-        evidence.verdict = before ? Verdict::Before : Verdict::After;
-        break;
-    }
-    note(context, Stage::Insert, [&] { return evidence; });
-    return evidence.third != kNone;
+        return !paperRules(context).stayInside ||
+               sectorStaysInside(position, points.normal[p], points.type[p], from, to);
+    };
+    const auto list = points.neighbors[p];
+    const auto third = std::find_if(list.begin(), list.end(), fits);
+    return insertThird(context, evidence, third == list.end() ? kNone : *third, before);
 }
 
 }  // namespace

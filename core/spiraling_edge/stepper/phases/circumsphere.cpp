@@ -58,11 +58,8 @@ bool isRemoved(AnyContext auto& context, const Candidate& t, const Candidate& q,
 }
 
 /// §6.3: one pass over the candidates, each tested once.
-void thinOnce(AnyContext auto& context) {
-    NeighborRing& n = context.state.pivot;
-    std::vector<Candidate>& all = n.candidates;
-    const Candidate start = limitAt(context, n.start, n.startAngle);
-    const Candidate end = limitAt(context, n.end, n.endAngle);
+void thinOnce(AnyContext auto& context, const Candidate& start, const Candidate& end) {
+    std::vector<Candidate>& all = context.state.pivot.candidates;
     const Candidate* t = &start;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -76,11 +73,8 @@ void thinOnce(AnyContext auto& context) {
 
 /// RobustRules::stepBack: after a removal, the point before it is tested again with its new
 /// neighbor.
-void thinWithStepBack(AnyContext auto& context) {
-    NeighborRing& n = context.state.pivot;
-    std::vector<Candidate>& all = n.candidates;
-    const Candidate start = limitAt(context, n.start, n.startAngle);
-    const Candidate end = limitAt(context, n.end, n.endAngle);
+void thinWithStepBack(AnyContext auto& context, const Candidate& start, const Candidate& end) {
+    std::vector<Candidate>& all = context.state.pivot.candidates;
     std::size_t kept = 0;  // all[0 .. kept) passed with their current neighbors.
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (kept != i) all[kept] = all[i];
@@ -98,15 +92,16 @@ void thinWithStepBack(AnyContext auto& context) {
 }  // namespace
 
 void phaseSphere(AnyContext auto& context) {
+    NeighborRing& n = context.state.pivot;
     context.state.phase = Phase::TwoPoint;
-    if (context.params.robust.looksAtFan()) {
-        context.state.pivot.pool = context.state.pivot.candidates;
-    }
-    if (context.state.pivot.candidates.empty() || !paperRules(context).sphere) return;
+    if (context.params.robust.looksAtFan()) n.pool = n.candidates;
+    if (n.candidates.empty() || !paperRules(context).sphere) return;
+    const Candidate start = limitAt(context, n.start, n.startAngle);
+    const Candidate end = limitAt(context, n.end, n.endAngle);
     if (context.params.robust.stepBack) {
-        thinWithStepBack(context);
+        thinWithStepBack(context, start, end);
     } else {
-        thinOnce(context);
+        thinOnce(context, start, end);
     }
 }
 

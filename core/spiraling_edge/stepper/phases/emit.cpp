@@ -6,9 +6,6 @@
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
-
-// ---- §6.4: triangles ----------------------------------------------------------------------------
-
 namespace {
 
 /// §6.4, Fig. 9: true if a neighbor ring of first and last alone is discarded.
@@ -23,6 +20,28 @@ bool isDiscarded(const AnyContext auto& context) {
             break;
     }
     return n.fullTurn();
+}
+
+/// Calls `entry`, with its side, for the entries among the spokes of the fan and `candidate` for
+/// the others, in order from first to last. Between first and start, and between end and last, lie
+/// the points that were passed (Fig. 4).
+template <typename OnEntry, typename OnCandidate>
+void forEachSpoke(const State& s, OnEntry&& entry, OnCandidate&& candidate) {
+    const NeighborRing& n = s.pivot;
+    for (Index e = n.first; e != n.start; e = s.rings.prev(e)) entry(e, Side::Start);
+    entry(n.start, Side::Start);
+    for (const Candidate& c : n.candidates) candidate(c);
+    for (Index e = n.end; e != n.last; e = s.rings.prev(e)) entry(e, Side::End);
+    entry(n.last, Side::End);
+}
+
+/// Lists the points of the fan's spokes, from first to last.
+void listSpokes(State& s) {
+    std::vector<Index>& spokes = s.pivot.spokes;
+    spokes.clear();
+    forEachSpoke(
+        s, [&](Index e, Side) { spokes.push_back(s.rings.point(e)); },
+        [&](const Candidate& c) { spokes.push_back(c.point); });
 }
 
 }  // namespace
@@ -47,23 +66,6 @@ void phaseTwoPoint(AnyContext auto& context) {
     s.phase = Phase::Advance;
 }
 
-namespace {
-
-/// Calls `entry`, with its side, for the entries among the spokes of the fan and `candidate` for
-/// the others, in order from first to last. Between first and start, and between end and last, lie
-/// the points that were passed (Fig. 4).
-template <typename OnEntry, typename OnCandidate>
-void forEachSpoke(const State& s, OnEntry&& entry, OnCandidate&& candidate) {
-    const NeighborRing& n = s.pivot;
-    for (Index e = n.first; e != n.start; e = s.rings.prev(e)) entry(e, Side::Start);
-    entry(n.start, Side::Start);
-    for (const Candidate& c : n.candidates) candidate(c);
-    for (Index e = n.end; e != n.last; e = s.rings.prev(e)) entry(e, Side::End);
-    entry(n.last, Side::End);
-}
-
-}  // namespace
-
 void layOutFan(StepContext& context) {
     const State& s = context.state;
     NeighborRing& n = context.state.pivot;
@@ -86,29 +88,6 @@ void layOutFan(StepContext& context) {
         });
 }
 
-namespace {
-
-/// Lists the points of the fan's spokes, from first to last.
-void listSpokes(State& s) {
-    std::vector<Index>& spokes = s.pivot.spokes;
-    spokes.clear();
-    forEachSpoke(
-        s, [&](Index e, Side) { spokes.push_back(s.rings.point(e)); },
-        [&](const Candidate& c) { spokes.push_back(c.point); });
-}
-
-/// Logs the triangles from number `from` on.
-void noteTriangles(AnyContext auto& context, std::size_t from) {
-    const State& s = context.state;
-    for (std::size_t i = from; i < s.triangles.size(); ++i) {
-        note(context, Stage::Emit, [&] {
-            return EmitEvidence{static_cast<Index>(i), s.triangles[i]};
-        });
-    }
-}
-
-}  // namespace
-
 void phaseEmit(AnyContext auto& context) {
     State& s = context.state;
     const Index p = s.rings.point(s.pivot.pivot);
@@ -127,7 +106,11 @@ void phaseEmit(AnyContext auto& context) {
             s.edges.add(t);
         }
     }
-    noteTriangles(context, before);
+    for (std::size_t i = before; i < s.triangles.size(); ++i) {
+        note(context, Stage::Emit, [&] {
+            return EmitEvidence{static_cast<Index>(i), s.triangles[i]};
+        });
+    }
     // The bound that ends every guarded run, see docs/architecture.md.
     assert(!context.params.robust.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));

@@ -1,7 +1,5 @@
 /// §6.2: where p, start and end close a hole of three edges, candidates on the far side of the
 /// plane through start and end along the mean normal are removed. O(candidates).
-#include <algorithm>
-
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {

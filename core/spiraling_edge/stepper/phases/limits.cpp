@@ -229,18 +229,6 @@ bool foundBefore(const EdgeRings& rings, Index a, Index b) {
     return rank(a) < rank(b);
 }
 
-}  // namespace
-
-Index firstInstance(const EdgeRings& rings, Index point) {
-    Index found = kNone;
-    for (Index e = rings.firstEntryOf(point); e != kNone; e = rings[e].nextOfPoint) {
-        if (found == kNone || foundBefore(rings, e, found)) found = e;
-    }
-    return found;
-}
-
-namespace {
-
 /// RobustRules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that
 /// its sector lies outside the box.
 bool completeAlongWalls(const StepContext& context, Index entry) {
@@ -291,6 +279,14 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
 }
 
 }  // namespace
+
+Index firstInstance(const EdgeRings& rings, Index point) {
+    Index found = kNone;
+    for (Index e = rings.firstEntryOf(point); e != kNone; e = rings[e].nextOfPoint) {
+        if (found == kNone || foundBefore(rings, e, found)) found = e;
+    }
+    return found;
+}
 
 void phaseReciprocal(AnyContext auto& context) {
     State& s = context.state;

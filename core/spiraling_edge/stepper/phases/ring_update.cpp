@@ -4,6 +4,7 @@
 /// O(fan) per pivot, plus relabeling of the shorter ring.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -48,14 +49,10 @@ void phaseRing(AnyContext auto& context) {
     const NeighborRing& n = s.pivot;
     release(context, n.pivot, Stage::Ring);
     for (Index e = n.first; e != n.start;) {
-        const Index following = s.rings.prev(e);
-        release(context, e, Stage::Ring);
-        e = following;
+        release(context, std::exchange(e, s.rings.prev(e)), Stage::Ring);
     }
     for (Index e = n.last; e != n.end;) {
-        const Index following = s.rings.next(e);
-        release(context, e, Stage::Ring);
-        e = following;
+        release(context, std::exchange(e, s.rings.next(e)), Stage::Ring);
     }
     // The steps from start to end are now the rim of the new fan, all of them mesh edges.
     s.rings.setOpen(n.start, false);

@@ -39,6 +39,12 @@ void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& s
     for (std::size_t i = 0; i < count; ++i) sorted[place[i]] = listed[i];
 }
 
+SortEvidence sortEvidence(const StepContext& context, Index x, const Angle& angle,
+                          Verdict verdict) {
+    const double limit = context.state.pivot.endAngle.degrees();
+    return {x, angle.cosine, angle.key > kHalfTurnKey, angle.degrees(), limit, verdict, kNone};
+}
+
 /// "If two neighboring points are found to have the same angle, the point closest to p is included
 /// in the ring and the other point is eliminated from consideration."
 void keepNearestOfEachAngle(AnyContext auto& context) {
@@ -61,14 +67,10 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
             std::swap(all[i], all[kept - 1]);
         }
         note(context, Stage::Sort, [&] {
-            return SortEvidence{all[i].point,
-                                all[i].angle.cosine,
-                                all[i].angle.key > kHalfTurnKey,
-                                all[i].angle.degrees(),
-                                context.state.pivot.endAngle.degrees(),
-                                Verdict::SameAngle,
-                                all[kept - 1].point,
-                                !(all[i].lengthSq < all[kept - 1].lengthSq)};
+            SortEvidence e = sortEvidence(context, all[i].point, all[i].angle, Verdict::SameAngle);
+            e.rival = all[kept - 1].point;
+            e.farther = !(all[i].lengthSq < all[kept - 1].lengthSq);
+            return e;
         });
     }
     all.resize(kept);
@@ -111,13 +113,7 @@ void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
     for (const Index x : list) {
         note(context, Stage::Sort, [&] {
             const Angle angle = angleOf(n.frame, context.points.position[x] - n.frame.origin);
-            return SortEvidence{x,
-                                angle.cosine,
-                                angle.key > kHalfTurnKey,
-                                angle.degrees(),
-                                n.endAngle.degrees(),
-                                verdictOn(context, x, angle),
-                                kNone};
+            return sortEvidence(context, x, angle, verdictOn(context, x, angle));
         });
     }
 }

@@ -47,6 +47,34 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     prefetch(&lists.offset[rings.point(rings.next(second))]);
 }
 
+/// The frame of an entry, and the angle of the entry after it.
+struct Sector {
+    Frame frame;
+    Angle last;
+};
+
+/// The sector under the turn that is set (PaperRules::turn).
+Sector sectorAt(const StepContext& context, Index entry) {
+    const Index first = context.state.rings.prev(entry);
+    const Index last = context.state.rings.next(entry);
+    Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                            context.positionAt(first), context.params.robust.tangent);
+    if (context.clockwise()) frame.n = -frame.n;
+    return {frame,
+            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
+}
+
+/// Logs the pivot before §7 may insert a third point next to it.
+void notePivot(AnyContext auto& context) {
+    note(context, Stage::Pivot, [&] {
+        const EdgeRings& rings = context.state.rings;
+        const Index entry = context.state.pivot.pivot;
+        return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
+                             rings.point(rings.next(entry)), rings.length(rings.active()),
+                             sectorAt(context, entry).last.degrees()};
+    });
+}
+
 }  // namespace
 
 void phaseSeed(AnyContext auto& context) {
@@ -69,65 +97,17 @@ void phaseSeed(AnyContext auto& context) {
     beginRepairPhases(context);
 }
 
-namespace {
-
-/// The frame of an entry, and the angle of the entry after it.
-struct Sector {
-    Frame frame;
-    Angle last;
-};
-
-Sector sectorAt(const StepContext& context, Index entry) {
-    const Index first = context.state.rings.prev(entry);
-    const Index last = context.state.rings.next(entry);
-    const Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                                  context.positionAt(first), context.params.robust.tangent);
-    return {frame,
-            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
-}
-
-/// The sector with angles that grow clockwise (PaperRules::turn).
-Sector mirrored(const StepContext& context, Index entry, Sector sector) {
-    sector.frame.n = -sector.frame.n;
-    const Index last = context.state.rings.next(entry);
-    if (last == context.state.rings.prev(entry)) return sector;
-    return {sector.frame, angleOf(sector.frame, context.positionAt(last) - sector.frame.origin)};
-}
-
-/// The sector under the turn that is set.
-Sector sectorSeen(const StepContext& context, Index entry) {
-    const Sector sector = sectorAt(context, entry);
-    return context.clockwise() ? mirrored(context, entry, sector) : sector;
-}
-
-}  // namespace
-
 void setPivot(StepContext& context, Index entry) {
     const EdgeRings& rings = context.state.rings;
     NeighborRing& n = context.state.pivot;
     n.pivot = entry;
     n.first = n.start = rings.prev(entry);
     n.last = n.end = rings.next(entry);
-    const Sector sector = sectorSeen(context, entry);
+    const Sector sector = sectorAt(context, entry);
     n.frame = sector.frame;
     n.startAngle = Angle{};
     n.lastAngle = n.endAngle = sector.last;
 }
-
-namespace {
-
-/// Logs the pivot before §7 may insert a third point next to it.
-void notePivot(AnyContext auto& context) {
-    note(context, Stage::Pivot, [&] {
-        const EdgeRings& rings = context.state.rings;
-        const Index entry = context.state.pivot.pivot;
-        return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
-                             rings.point(rings.next(entry)), rings.length(rings.active()),
-                             sectorSeen(context, entry).last.degrees()};
-    });
-}
-
-}  // namespace
 
 void phasePivot(AnyContext auto& context) {
     State& s = context.state;

@@ -1,10 +1,11 @@
 /// Beyond the paper: RobustRules::fill. A ring that would be freed with interior points is a hole;
 /// it is closed by ears, each a pivot with first and last alone, the best least angle first.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
-#include "spiraling_edge/stepper/robust/ring_shape.h"
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
@@ -29,25 +30,37 @@ struct Ear {
     }
 };
 
+/// The shape of the active ring. Requires one. O(ring).
+LoopShape shapeOfRing(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    assert(rings.active() != kNone);
+    const Vec3 origin = context.positionAt(rings.head(rings.active()));
+    ShapeSum sum;
+    rings.forEachEntry(rings.active(), [&](Index entry) {
+        sum.add(context.positionAt(entry) - origin, context.normalAt(entry),
+                context.positionAt(rings.next(entry)) - origin);
+    });
+    return sum.shape();
+}
+
 /// Least width at which the sense of rotation is significant.
 constexpr double kClosed = 1.0;
 
 /// True if the ring runs around the whole component, of `triangles` triangles, instead of around a
 /// hole in it. A round patch has 0.18 per square of its border's length; one of more than 1 would
 /// be folded.
-bool runsRoundPatch(const RingShape& shape, std::size_t triangles) {
+bool runsRoundPatch(const LoopShape& shape, std::size_t triangles) {
     return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
 }
 
 /// True if the active ring holds a boundary point, of a wall or of a rim.
 bool touchesBoundary(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) {
-        if (isBoundary(context.points.type[rings.point(entry)])) return true;
-    }
-    return false;
+    bool found = false;
+    rings.forEachEntry(rings.active(), [&](Index entry) {
+        found = found || isBoundary(context.points.type[rings.point(entry)]);
+    });
+    return found;
 }
 
 /// True if the surface may end anywhere, by the rule or by rim points.
@@ -56,21 +69,19 @@ bool mayEnd(const StepContext& context) {
 }
 
 /// True if the surface may end at the active ring, which has this shape.
-bool isOpening(const StepContext& context, const RingShape& shape) {
+bool isOpening(const StepContext& context, const LoopShape& shape) {
     if (!mayEnd(context)) return false;
     const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    const Index length = rings.length(ring);
+    const Index length = rings.length(rings.active());
     Index boundary = 0;
     Index flagged = 0;
     Index rim = 0;
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+    rings.forEachEntry(rings.active(), [&](Index entry) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
         rim += isRim(context.points, point, context.params.thresholds.rimGapCosine) ? 1U : 0U;
-    }
+    });
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
     if (!context.params.robust.rim) return false;
@@ -84,7 +95,7 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
 /// around a patch, since sheets touch there and one fault leads to more.
 bool mayForce(const StepContext& context) {
     if (touchesBoundary(context)) return false;
-    const RingShape shape = shapeOfRing(context);
+    const LoopShape shape = shapeOfRing(context);
     if (isOpening(context, shape)) return false;
     return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
            shape.widthInEdges() < kClosed;
@@ -114,37 +125,31 @@ Ear bestEar(StepContext& context) {
     return best;
 }
 
+/// True if the hole is too wide to be left by missing points, in spacings of the points around it.
+bool isTooWide(const StepContext& context, const LoopShape& shape) {
+    const EdgeRings& rings = context.state.rings;
+    const double length = rings.length(rings.active());
+    double spacing = 0.0;
+    rings.forEachEntry(rings.active(), [&](Index entry) {
+        const auto list = context.points.neighbors[rings.point(entry)];
+        if (list.empty()) return;
+        const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
+        spacing += std::sqrt(glm::dot(nearest, nearest)) / length;
+    });
+    return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
+}
+
 }  // namespace
 
 bool isOpening(const StepContext& context) {
     return mayEnd(context) && isOpening(context, shapeOfRing(context));
 }
 
-namespace {
-
-/// True if the hole is too wide to be left by missing points, in spacings of the points around it.
-bool isTooWide(const StepContext& context, const RingShape& shape) {
-    const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    const Index length = rings.length(ring);
-    double spacing = 0.0;
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        const auto list = context.points.neighbors[rings.point(entry)];
-        if (list.empty()) continue;
-        const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
-        spacing += std::sqrt(glm::dot(nearest, nearest)) / static_cast<double>(length);
-    }
-    return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
-}
-
-}  // namespace
-
 bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
     if (length <= 2 || length > context.params.maxFillLength) return false;
-    const RingShape shape = shapeOfRing(context);
+    const LoopShape shape = shapeOfRing(context);
     return !isTooWide(context, shape) && (length <= kNeverAnOpening || !isOpening(context, shape));
 }
 

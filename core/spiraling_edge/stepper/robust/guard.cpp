@@ -1,50 +1,133 @@
-/// Beyond the paper (docs/robust.md): the table of the rules that examine the whole fan. A
-/// candidate that a rule objects to is dropped and §6.3 repeated without it; if there is none to
-/// drop, the fan is refused.
+/// Beyond the paper (docs/robust.md): the rules on the edges of a fan (gap, guard, nopillow), and
+/// the table of all rules that examine the whole fan. A candidate that a rule objects to is dropped
+/// and §6.3 repeated without it; if there is none to drop, the fan is refused.
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "spiraling_edge/stepper/robust/fan_rules.h"
 
 namespace se {
 namespace {
 
-/// Consequence of an objection.
-enum class Consequence : std::uint8_t {
-    Drop,    ///< The candidate at fault is dropped; without one the fan is refused.
-    Refuse,  ///< The fan is refused.
-};
+// ---- gap ----------------------------------------------------------------------------------------
+
+/// A gap of 180 degrees or more between two spokes (RobustRules::gap).
+Objection wideGap(const StepContext& context) {
+    const Fan& fan = context.state.pivot.fan;
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        if (fan[i + 1].angle.key - fan[i].angle.key > kHalfTurnKey) {
+            return {Verdict::WideGap, i, true};
+        }
+    }
+    return {};
+}
+
+// ---- guard --------------------------------------------------------------------------------------
+
+/// Objects to a point twice in the fan, other than as first and last (pinched rings): its spoke
+/// would be used twice in one direction.
+Objection repeatedSpoke(const Fan& fan) {
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        for (std::size_t j = i + 1; j < fan.size(); ++j) {
+            const bool ends = i == 0 && j + 1 == fan.size();
+            if (!ends && fan[i].point == fan[j].point) return {Verdict::EdgeTaken, j, false};
+        }
+    }
+    return {};
+}
+
+/// Objects to a spoke that is taken. Spokes inside the fan are new edges, used in both directions.
+Objection takenSpoke(const StepContext& context) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    const Index p = s.rings.point(s.pivot.pivot);
+    const auto isNewOrStep = [&](Index u, Index v, bool open) {
+        // u -> v would be made; v -> u may exist only as the ring step at the pivot.
+        return !s.edges.has(u, v) && !(open && s.edges.has(v, u));
+    };
+    if (!isNewOrStep(p, fan.front().point, s.rings.open(s.pivot.first))) {
+        return {Verdict::EdgeTaken, 0, false};
+    }
+    if (!isNewOrStep(fan.back().point, p, s.rings.open(s.pivot.pivot))) {
+        return {Verdict::EdgeTaken, fan.size() - 1, false};
+    }
+    for (std::size_t i = 1; i + 1 < fan.size(); ++i) {
+        if (fan[i].entry == kNone) continue;  // UNUSED: it has no edges.
+        if (s.edges.has(p, fan[i].point) || s.edges.has(fan[i].point, p)) {
+            return {Verdict::EdgeTaken, i, false};
+        }
+    }
+    return {};
+}
+
+/// Objects to a rim edge that is taken. One that exists in the reverse direction must be the ring
+/// step between these entries.
+Objection takenRim(const StepContext& context) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        const FanPoint& u = fan[i];
+        const FanPoint& v = fan[i + 1];
+        if (u.entry == kNone || v.entry == kNone) continue;
+        if (s.edges.has(u.point, v.point)) return {Verdict::EdgeTaken, i, true};
+        const bool isStep = s.rings.next(v.entry) == u.entry && !s.rings.open(v.entry);
+        if (!isStep && s.edges.has(v.point, u.point)) return {Verdict::EntryMissed, i, true};
+    }
+    return {};
+}
+
+/// An edge that is taken, or a ring step closed away from its entries (RobustRules::guard).
+Objection takenEdge(const StepContext& context) {
+    if (const Objection repeated = repeatedSpoke(context.state.pivot.fan)) return repeated;
+    const Objection spoke = takenSpoke(context);
+    return spoke ? spoke : takenRim(context);
+}
+
+// ---- nopillow -----------------------------------------------------------------------------------
+
+/// A second triangle on the same three points (RobustRules::noPillow).
+Objection pillow(const StepContext& context) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    const Index p = s.rings.point(s.pivot.pivot);
+    if (s.pivot.fullTurn() && fan.size() == 3) return {Verdict::Pillow, 0, true};
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        if (fan[i].entry == kNone || fan[i + 1].entry == kNone) continue;
+        const HalfEdge h = s.edges.find(fan[i + 1].point, fan[i].point);
+        if (h != kNone && s.edges.opposite(h) == p) return {Verdict::Pillow, i, true};
+    }
+    return {};
+}
+
+// ---- the table ----------------------------------------------------------------------------------
 
 struct FanRule {
     bool RobustRules::*on;
     Objection (*find)(const StepContext&);
-    Consequence consequence;
 };
 
 constexpr std::array kManifoldRules{
-    FanRule{&RobustRules::guard, takenEdge, Consequence::Drop},
-    FanRule{&RobustRules::noPillow, pillow, Consequence::Drop},
+    FanRule{&RobustRules::guard, takenEdge},
+    FanRule{&RobustRules::noPillow, pillow},
 };
 constexpr std::array kShapeRules{
-    FanRule{&RobustRules::noCross, crossing, Consequence::Drop},
-    FanRule{&RobustRules::noFold, fold, Consequence::Drop},
-    FanRule{&RobustRules::noMeet, meetsFinished, Consequence::Drop},
+    FanRule{&RobustRules::noCross, crossing},
+    FanRule{&RobustRules::noFold, fold},
+    FanRule{&RobustRules::noMeet, meetsFinished},
 };
+/// These drop no candidate: the fan is refused.
 constexpr std::array kWaitingRules{
-    FanRule{&RobustRules::gap, wideGap, Consequence::Refuse},
-    FanRule{&RobustRules::rim, overRim, Consequence::Refuse},
-    FanRule{&RobustRules::delay, steep, Consequence::Refuse},
+    FanRule{&RobustRules::gap, wideGap},
+    FanRule{&RobustRules::rim, overRim},
+    FanRule{&RobustRules::delay, steep},
 };
 
-template <std::size_t N>
-const FanRule* firstObjecting(const StepContext& context, const std::array<FanRule, N>& rules,
-                              Objection& objection) {
-    for (const FanRule& rule : rules) {
-        if (!(context.params.robust.*rule.on)) continue;
-        objection = rule.find(context);
-        if (objection) return &rule;
-    }
-    return nullptr;
+/// True if one of the rules objects to the fan.
+bool refuses(std::span<const FanRule> rules, const StepContext& context) {
+    return std::any_of(rules.begin(), rules.end(), [&](const FanRule& rule) {
+        return context.params.robust.*rule.on && rule.find(context);
+    });
 }
 
 /// The candidate to drop for an objection: the farther one of a triangle. kNone if there is none.
@@ -58,10 +141,9 @@ std::size_t candidateToDrop(const Fan& fan, const Objection& objection) {
     return fan[i + 1].candidate ? i + 1 : kNone;
 }
 
-/// The evidence of an objection and its consequence.
-GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& objection) {
-    const std::size_t drop =
-        rule.consequence == Consequence::Refuse ? kNone : candidateToDrop(fan, objection);
+/// The evidence of an objection, which drops a candidate if one is at fault and that is allowed.
+GuardEvidence evidenceOf(const Fan& fan, const Objection& objection, bool mayDrop) {
+    const std::size_t drop = mayDrop ? candidateToDrop(fan, objection) : kNone;
     return {objection.verdict, fan[objection.at].point,
             objection.triangle ? fan[objection.at + 1].point : kNone,
             drop == kNone ? kNone : fan[drop].point};
@@ -69,15 +151,15 @@ GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& o
 
 /// The first objection that is not overridden. A what-if for the point to be dropped, or for the
 /// pivot if the fan would be refused, overrides the rule for this fan.
-template <AnyContext Context, std::size_t N>
-std::optional<GuardEvidence> firstStandingObjection(Context& context,
-                                                    const std::array<FanRule, N>& rules) {
+std::optional<GuardEvidence> firstStandingObjection(AnyContext auto& context,
+                                                    std::span<const FanRule> rules,
+                                                    bool mayDrop = true) {
     const NeighborRing& n = context.state.pivot;
     for (const FanRule& rule : rules) {
         if (!(context.params.robust.*rule.on)) continue;
         const Objection objection = rule.find(context);
         if (!objection) continue;
-        GuardEvidence found = evidenceOf(n.fan, rule, objection);
+        GuardEvidence found = evidenceOf(n.fan, objection, mayDrop);
         const Index subject =
             found.dropped == kNone ? context.state.rings.point(n.pivot) : found.dropped;
         if (whatIfOverride(context, Stage::Guard, subject) != true) return found;
@@ -113,7 +195,7 @@ void phaseGuard(AnyContext auto& context) {
         });
         return refuse(context);
     }
-    std::optional<GuardEvidence> found = firstStandingObjection(context, kWaitingRules);
+    std::optional<GuardEvidence> found = firstStandingObjection(context, kWaitingRules, false);
     if (!found) found = firstStandingObjection(context, kManifoldRules);
     if (!found) found = firstStandingObjection(context, kShapeRules);
     if (!found) {
@@ -128,15 +210,9 @@ void phaseGuard(AnyContext auto& context) {
     }
 }
 
-bool manifoldRefuses(const StepContext& context) {
-    Objection objection;
-    return firstObjecting(context, kManifoldRules, objection) != nullptr;
-}
+bool manifoldRefuses(const StepContext& context) { return refuses(kManifoldRules, context); }
 
-bool shapeRefuses(const StepContext& context) {
-    Objection objection;
-    return firstObjecting(context, kShapeRules, objection) != nullptr;
-}
+bool shapeRefuses(const StepContext& context) { return refuses(kShapeRules, context); }
 
 template void phaseGuard(UnloggedContext&);
 template void phaseGuard(LoggedContext&);

@@ -1,11 +1,14 @@
-/// The half-edge structure of the repair: twins are found in a table of directed edges, sides of
-/// edges with more than two triangles get none, and points with more than one fan are marked. O(t)
-/// for t triangles.
+/// Beyond the paper: the steps after the last pivot (repair.h), each with a number like a pivot.
+/// Each kind runs until it finds nothing more, in the order reinsert, flip, reseat, kRepairRounds
+/// times; the last round takes no point out, since none could be put back. Their half-edges: twins
+/// are found in a table of directed edges, sides of edges with more than two triangles get none,
+/// and points with more than one fan are marked. O(t) for t triangles.
 #include "spiraling_edge/stepper/repair.h"
 
 #include <array>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {
@@ -22,6 +25,49 @@ void markPinched(RepairState& m) {
         forEachSideOf(m, p, [&](HalfEdge) { ++reached; });
         m.pinched[p] = reached != sides[p];
     }
+}
+
+struct RepairPhase {
+    Phase phase;
+    bool RobustRules::*on;
+};
+constexpr RepairPhase kOrder[] = {
+    {Phase::Reinsert, &RobustRules::reinsert},
+    {Phase::Flip, &RobustRules::flip},
+    {Phase::RemoveFolded, &RobustRules::removeFolded},
+};
+
+/// Goes to the first phase at or after position `from` of the order whose rule is on.
+bool enterFrom(StepContext& context, std::size_t from) {
+    for (std::size_t i = from; i < std::size(kOrder); ++i) {
+        if (!(context.params.robust.*kOrder[i].on)) continue;
+        const bool lastRound = context.state.repair.round + 1 == kRepairRounds;
+        if (lastRound && kOrder[i].phase == Phase::RemoveFolded) continue;
+        context.state.phase = kOrder[i].phase;
+        return true;
+    }
+    return false;
+}
+
+/// Goes to the phase after the current one, which has nothing left to do.
+void enterNext(StepContext& context) {
+    State& s = context.state;
+    std::size_t place = 0;
+    while (kOrder[place].phase != s.phase) ++place;
+    if (enterFrom(context, place + 1)) return;
+    s.phase = Phase::Finished;
+    if (++s.repair.round == kRepairRounds) return;
+    s.repair.nextPoint = 0;
+    s.repair.nextTriangle = 0;
+    enterFrom(context, 0);
+}
+
+/// Counts and logs a step like a pivot; without one, goes to the next phase.
+template <typename Found>
+void finishStep(AnyContext auto& context, Stage stage, const std::optional<Found>& step) {
+    if (!step) return enterNext(context);
+    ++context.state.counters.pivots;
+    note(context, stage, [&] { return *step; });
 }
 
 }  // namespace
@@ -56,5 +102,34 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
     markPinched(m);
     return m;
 }
+
+void beginRepairPhases(StepContext& context) {
+    State& s = context.state;
+    s.phase = Phase::Finished;
+    s.pivotTriangles = 0;
+    if (s.triangles.empty() || s.capped() || !enterFrom(context, 0)) return;
+    s.repair = beginRepair(context.points.size(), s.triangles);
+}
+
+void phaseReinsert(AnyContext auto& context) {
+    finishStep(context, Stage::Reinsert, reinsertNext(context.points, context.state.repair));
+}
+
+void phaseFlip(AnyContext auto& context) {
+    finishStep(context, Stage::Flip,
+               flipNext(context.points, context.params.thresholds, context.state.repair));
+}
+
+void phaseRemoveFolded(AnyContext auto& context) {
+    finishStep(context, Stage::RemoveFolded,
+               removeFoldedPoint(context.points, context.state.repair));
+}
+
+template void phaseReinsert(UnloggedContext&);
+template void phaseReinsert(LoggedContext&);
+template void phaseFlip(UnloggedContext&);
+template void phaseFlip(LoggedContext&);
+template void phaseRemoveFolded(UnloggedContext&);
+template void phaseRemoveFolded(LoggedContext&);
 
 }  // namespace se

@@ -179,18 +179,17 @@ void flipEdge(RepairState& m, HalfEdge h) {
 
 }  // namespace
 
-bool flipNext(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
-              Flip& flip) {
+std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
+                                     RepairState& m) {
     while (m.queueFront < m.queue.size()) {
         const HalfEdge h = m.queue[m.queueFront++];
         if (!isBetterFlipped(points, thresholds, m, h)) continue;
         const Quad q = quadAt(m, h);
         flipEdge(m, h);
         ++m.flipped;
-        flip = {q.u, q.v, q.x, q.y};
-        return true;
+        return FlipEvidence{q.u, q.v, q.x, q.y};
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace se

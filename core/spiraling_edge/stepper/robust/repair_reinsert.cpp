@@ -144,7 +144,7 @@ void apply(RepairState& m, const Change& change, Index x) {
 
 }  // namespace
 
-bool reinsertNext(const PointSet& points, RepairState& m, Index& point) {
+std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& m) {
     for (; m.nextPoint < points.size(); ++m.nextPoint) {
         const Index x = points.inOrder(m.nextPoint);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
@@ -153,10 +153,9 @@ bool reinsertNext(const PointSet& points, RepairState& m, Index& point) {
         apply(m, changeFor(m, place.way, place.side, x), x);
         ++m.reinserted;
         ++m.nextPoint;
-        point = x;
-        return true;
+        return ReinsertEvidence{x};
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace se

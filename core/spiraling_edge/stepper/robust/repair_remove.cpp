@@ -206,7 +206,7 @@ bool takeOut(const PointSet& points, RepairState& m, Index x) {
 
 }  // namespace
 
-bool removeFoldedPoint(const PointSet& points, RepairState& m, Index& point) {
+std::optional<RemoveFoldedEvidence> removeFoldedPoint(const PointSet& points, RepairState& m) {
     for (; m.nextTriangle < m.triangles.size(); ++m.nextTriangle) {
         const Index t = m.nextTriangle;
         if (shapeFaults(points, m.triangles[t]) < kFlippedFault) continue;
@@ -218,11 +218,10 @@ bool removeFoldedPoint(const PointSet& points, RepairState& m, Index& point) {
         for (const Index x : near) {
             if (!takeOut(points, m, x)) continue;
             ++m.takenOut;
-            point = x;
-            return true;
+            return RemoveFoldedEvidence{x};
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace se

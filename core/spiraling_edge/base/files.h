@@ -1,8 +1,12 @@
-/// File extensions.
+/// Files: extensions, content, errors of the operating system.
 #pragma once
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
+#include <system_error>
+
+#include "spiraling_edge/base/result.h"
 
 namespace se {
 
@@ -15,5 +19,11 @@ inline std::string lowerExtension(const std::filesystem::path& path) {
     }
     return extension;
 }
+
+/// All bytes of a file or pipe.
+Result<std::string> readBytes(const std::filesystem::path& path);
+
+/// The text of errno: "No space left on device".
+inline std::string systemReason() { return std::generic_category().message(errno); }
 
 }  // namespace se
