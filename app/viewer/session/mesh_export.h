@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "jobs/background_query.h"
+#include "jobs/background_job.h"
 #include "mesh_command.h"
 #include "run/model.h"
 

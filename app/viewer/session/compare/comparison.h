@@ -9,7 +9,7 @@
 
 #include "compare_sync.h"
 #include "compare_with.h"
-#include "jobs/background_query.h"
+#include "jobs/background_job.h"
 #include "session/session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
