@@ -5,8 +5,8 @@
 #include <string>
 
 #include "commands/command_context.h"
+#include "jobs/mesh_export.h"
 #include "panel_state/ui_state.h"
-#include "session/mesh_export.h"
 #include "session/session.h"
 
 namespace se::view {
