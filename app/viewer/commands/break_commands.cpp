@@ -1,12 +1,116 @@
 #include "break_commands.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "panel_state/ui_state.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
+
+namespace {
+
+using QueryLine = std::optional<std::string>;
+
+QueryLine withPoint(const BreakSubject& subject, const std::string& before,
+                    const std::string& after = {}) {
+    if (subject.point() == kNone) return std::nullopt;
+    return before + std::to_string(subject.point()) + after;
+}
+
+QueryLine withEdge(const BreakSubject& subject) {
+    if (subject.selected.kind != SelectionKind::Edge) return std::nullopt;
+    const auto corners = subject.selected.corners();
+    return "edge=" + std::to_string(corners[0]) + "," + std::to_string(corners[1]);
+}
+
+/// The stage, and the outcome of its test.
+QueryLine thisKind(const BreakSubject& subject) {
+    if (subject.event == nullptr) return std::nullopt;
+    std::string line = "stage=" + std::string(stageName(subject.event->address.stage));
+    const Outcome outcome = outcomeOf(*subject.event);
+    if (outcome == Outcome::Taken) line += " kept";
+    if (outcome == Outcome::Refused) line += " refused";
+    return line;
+}
+
+template <const char* text>
+QueryLine plain(const BreakSubject&) {
+    return std::string(text);
+}
+
+constexpr char kSplit[] = "stage=split";
+constexpr char kJoin[] = "stage=join";
+constexpr char kCloses[] = "closes";
+constexpr char kComponent[] = "component";
+constexpr char kDiscarded[] = "stage=twopoint refused";
+constexpr char kHole[] = "stage=hole refused";
+constexpr char kStranded[] = "stranded";
+constexpr char kMargin[] = "margin<1e-3";
+constexpr char kAngle[] = "angle<15";
+constexpr char kFailure[] = "failure";
+constexpr char kAlert[] = "alert";
+
+constexpr std::array kPresets = {
+    BreakPreset{"Point becomes USED", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "used="); }},
+    BreakPreset{"Point becomes DONE", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "done="); }},
+    BreakPreset{"Point is the pivot", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "pivot=", " stage=pivot"); }},
+    BreakPreset{"Any decision about the point", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "point="); }},
+    BreakPreset{"Edge enters the ring", "an edge", withEdge},
+    BreakPreset{"This kind of decision", "a decision", thisKind},
+    BreakPreset{"Ring splits", "", plain<kSplit>},
+    BreakPreset{"Rings join", "", plain<kJoin>},
+    BreakPreset{"Ring closes or is freed", "", plain<kCloses>},
+    BreakPreset{"Component ends", "", plain<kComponent>},
+    BreakPreset{"Two-point ring is discarded", "", plain<kDiscarded>},
+    BreakPreset{"Hole test removes a point", "", plain<kHole>},
+    BreakPreset{"A point is stranded", "", plain<kStranded>},
+    BreakPreset{"Close decision", "", plain<kMargin>},
+    BreakPreset{"Thin triangle", "", plain<kAngle>},
+    BreakPreset{"A failure appears", "", plain<kFailure>},
+    BreakPreset{"An alert is raised", "", plain<kAlert>},
+};
+
+}  // namespace
+
+Index BreakSubject::point() const {
+    return selected.kind == SelectionKind::Point ? selected.points[0] : pivot;
+}
+
+std::span<const BreakPreset> breakPresets() { return kPresets; }
+
+std::optional<std::string> lineHere(const BreakSubject& subject) {
+    const auto corners = subject.selected.corners();
+    if (corners.size() == 1) return "point=" + std::to_string(corners[0]);
+    if (corners.size() == 2) return withEdge(subject);
+    if (corners.size() == 3) {
+        std::vector<Index> points(corners.begin(), corners.end());
+        std::sort(points.begin(), points.end());
+        return amongLine(points);
+    }
+    return thisKind(subject);
+}
+
+std::string amongLine(std::span<const Index> points) {
+    std::string line = "among=";
+    for (std::size_t i = 0; i < points.size();) {
+        std::size_t end = i + 1;
+        while (end < points.size() && points[end] == points[end - 1] + 1) ++end;
+        if (i > 0) line += ',';
+        line += std::to_string(points[i]);
+        if (end - i > 2) line += ".." + std::to_string(points[end - 1]);
+        if (end - i == 2) line += ',' + std::to_string(points[end - 1]);
+        i = end;
+    }
+    return line;
+}
 
 BreakSubject breakSubject(const CommandContext& context) {
     const Session& session = context.session;

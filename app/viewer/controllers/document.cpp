@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "commands/command_actions.h"
 #include "commands/growth_commands.h"
 #include "run/gallery.h"
 #include "session/playback.h"
@@ -368,12 +369,8 @@ void DocumentController::save() {
             "A session refers to a file, but these points came from standard input. Save them to a "
             "file "
             "first.");
-    if (c_.ui.sessionPath.empty()) {
-        c_.ui.browser = BrowserTask::SaveSession;
-        c_.ui.fileBrowser = true;
-    } else {
-        saveAs(c_.ui.sessionPath);
-    }
+    if (c_.ui.sessionPath.empty()) return actions::openBrowser(c_, BrowserTask::SaveSession);
+    saveAs(c_.ui.sessionPath);
 }
 
 void DocumentController::saveAs(const std::string& path) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "commands/command_context.h"
+#include "commands/commands.h"
 #include "panel_state/recent.h"
 #include "panel_state/ui_state.h"
 #include "session/annotations.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "commands/command_context.h"
+#include "commands/commands.h"
 #include "jobs/mesh_export.h"
 #include "panel_state/ui_state.h"
 #include "session/session.h"
