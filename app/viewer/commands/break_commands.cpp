@@ -37,23 +37,6 @@ QueryLine thisKind(const BreakSubject& subject) {
     return line;
 }
 
-template <const char* text>
-QueryLine plain(const BreakSubject&) {
-    return std::string(text);
-}
-
-constexpr char kSplit[] = "stage=split";
-constexpr char kJoin[] = "stage=join";
-constexpr char kCloses[] = "closes";
-constexpr char kComponent[] = "component";
-constexpr char kDiscarded[] = "stage=twopoint refused";
-constexpr char kHole[] = "stage=hole refused";
-constexpr char kStranded[] = "stranded";
-constexpr char kMargin[] = "margin<1e-3";
-constexpr char kAngle[] = "angle<15";
-constexpr char kFailure[] = "failure";
-constexpr char kAlert[] = "alert";
-
 constexpr std::array kPresets = {
     BreakPreset{"Point becomes USED", "a point",
                 [](const BreakSubject& s) { return withPoint(s, "used="); }},
@@ -65,17 +48,19 @@ constexpr std::array kPresets = {
                 [](const BreakSubject& s) { return withPoint(s, "point="); }},
     BreakPreset{"Edge enters the ring", "an edge", withEdge},
     BreakPreset{"This kind of decision", "a decision", thisKind},
-    BreakPreset{"Ring splits", "", plain<kSplit>},
-    BreakPreset{"Rings join", "", plain<kJoin>},
-    BreakPreset{"Ring closes or is freed", "", plain<kCloses>},
-    BreakPreset{"Component ends", "", plain<kComponent>},
-    BreakPreset{"Two-point ring is discarded", "", plain<kDiscarded>},
-    BreakPreset{"Hole test removes a point", "", plain<kHole>},
-    BreakPreset{"A point is stranded", "", plain<kStranded>},
-    BreakPreset{"Close decision", "", plain<kMargin>},
-    BreakPreset{"Thin triangle", "", plain<kAngle>},
-    BreakPreset{"A failure appears", "", plain<kFailure>},
-    BreakPreset{"An alert is raised", "", plain<kAlert>},
+    BreakPreset{"Ring splits", "", [](auto&) { return QueryLine("stage=split"); }},
+    BreakPreset{"Rings join", "", [](auto&) { return QueryLine("stage=join"); }},
+    BreakPreset{"Ring closes or is freed", "", [](auto&) { return QueryLine("closes"); }},
+    BreakPreset{"Component ends", "", [](auto&) { return QueryLine("component"); }},
+    BreakPreset{"Two-point ring is discarded", "",
+                [](auto&) { return QueryLine("stage=twopoint refused"); }},
+    BreakPreset{"Hole test removes a point", "",
+                [](auto&) { return QueryLine("stage=hole refused"); }},
+    BreakPreset{"A point is stranded", "", [](auto&) { return QueryLine("stranded"); }},
+    BreakPreset{"Close decision", "", [](auto&) { return QueryLine("margin<1e-3"); }},
+    BreakPreset{"Thin triangle", "", [](auto&) { return QueryLine("angle<15"); }},
+    BreakPreset{"A failure appears", "", [](auto&) { return QueryLine("failure"); }},
+    BreakPreset{"An alert is raised", "", [](auto&) { return QueryLine("alert"); }},
 };
 
 }  // namespace
