@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ledger_text.h"
-#include "mesh_text.h"
+#include "sentences.h"
 
 namespace se::cli {
 namespace {
