@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "exit_code.h"
-#include "output/mesh_text.h"
+#include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/stepper/stepper.h"
 

@@ -11,7 +11,6 @@
 #include "commands/alert_actions.h"
 #include "commands/break_commands.h"
 #include "commands/command_actions.h"
-#include "commands/compare_commands.h"
 #include "controllers/pivot_camera.h"
 #include "jobs/questions.h"
 #include "panel_state/tabs.h"
@@ -80,7 +79,7 @@ bool Application::poll() {
     if (options_.atDifference && found != nullptr && !session_.moves().busy() &&
         !std::exchange(differenceAsked_, true)) {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
-        actions::askForDifference(commands_);
+        actions::askOfComparison(commands_, CompareAsk::FirstDifference);
     }
     if (session_.takeProblemFound()) ui_.tab.wanted = kDoctorTab;
     const bool notice = !session_.messages().notice().empty();

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "commands/commands.h"
-#include "jobs/guarded.h"
+#include "jobs/thread.h"
 #include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"

@@ -2,6 +2,7 @@
 // every visible value is in this one JSON object, with the rectangles of the items to click on.
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -26,17 +27,9 @@ json addressOrNull(const std::optional<Address>& address) {
 }
 
 const char* phaseName(SessionPhase phase) {
-    switch (phase) {
-        case SessionPhase::Empty:
-            return "empty";
-        case SessionPhase::Loading:
-            return "loading";
-        case SessionPhase::Ready:
-            return "ready";
-        case SessionPhase::Failed:
-            return "failed";
-    }
-    return "";
+    constexpr std::array<const char*, 4> kNames = {"empty", "loading", "ready", "failed"};
+    static_assert(kNames.size() == static_cast<std::size_t>(SessionPhase::Failed) + 1);
+    return kNames[static_cast<std::size_t>(phase)];
 }
 
 /// Position in the run, as the tree of steps and the strips show it.

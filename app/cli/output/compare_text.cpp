@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ledger_text.h"
-#include "mesh_text.h"
+#include "sentences.h"
 #include "spiraling_edge/replay/event_text.h"
 
 namespace se::cli {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh_text.h"
+#include "sentences.h"
 
 namespace se::cli {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "mesh_text.h"
 #include "rule_json.h"
+#include "sentences.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/event_text.h"

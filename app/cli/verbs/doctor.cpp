@@ -8,8 +8,8 @@
 
 #include "input.h"
 #include "options.h"
-#include "output/mesh_text.h"
 #include "output/output.h"
+#include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"

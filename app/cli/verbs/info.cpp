@@ -9,8 +9,8 @@
 
 #include "input.h"
 #include "options.h"
-#include "output/mesh_text.h"
 #include "output/output.h"
+#include "output/sentences.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "verbs.h"
 

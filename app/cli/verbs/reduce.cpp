@@ -12,9 +12,9 @@
 #include <tuple>
 
 #include "failure_choice.h"
-#include "output/mesh_text.h"
 #include "output/output.h"
 #include "output/rule_json.h"
+#include "output/sentences.h"
 #include "prepared_input.h"
 #include "progress.h"
 #include "spiraling_edge/base/shell_word.h"

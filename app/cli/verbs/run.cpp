@@ -8,9 +8,9 @@
 
 #include "input.h"
 #include "options.h"
-#include "output/mesh_text.h"
 #include "output/output.h"
 #include "output/report.h"
+#include "output/sentences.h"
 #include "output/trace.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"

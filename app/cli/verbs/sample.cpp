@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "options.h"
-#include "output/mesh_text.h"
 #include "output/output.h"
+#include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/base/word_list.h"

@@ -50,15 +50,9 @@ std::string_view momentName(AlertMoment moment) {
 }
 
 const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment) {
-    switch (moment) {
-        case AlertMoment::Created:
-            return alert.moments.created;
-        case AlertMoment::Unavoidable:
-            return alert.moments.unavoidable;
-        case AlertMoment::Touched:
-            break;
-    }
-    return alert.moments.touched;
+    if (moment == AlertMoment::Created) return alert.moments.created;
+    const bool touched = moment == AlertMoment::Touched;
+    return touched ? alert.moments.touched : alert.moments.unavoidable;
 }
 
 Selection subjectOf(const RunFailure& alert) {

@@ -125,8 +125,6 @@ void openClosest(CommandContext& c) {
     c.ui.query.shown = QueryList::Closest;
 }
 
-void openCharts(CommandContext& c) { openTab(c, kChartsTab); }
-
 void toHit(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
     const FoundDecisions* found = c.session.questions().found().answer();

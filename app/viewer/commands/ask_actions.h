@@ -30,7 +30,6 @@ void toCause(CommandContext& c);
 /// Opens the panel Query with the keyboard focus on its line.
 void openQuery(CommandContext& c);
 void openClosest(CommandContext& c);
-void openCharts(CommandContext& c);
 /// To the next (+1) or previous (-1) decision that the query line found.
 void toHit(CommandContext& c, int direction);
 

@@ -1,12 +1,101 @@
 #include "break_commands.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "panel_state/ui_state.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
+
+namespace {
+
+using QueryLine = std::optional<std::string>;
+
+QueryLine withPoint(const BreakSubject& subject, const std::string& before,
+                    const std::string& after = {}) {
+    if (subject.point() == kNone) return std::nullopt;
+    return before + std::to_string(subject.point()) + after;
+}
+
+QueryLine withEdge(const BreakSubject& subject) {
+    if (subject.selected.kind != SelectionKind::Edge) return std::nullopt;
+    const auto corners = subject.selected.corners();
+    return "edge=" + std::to_string(corners[0]) + "," + std::to_string(corners[1]);
+}
+
+/// The stage, and the outcome of its test.
+QueryLine thisKind(const BreakSubject& subject) {
+    if (subject.event == nullptr) return std::nullopt;
+    std::string line = "stage=" + std::string(stageName(subject.event->address.stage));
+    const Outcome outcome = outcomeOf(*subject.event);
+    if (outcome == Outcome::Taken) line += " kept";
+    if (outcome == Outcome::Refused) line += " refused";
+    return line;
+}
+
+constexpr std::array kPresets = {
+    BreakPreset{"Point becomes USED", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "used="); }},
+    BreakPreset{"Point becomes DONE", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "done="); }},
+    BreakPreset{"Point is the pivot", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "pivot=", " stage=pivot"); }},
+    BreakPreset{"Any decision about the point", "a point",
+                [](const BreakSubject& s) { return withPoint(s, "point="); }},
+    BreakPreset{"Edge enters the ring", "an edge", withEdge},
+    BreakPreset{"This kind of decision", "a decision", thisKind},
+    BreakPreset{"Ring splits", "", [](auto&) { return QueryLine("stage=split"); }},
+    BreakPreset{"Rings join", "", [](auto&) { return QueryLine("stage=join"); }},
+    BreakPreset{"Ring closes or is freed", "", [](auto&) { return QueryLine("closes"); }},
+    BreakPreset{"Component ends", "", [](auto&) { return QueryLine("component"); }},
+    BreakPreset{"Two-point ring is discarded", "",
+                [](auto&) { return QueryLine("stage=twopoint refused"); }},
+    BreakPreset{"Hole test removes a point", "",
+                [](auto&) { return QueryLine("stage=hole refused"); }},
+    BreakPreset{"A point is stranded", "", [](auto&) { return QueryLine("stranded"); }},
+    BreakPreset{"Close decision", "", [](auto&) { return QueryLine("margin<1e-3"); }},
+    BreakPreset{"Thin triangle", "", [](auto&) { return QueryLine("angle<15"); }},
+    BreakPreset{"A failure appears", "", [](auto&) { return QueryLine("failure"); }},
+    BreakPreset{"An alert is raised", "", [](auto&) { return QueryLine("alert"); }},
+};
+
+}  // namespace
+
+Index BreakSubject::point() const {
+    return selected.kind == SelectionKind::Point ? selected.points[0] : pivot;
+}
+
+std::span<const BreakPreset> breakPresets() { return kPresets; }
+
+std::optional<std::string> lineHere(const BreakSubject& subject) {
+    const auto corners = subject.selected.corners();
+    if (corners.size() == 1) return "point=" + std::to_string(corners[0]);
+    if (corners.size() == 2) return withEdge(subject);
+    if (corners.size() == 3) {
+        std::vector<Index> points(corners.begin(), corners.end());
+        std::sort(points.begin(), points.end());
+        return amongLine(points);
+    }
+    return thisKind(subject);
+}
+
+std::string amongLine(std::span<const Index> points) {
+    std::string line = "among=";
+    for (std::size_t i = 0; i < points.size();) {
+        std::size_t end = i + 1;
+        while (end < points.size() && points[end] == points[end - 1] + 1) ++end;
+        if (i > 0) line += ',';
+        line += std::to_string(points[i]);
+        if (end - i > 2) line += ".." + std::to_string(points[end - 1]);
+        if (end - i == 2) line += ',' + std::to_string(points[end - 1]);
+        i = end;
+    }
+    return line;
+}
 
 BreakSubject breakSubject(const CommandContext& context) {
     const Session& session = context.session;

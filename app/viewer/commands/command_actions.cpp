@@ -1,7 +1,5 @@
 #include "command_actions.h"
 
-#include "session/playback.h"
-
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -18,12 +16,6 @@ namespace {
 
 constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
-}  // namespace
-
-void pause(C& c) { c.playback.pause(); }
-
-namespace {
-
 void closeDialogs(UiState& ui) {
     ui.cheatSheet = false;
     ui.keyEditor = false;
@@ -33,6 +25,8 @@ void closeDialogs(UiState& ui) {
 }
 
 }  // namespace
+
+void pause(C& c) { c.playback.pause(); }
 
 void escape(C& c) {
     UiState& ui = c.ui;
@@ -79,11 +73,6 @@ void home(C& c) {
     if (!c.session.ready()) return;
     const Model& model = c.session.model();
     c.camera.home(model.beginning, model.sample, c.ui.viewAspect);
-}
-
-void restart(C& c) {
-    pause(c);
-    c.ui.requests.reload = true;
 }
 
 void oppositeView(C& c) {
@@ -142,23 +131,21 @@ void clearWhatIfs(C& c) {
     c.ui.requests.rules = std::move(rules);
 }
 
-void openBrowser(C& c) {
-    c.ui.browser = BrowserTask::Open;
+void openBrowser(C& c, BrowserTask task) {
+    c.ui.browser = task;
     c.ui.fileBrowser = true;
 }
 
 void saveAs(C& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
-    c.ui.browser = BrowserTask::SaveSession;
-    c.ui.fileBrowser = true;
+    openBrowser(c, BrowserTask::SaveSession);
 }
 
 void saveMesh(C& c) {
     if (!c.session.ready()) return c.session.messages().say("There is no run to save the mesh of.");
     pause(c);
     c.ui.mesh.open();
-    c.ui.browser = BrowserTask::SaveMesh;
-    c.ui.fileBrowser = true;
+    openBrowser(c, BrowserTask::SaveMesh);
 }
 
 void copyCommand(C& c) {
@@ -173,8 +160,7 @@ void savePoints(C& c) {
     if (c.ui.growth.open ? !c.ui.growth.hasPoints() : !made) {
         return c.session.messages().say("There are no new points to save.");
     }
-    c.ui.browser = BrowserTask::SavePoints;
-    c.ui.fileBrowser = true;
+    openBrowser(c, BrowserTask::SavePoints);
 }
 
 void openPrepare(C& c) {
@@ -182,16 +168,6 @@ void openPrepare(C& c) {
     pause(c);
     closeDialogs(c.ui);
     c.ui.prepare.take(c.session.input().spec(), c.session.model());
-}
-
-void toEnd(C& c) {
-    pause(c);
-    c.session.moves().toEnd();
-}
-
-void toStart(C& c) {
-    pause(c);
-    c.session.moves().toStart();
 }
 
 void toMark(C& c, int direction) {
@@ -210,8 +186,6 @@ void toMark(C& c, int direction) {
                       : "There is no split, join, seed, alert or bookmark before this one.");
 }
 
-void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
-
 void playOrPause(C& c) {
     // A long move to the next event must not continue after the pause.
     if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.moves().cancel();
@@ -223,17 +197,14 @@ void stepByUnit(C& c, int direction) {
     playSteps(c, direction);
 }
 
-void setLoopStart(C& c) {
+void setLoop(C& c, const char* end, void (PlayLoop::*set)(const Address& address)) {
     if (!c.session.ready()) return;
-    c.playback.loop.setFrom(c.session.address());
-    c.session.messages().say("Loop start: " + toString(c.session.address()) + ".");
+    (c.playback.loop.*set)(c.session.address());
+    c.session.messages().say("Loop " + std::string(end) + ": " + toString(c.session.address()) +
+                             ".");
 }
 
-void setLoopEnd(C& c) {
-    if (!c.session.ready()) return;
-    c.playback.loop.setTo(c.session.address());
-    c.session.messages().say("Loop end: " + toString(c.session.address()) + ".");
-}
+void toggle(C& c, LayerId layer) { toggleLayer(c.ui.settings.layers, layer, c.session.stage()); }
 
 void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     c.ui.layoutPreset = layoutPreset;
@@ -279,6 +250,33 @@ void toBookmark(C& c, std::size_t place) {
     }
     pause(c);
     c.session.moves().goTo(c.ui.bookmarks[place].address);
+}
+
+void toggleCompare(CommandContext& c) {
+    const bool on = c.ui.layoutPreset == LayoutPreset::Compare;
+    applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
+}
+
+void compareUsual(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+    pause(c);
+    applyLayoutPreset(c, LayoutPreset::Compare);
+    c.ui.compare.ask = CompareAsk::Usual;
+}
+
+void compareMesh(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+    pause(c);
+    applyLayoutPreset(c, LayoutPreset::Compare);
+    openBrowser(c, BrowserTask::Mesh);
+}
+
+void askOfComparison(CommandContext& c, CompareAsk ask) {
+    const Comparison* now = c.ui.compare.now;
+    if (now == nullptr || !now->chosen())
+        return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
+    pause(c);
+    c.ui.compare.ask = ask;
 }
 
 }  // namespace actions

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "panel_state/ui_state.h"
 #include "scene/camera.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view::actions {
@@ -16,7 +17,6 @@ void escape(CommandContext& c);
 void nextMeshStyle(CommandContext& c);
 void toggleTheme(CommandContext& c);
 void home(CommandContext& c);
-void restart(CommandContext& c);
 /// Turns to look from the opposite side.
 void oppositeView(CommandContext& c);
 /// The up axis of an input when it is opened: z for scenes and sampled points; for files the
@@ -31,7 +31,6 @@ void scaleBy(CommandContext& c, int direction);
 void toggleBookmarkHere(CommandContext& c);
 /// To the bookmark at a position of their list, from 0.
 void toBookmark(CommandContext& c, std::size_t place);
-void openBrowser(CommandContext& c);
 void saveAs(CommandContext& c);
 /// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);
@@ -45,61 +44,31 @@ void openPrepare(CommandContext& c);
 void resetRules(CommandContext& c);
 /// Removes all what-ifs; rules stay.
 void clearWhatIfs(CommandContext& c);
-void toEnd(CommandContext& c);
-void toStart(CommandContext& c);
 /// To the next (+1) or previous (-1) mark of the run or bookmark.
 void toMark(CommandContext& c, int direction);
-void toggleUnit(CommandContext& c);
 void playOrPause(CommandContext& c);
 void stepByUnit(CommandContext& c, int direction);
-void setLoopStart(CommandContext& c);
-void setLoopEnd(CommandContext& c);
 void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 /// Opens a panel; if no panels are shown, in the layout that has all of them.
 void openTab(CommandContext& c, std::string_view tab);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 
-// Rows of the table take functions without arguments of their own.
+/// Pins a layer on or off.
+void toggle(CommandContext& c, LayerId layer);
+/// Sets an end of the playback loop to the cursor; `end` is its name.
+void setLoop(CommandContext& c, const char* end, void (PlayLoop::*set)(const Address& address));
+/// Opens the file dialog.
+void openBrowser(CommandContext& c, BrowserTask task);
 
-template <LayerId layer>
-void toggle(CommandContext& c) {
-    toggleLayer(c.ui.settings.layers, layer, c.session.stage());
-}
-
-template <ViewPreset preset>
-void setView(CommandContext& c) {
-    c.camera.set(preset);
-}
-
-template <UpAxis axis>
-void setUp(CommandContext& c) {
-    chooseUp(c, axis);
-}
-
-template <MeshStyle style>
-void setMeshStyle(CommandContext& c) {
-    c.ui.settings.meshStyle = style;
-}
-
-template <PointTint tint>
-void setPointTint(CommandContext& c) {
-    c.ui.settings.pointTint = tint;
-}
-
-template <int direction>
-void changeScale(CommandContext& c) {
-    scaleBy(c, direction);
-}
-
-template <std::size_t place>
-void goToBookmark(CommandContext& c) {
-    toBookmark(c, place);
-}
-
-template <LayoutPreset layoutPreset>
-void setLayoutPreset(CommandContext& c) {
-    applyLayoutPreset(c, layoutPreset);
-}
+// Comparing.
+/// Opens the layout Compare, or returns to Debug.
+void toggleCompare(CommandContext& c);
+/// Compares with the most informative rule set beside those of the run.
+void compareUsual(CommandContext& c);
+/// Opens the file dialog.
+void compareMesh(CommandContext& c);
+/// Requests a step of the comparison; reports if there is no comparison.
+void askOfComparison(CommandContext& c, CompareAsk ask);
 
 }  // namespace se::view::actions

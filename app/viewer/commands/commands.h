@@ -3,15 +3,23 @@
 
 #include <string>
 
-#include "command_context.h"
 #include "input/command.h"
 
 namespace se::view {
 
-/// First key of a command, for menus; empty if it has none.
-std::string firstKey(const Command& command);
-/// All keys, joined by ", ".
-std::string allKeys(const Command& command);
+class Camera;
+class Playback;
+class Session;
+struct UiState;
+
+/// Everything that a command may use.
+struct CommandContext {
+    Session& session;
+    Playback& playback;
+    Camera& camera;
+    UiState& ui;
+};
+
 /// One line per action: id, keys, help.
 std::string listActions();
 

@@ -4,9 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "panel_state/ui_state.h"
-#include "session/playback.h"
-#include "session/session.h"
+#include "command_actions.h"
 
 namespace se::view {
 
@@ -57,8 +55,7 @@ void openGrowthPage(CommandContext& context, GrowthSource from) {
     const bool nothingChosen = from == GrowthSource::Volume && page.form.volume.empty();
     if (another && !nothingChosen) page.asked = GrowthAsk::Begin;
     if (!nothingChosen) return;
-    context.ui.browser = BrowserTask::Volume;
-    context.ui.fileBrowser = true;
+    actions::openBrowser(context, BrowserTask::Volume);
 }
 
 bool runOnGrowthPage(const Command& command, CommandContext& context) {

@@ -155,22 +155,15 @@ void CompareController::carryOut(CompareAsk ask) {
         return begin(CompareWith::otherRun(usualOther(c_.session.input().spec())));
     if (ask == CompareAsk::Swap) return swap();
     if (shaded_ == nullptr) return c_.session.messages().say("The comparison is still running.");
+    if (ask == CompareAsk::FirstDifference)
+        return goTo(shaded_->runs.first, "These two runs are the same from start to end.");
+    if (ask == CompareAsk::FirstHarmless)
+        return goTo(shaded_->runs.harmless, "No earlier decision differs.");
     const std::size_t count = shaded_->meshes.regions.size();
+    if (count == 0) return c_.session.messages().say("The meshes are the same.");
     const auto& at = c_.ui.compare.region;
-    switch (ask) {
-        case CompareAsk::FirstDifference:
-            return goTo(shaded_->runs.first, "These two runs are the same from start to end.");
-        case CompareAsk::FirstHarmless:
-            return goTo(shaded_->runs.harmless, "No earlier decision differs.");
-        case CompareAsk::NextRegion:
-            if (count == 0) return c_.session.messages().say("The meshes are the same.");
-            return showRegion(at ? (*at + 1) % count : 0);
-        case CompareAsk::PreviousRegion:
-            if (count == 0) return c_.session.messages().say("The meshes are the same.");
-            return showRegion(at ? (*at + count - 1) % count : count - 1);
-        default:
-            return;
-    }
+    if (ask == CompareAsk::NextRegion) return showRegion(at ? (*at + 1) % count : 0);
+    showRegion((at.value_or(0) + count - 1) % count);
 }
 
 void CompareController::goTo(const std::optional<RunDifference>& difference, const char* nothing) {

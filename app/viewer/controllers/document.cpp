@@ -7,12 +7,28 @@
 #include <cstdio>
 #include <utility>
 
+#include "commands/command_actions.h"
 #include "commands/growth_commands.h"
 #include "run/gallery.h"
 #include "session/playback.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
+
+namespace {
+
+Annotations annotationsOf(const UiState& ui) {
+    return {ui.bookmarks, ui.notes, ui.breakpoints, ui.watch.expressions};
+}
+
+void putBack(const Annotations& annotations, UiState& ui) {
+    ui.bookmarks = annotations.bookmarks;
+    ui.notes = annotations.notes;
+    ui.breakpoints = annotations.breakpoints;
+    ui.watch.expressions = annotations.watches;
+}
+
+}  // namespace
 
 SessionFile captureSession(const CommandContext& context) {
     const Session& session = context.session;
@@ -26,11 +42,8 @@ SessionFile captureSession(const CommandContext& context) {
     file.selected = session.selection();
     if (session.alerts().chosen())
         file.alert = alertName(session.alerts().search(), *session.alerts().chosen());
-    file.bookmarks = context.ui.bookmarks;
-    file.notes = context.ui.notes;
+    file.annotations = annotationsOf(context.ui);
     file.query = context.ui.query.typed;
-    file.breakpoints = context.ui.breakpoints;
-    file.watches = context.ui.watch.expressions;
     if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();
     return file;
 }
@@ -44,10 +57,7 @@ Edits captureEdits(const CommandContext& context) {
             ui.layoutPreset,
             context.camera.pose(),
             context.session.selection(),
-            ui.bookmarks,
-            ui.notes,
-            ui.breakpoints,
-            ui.watch.expressions,
+            annotationsOf(ui),
             context.session.input().spec().fixes,
             rulesOf(context.session.input().spec())};
 }
@@ -60,10 +70,7 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.settings.layers = edits.layers;
     ui.layoutPreset = edits.layout;
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
-    ui.bookmarks = edits.bookmarks;
-    ui.notes = edits.notes;
-    ui.breakpoints = edits.breakpoints;
-    ui.watch.expressions = edits.watches;
+    putBack(edits.annotations, ui);
     if (edits.rules != rulesOf(context.session.input().spec())) ui.requests.rules = edits.rules;
     if (edits.fixes != context.session.input().spec().fixes) {
         // The point numbers may refer to other points there.
@@ -112,13 +119,20 @@ void DocumentController::keepIn(const std::filesystem::path& path, bool resetLay
 void DocumentController::switchAnnotations(const std::string& source) {
     UiState& ui = c_.ui;
     if (source == annotatedSource_) return;
-    records_[std::exchange(annotatedSource_, source)] = {annotations(), saved_, ui.sessionPath,
+    records_[std::exchange(annotatedSource_, source)] = {annotationsOf(ui), saved_, ui.sessionPath,
                                                          original_};
     const AnnotationRecord& other = records_[source];
-    putBack(other.annotations);
+    putBack(other.annotations, ui);
     saved_ = other.saved;
     ui.sessionPath = other.sessionPath;
     original_ = other.original;
+}
+
+void DocumentController::expectArrival(const std::string& file) {
+    arrival_ = {};
+    arrival_.pending = true;
+    arrival_.generation = c_.session.generation();
+    arrival_.file = file;
 }
 
 /// The page with new points is closed for the input that is opened.
@@ -150,10 +164,7 @@ void DocumentController::open(const std::string& path) {
         spec.points = nullptr;
         spec.whatIf.clear();
     }
-    arrival_ = {};
-    arrival_.pending = true;
-    arrival_.generation = session.generation();
-    arrival_.file = path;
+    expectArrival(path);
     aimAtScene(path);
     openInput(std::move(spec));
 }
@@ -161,10 +172,7 @@ void DocumentController::open(const std::string& path) {
 void DocumentController::openSpec(InputSpec spec) {
     c_.playback.pause();
     const Session& session = c_.session;
-    arrival_ = {};
-    arrival_.pending = true;
-    arrival_.generation = session.generation();
-    arrival_.file = spec.source;
+    expectArrival(spec.source);
     if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
     const bool same = session.ready() && session.input().spec().source == spec.source;
     if (same) arrival_.selected = session.selection();
@@ -174,12 +182,9 @@ void DocumentController::openSpec(InputSpec spec) {
 void DocumentController::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
     if (!read) return c_.session.messages().say(read.error().message);
-    arrival_ = {};
-    arrival_.pending = true;
-    arrival_.generation = c_.session.generation();
+    expectArrival(path);
     arrival_.sessionPath = path;
     arrival_.session = read.value();
-    arrival_.file = path;
     openInput(read.value().input);
 }
 
@@ -187,11 +192,11 @@ void DocumentController::takeLooks(const SessionFile& file, const std::string& p
     UiState& ui = c_.ui;
     if (file.layers) ui.settings.layers = *file.layers;
     if (file.layout) ui.layoutPreset = keptLayout_ = *file.layout;
-    putBack({file.bookmarks, file.notes, file.breakpoints, file.watches});
+    putBack(file.annotations, ui);
     ui.query.typed = file.query;
     ui.sessionPath = path;
     original_ = file.original;
-    noteSaved();
+    saved_ = annotationsOf(c_.ui);
     if (file.with.kind != CompareWith::Kind::Nothing) with_ = file.with;
     if (!file.leftOut.empty()) warnLater(file.leftOut);
     arrival_.ofSession = true;
@@ -342,7 +347,7 @@ void DocumentController::answer() {
         save();
     }
     if (answer == LeaveAnswer::Discard) {
-        putBack(Annotations(saved_));
+        putBack(saved_, c_.ui);
         go(question.leave);
     }
 }
@@ -364,12 +369,8 @@ void DocumentController::save() {
             "A session refers to a file, but these points came from standard input. Save them to a "
             "file "
             "first.");
-    if (c_.ui.sessionPath.empty()) {
-        c_.ui.browser = BrowserTask::SaveSession;
-        c_.ui.fileBrowser = true;
-    } else {
-        saveAs(c_.ui.sessionPath);
-    }
+    if (c_.ui.sessionPath.empty()) return actions::openBrowser(c_, BrowserTask::SaveSession);
+    saveAs(c_.ui.sessionPath);
 }
 
 void DocumentController::saveAs(const std::string& path) {
@@ -380,41 +381,32 @@ void DocumentController::saveAs(const std::string& path) {
     if (!written) return c_.session.messages().say(written.error().message);
     c_.ui.sessionPath = path;
     original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
-    noteSaved();
+    saved_ = annotationsOf(c_.ui);
     note(path);
     c_.session.messages().say("Saved " + path + ".");
 }
 
-Annotations DocumentController::annotations() const {
-    return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watch.expressions};
+std::string DocumentController::unsaved() const {
+    return differenceOf(annotationsOf(c_.ui), saved_);
 }
-
-void DocumentController::putBack(const Annotations& annotations) {
-    c_.ui.bookmarks = annotations.bookmarks;
-    c_.ui.notes = annotations.notes;
-    c_.ui.breakpoints = annotations.breakpoints;
-    c_.ui.watch.expressions = annotations.watches;
-}
-
-void DocumentController::noteSaved() { saved_ = annotations(); }
-
-std::string DocumentController::unsaved() const { return differenceOf(annotations(), saved_); }
 
 void DocumentController::note(const std::string& file) {
     if (kept_.empty() || file.empty() || isStandardInput(file)) return;
-    // Another window may have stored something since.
-    KeptState state = readKeptState(kept_);
-    remember(state, file);
-    c_.ui.recent = state.recent;
-    if (const Status s = writeKeptState(kept_, state); !s)
-        c_.session.messages().say(s.error().message);
+    keep([&](KeptState& state) {
+        remember(state, file);
+        c_.ui.recent = state.recent;
+    });
 }
 
 void DocumentController::keepLayout() {
     keptLayout_ = c_.ui.layoutPreset;
-    if (kept_.empty()) return;
+    if (!kept_.empty()) keep([this](KeptState& state) { state.layout = keptLayout_; });
+}
+
+void DocumentController::keep(const std::function<void(KeptState&)>& change) {
+    // Another window may have stored something since.
     KeptState state = readKeptState(kept_);
-    state.layout = keptLayout_;
+    change(state);
     if (const Status s = writeKeptState(kept_, state); !s)
         c_.session.messages().say(s.error().message);
 }

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 
-#include "commands/command_context.h"
+#include "commands/commands.h"
 #include "panel_state/recent.h"
 #include "panel_state/ui_state.h"
 #include "session/annotations.h"
@@ -86,15 +87,14 @@ class DocumentController {
         std::string original;
     };
 
-    Annotations annotations() const;
-    void putBack(const Annotations& annotations);
-
     /// Leaves at once, or asks first if something would be lost.
     void leave(Leave to);
     void go(const Leave& to);
     void reload();
     void takeFixes(Fixes fixes);
     void takeRules(const RuleSet& rules, Resume resume);
+    /// Waits for another input; `file` goes to the list of recent files.
+    void expectArrival(const std::string& file);
     void openInput(InputSpec spec);
     void aimAtScene(const std::string& source);
     void spreadOver(const std::string& volume);
@@ -109,10 +109,10 @@ class DocumentController {
     void takeUp();
     void arrive();
     void save();
-    void noteSaved();
     void saveAs(const std::string& path);
     void note(const std::string& file);
     void keepLayout();
+    void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.
     void sayLater(const std::string& sentence);
     /// Queues a notice, and prints it on standard error at once.

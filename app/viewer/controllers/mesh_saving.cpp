@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "session/mesh_command.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
@@ -59,7 +60,7 @@ void MeshController::carryOut() {
         export_.make(c_.session.sharedModel(), c_.session.input().file());
     if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
     if (!dialogOpen()) {
-        export_.forget();
+        export_.discard();
         c_.ui.mesh.question.clear();
     }
     publish();

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "commands/command_context.h"
+#include "commands/commands.h"
+#include "jobs/mesh_export.h"
 #include "panel_state/ui_state.h"
-#include "session/mesh_export.h"
 #include "session/session.h"
 
 namespace se::view {

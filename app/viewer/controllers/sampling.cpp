@@ -153,31 +153,14 @@ void SamplingController::carryOut() {
     if (!page.savePath.empty()) save(std::exchange(page.savePath, {}));
     const GrowthAsk asked = std::exchange(page.asked, GrowthAsk::None);
     if (!page.open) return;
-    switch (asked) {
-        case GrowthAsk::None:
-            break;
-        case GrowthAsk::Begin:
-            start();
-            break;
-        case GrowthAsk::PlayOrPause:
-            playOrPause();
-            break;
-        case GrowthAsk::Step:
-            growth_.step();
-            break;
-        case GrowthAsk::Finish:
-            growth_.phase() == GrowthPhase::Idle ? start() : growth_.finish();
-            break;
-        case GrowthAsk::Use:
-            use();
-            break;
-        case GrowthAsk::Home:
-            home();
-            break;
-        case GrowthAsk::Leave:
-            leave();
-            break;
-    }
+    if (asked == GrowthAsk::PlayOrPause) playOrPause();
+    if (asked == GrowthAsk::Step) growth_.step();
+    const bool begins = asked == GrowthAsk::Finish && growth_.phase() == GrowthPhase::Idle;
+    if (asked == GrowthAsk::Begin || begins) start();
+    if (asked == GrowthAsk::Finish && !begins) growth_.finish();
+    if (asked == GrowthAsk::Use) use();
+    if (asked == GrowthAsk::Home) home();
+    if (asked == GrowthAsk::Leave) leave();
 }
 
 void SamplingController::use() {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "commands/command_context.h"
+#include "commands/commands.h"
 #include "jobs/growth.h"
 #include "panel_state/ui_state.h"
 #include "scene/camera.h"

@@ -17,15 +17,13 @@ struct Command {
     std::string_view title;
     std::string_view keys;  ///< "F10 .": one or more, separated by spaces; may be empty.
     std::string_view help;  ///< One sentence.
-    bool repeats;           ///< Also while the key is held down.
     void (*run)(CommandContext& context);
     /// Synonyms for the search of the palette, separated by spaces.
     std::string_view synonyms = {};
+    bool repeats = false;  ///< Also while the key is held down.
 };
 
 std::span<const Command> commands();
 const Command* findCommand(std::string_view id);
-/// The command of a key, null if it has none.
-const Command* commandForKey(const KeyChord& chord);
 
 }  // namespace se::view

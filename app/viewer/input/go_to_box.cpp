@@ -34,7 +34,9 @@ void GoToBox::paste(std::string_view text) {
 }
 
 void GoToBox::move(int key) {
-    marked_ = false;
+    const bool moves =
+        key == key::kLeft || key == key::kRight || key == key::kHome || key == key::kEnd;
+    if (moves) marked_ = false;
     if (key == key::kLeft && caret_ > 0) --caret_;
     if (key == key::kRight && caret_ < text_.size()) ++caret_;
     if (key == key::kHome) caret_ = 0;
@@ -63,29 +65,12 @@ bool GoToBox::press(const KeyChord& chord) {
         letter(chord.key);
         return true;
     }
-    switch (chord.key) {
-        case key::kEnter:
-        case key::kKeypadEnter:
-            active_ = false;
-            submitted_ = !text_.empty();
-            break;
-        case key::kEscape:
-            active_ = false;
-            break;
-        case key::kBackspace:
-        case key::kDelete:
-            erase(chord.key);
-            break;
-        case key::kLeft:
-        case key::kRight:
-        case key::kHome:
-        case key::kEnd:
-            move(chord.key);
-            break;
-        default:
-            // All other plain keys arrive again as characters, or have no function here.
-            break;
-    }
+    // All other plain keys arrive again as characters, or have no function here.
+    const bool enters = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
+    if (enters) submitted_ = !text_.empty();
+    if (enters || chord.key == key::kEscape) active_ = false;
+    if (chord.key == key::kBackspace || chord.key == key::kDelete) erase(chord.key);
+    move(chord.key);
     return true;
 }
 

@@ -88,4 +88,37 @@ std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_vie
     return {};
 }
 
+void RunAlerts::open(std::shared_ptr<const Model> model) {
+    model_ = std::move(model);
+    search_.enqueue(model_);
+    chosen_.reset();
+    remediesOf_.reset();
+    remedies_.cancel();
+    news_ = false;
+}
+
+bool RunAlerts::poll() {
+    const bool known = search_.poll();
+    news_ = news_ || known;
+    return remedies_.poll() || known;
+}
+
+void RunAlerts::waitUntilDone() {
+    search_.waitUntilDone();
+    remedies_.waitUntilDone();
+}
+
+void RunAlerts::choose(std::optional<std::size_t> alert) {
+    if (chosen_ == alert) return;
+    chosen_ = alert;
+    ++revision_;
+}
+
+void RunAlerts::seekRemedies() {
+    remediesOf_ = chosen_;
+    remedies_.start([model = model_, failure = shown()->failure](const Progress& progress) {
+        return findRemedies(model->points, model->params, failure, progress);
+    });
+}
+
 }  // namespace se::view

@@ -1,15 +1,18 @@
-/// Search for all failures of a run, in a thread of its own (core's failure_moments.h).
+/// Searches in threads of their own: for all failures of a run (core's failure_moments.h), and for
+/// a rule that would have prevented the one that is shown (core's remedy.h).
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "background_query.h"
+#include "background_job.h"
 #include "run/model.h"
 #include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/explain/remedy.h"
 
 namespace se::view {
 
@@ -70,5 +73,50 @@ std::string alertName(const AlertSearch& alerts, std::size_t index);
 /// The alert of that name, without a number the first of its class; "first" is the one that was
 /// created first. Empty if there is none.
 std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_view name);
+
+/// The alerts of the open run: all of them, and the one that is shown.
+class RunAlerts {
+  public:
+    /// Sets another run, of which nothing is known.
+    void open(std::shared_ptr<const Model> model);
+    /// Starts the search, unless it was done or the user has stopped it.
+    void start() { search_.start(); }
+    /// Takes the results. True if there was anything new.
+    bool poll();
+    /// Blocks until there are results to take.
+    void waitUntilDone();
+
+    /// Search for all failures of the run; it starts once the run is complete.
+    const AlertSearch& search() const { return search_; }
+    AlertSearch& search() { return search_; }
+    /// True once, when all alerts are known.
+    bool takeNews() { return std::exchange(news_, false); }
+
+    /// The alert that is shown; null if none is.
+    const RunFailure* shown() const { return chosen_ ? &search_.failures()[*chosen_] : nullptr; }
+    std::optional<std::size_t> chosen() const { return chosen_; }
+    /// Sets a position in search().failures(), or none.
+    void choose(std::optional<std::size_t> alert);
+
+    /// Tries all rules for the alert that is shown; a search in progress is cancelled. Requires
+    /// that an alert is shown.
+    void seekRemedies();
+    /// Rules that would have prevented the alert remediesOf().
+    const BackgroundQuery<Remedies>& remedies() const { return remedies_; }
+    BackgroundQuery<Remedies>& remedies() { return remedies_; }
+    /// The alert of the current or last search.
+    std::optional<std::size_t> remediesOf() const { return remediesOf_; }
+    /// Grows when another alert is shown.
+    std::uint32_t revision() const { return revision_; }
+
+  private:
+    std::shared_ptr<const Model> model_;
+    AlertSearch search_;
+    std::optional<std::size_t> chosen_;
+    bool news_ = false;
+    std::optional<std::size_t> remediesOf_;
+    BackgroundQuery<Remedies> remedies_;
+    std::uint32_t revision_ = 0;
+};
 
 }  // namespace se::view

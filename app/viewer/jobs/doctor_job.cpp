@@ -8,17 +8,18 @@
 namespace se::view {
 
 void DoctorJob::enqueue(std::shared_ptr<const PointFile> file) {
-    query_.cancel();
+    cancel();
     file_ = std::move(file);
 }
 
 void DoctorJob::start() {
     if (!file_ || busy()) return;
-    query_.start([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
-        Result<Diagnosis> found = examine(*file, progress);
-        // An input that cannot be examined could not have been opened.
-        return found ? std::move(found) : Result<Diagnosis>(Diagnosis{});
-    });
+    BackgroundQuery::start(
+        [file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
+            Result<Diagnosis> found = examine(*file, progress);
+            // An input that cannot be examined could not have been opened.
+            return found ? std::move(found) : Result<Diagnosis>(Diagnosis{});
+        });
     file_ = nullptr;
 }
 

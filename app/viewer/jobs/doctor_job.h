@@ -6,37 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "background_query.h"
+#include "background_job.h"
 #include "run/model.h"
 #include "spiraling_edge/doctor/doctor.h"
 
 namespace se::view {
 
-class DoctorJob {
+class DoctorJob : public BackgroundQuery<Diagnosis> {
   public:
     /// Sets the input to examine, which starts at start(); an examination in progress is cancelled.
     void enqueue(std::shared_ptr<const PointFile> file);
     /// Starts the examination, unless it was done.
     void start();
-    /// Takes the result. True if there was anything new.
-    bool poll() { return query_.poll(); }
-    /// Blocks until there is a result to take, or nothing was started.
-    void waitUntilDone() { query_.waitUntilDone(); }
-
-    bool busy() const { return query_.busy(); }
-    bool done() const { return query_.answer() != nullptr; }
-    /// In [0, 1], while busy.
-    double share() const { return query_.share(); }
-    /// A sentence why the examination failed; then it is never done. Empty if it did not.
-    const std::string& complaint() const { return query_.complaint(); }
+    bool done() const { return answer() != nullptr; }
     /// Empty before the examination is done.
     std::span<const Finding> findings() const {
-        return done() ? std::span<const Finding>(*query_.answer()) : std::span<const Finding>{};
+        return done() ? std::span<const Finding>(*answer()) : std::span<const Finding>{};
     }
 
   private:
     std::shared_ptr<const PointFile> file_;  ///< Null once it is examined.
-    BackgroundQuery<Diagnosis> query_;
 };
 
 /// Points of a finding that are highlighted: all, or evenly chosen ones if there are more than

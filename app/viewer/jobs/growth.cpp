@@ -5,6 +5,7 @@
 #include "growth.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -12,7 +13,6 @@
 #include <mutex>
 #include <utility>
 
-#include "guarded.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "thread.h"
 
@@ -82,21 +82,10 @@ GrowthPicture pictureOf(const Field& field, const Sampler& sampler, Measurer& me
 }  // namespace
 
 std::string_view growthPhaseName(GrowthPhase phase) {
-    switch (phase) {
-        case GrowthPhase::Idle:
-            return "idle";
-        case GrowthPhase::Finding:
-            return "finding";
-        case GrowthPhase::Spreading:
-            return "spreading";
-        case GrowthPhase::Paused:
-            return "paused";
-        case GrowthPhase::Done:
-            return "done";
-        case GrowthPhase::Failed:
-            return "failed";
-    }
-    return "";
+    constexpr std::array<std::string_view, 6> kNames = {"idle",   "finding", "spreading",
+                                                        "paused", "done",    "failed"};
+    static_assert(kNames.size() == static_cast<std::size_t>(GrowthPhase::Failed) + 1);
+    return kNames[static_cast<std::size_t>(phase)];
 }
 
 Growth::Growth() = default;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "background_query.h"
+#include "background_job.h"
 #include "run/model.h"
 #include "run/same_position.h"
 #include "runner.h"

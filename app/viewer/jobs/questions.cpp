@@ -13,24 +13,17 @@ void Questions::open(std::shared_ptr<const Model> model) {
     subject_ = {};
     subjectName_.clear();
     line_.clear();
-    ledger_.cancel();
-    found_.cancel();
-    closest_.cancel();
-    charts_.cancel();
+    forEach([](auto& query) { query.cancel(); });
 }
 
 bool Questions::poll() {
-    bool news = ledger_.poll();
-    news = found_.poll() || news;
-    news = closest_.poll() || news;
-    return charts_.poll() || news;
+    bool news = false;
+    forEach([&news](auto& query) { news = query.poll() || news; });
+    return news;
 }
 
 void Questions::waitUntilDone() {
-    ledger_.waitUntilDone();
-    found_.waitUntilDone();
-    closest_.waitUntilDone();
-    charts_.waitUntilDone();
+    forEach([](auto& query) { query.waitUntilDone(); });
     poll();
 }
 

@@ -4,8 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 
-#include "background_query.h"
+#include "background_job.h"
 #include "run/model.h"
 #include "run/selection.h"
 #include "spiraling_edge/explain/ledger.h"
@@ -46,9 +47,8 @@ class Questions {
 
     // Everything below requires a run.
     /// Starts the query why the selection is in the mesh, or why not. Requires a selection that is
-    /// not
+    /// not empty.
     void askWhy(const Selection& what);
-    /// empty.
     void askWhy(const RingAddress& ring);
     /// Repeats the last query of askWhy().
     void askAgain();
@@ -80,6 +80,12 @@ class Questions {
     const BackgroundQuery<std::vector<RunChart>>& charts() const { return charts_; }
 
   private:
+    template <typename Action>
+    void forEach(const Action& action) {
+        std::apply([&action](auto&... query) { (action(query), ...); },
+                   std::tie(ledger_, found_, closest_, charts_));
+    }
+
     std::shared_ptr<const Model> model_;
     Selection subject_;
     RingAddress ring_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "guarded.h"
 #include "run/picture.h"
 #include "spiraling_edge/stepper/stepper.h"
 

@@ -1,14 +1,17 @@
-/// A thread for work that can be cancelled. The threads of C++20 with a
-/// stop token are not in the library of the browser build.
+/// A thread for work that can be cancelled, and that no exception leaves: an uncaught one would end
+/// the program. The threads of C++20 with a stop token are not in the library of the browser build.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
+
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 
@@ -49,5 +52,20 @@ class Thread {
     std::atomic<bool> ended_ = false;
     std::thread thread_;  // last: it uses all members above
 };
+
+/// A sentence for the user: too little memory, or the text of the exception.
+Error errorOf(const std::exception_ptr& exception);
+
+/// Calls `work` and returns the error of an exception it throws. A template, because constructing a
+/// std::function might throw outside of the guard.
+template <typename Work>
+Status guarded(Work&& work) {
+    try {
+        std::forward<Work>(work)();
+    } catch (...) {
+        return errorOf(std::current_exception());
+    }
+    return success();
+}
 
 }  // namespace se::view

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "session/mesh_export.h"
+#include "jobs/mesh_export.h"
 
 namespace se::view {
 

@@ -3,17 +3,12 @@
 
 #include <string>
 
+#include "jobs/mesh_export.h"
 #include "run/model.h"
 
 namespace se::view {
 
 class Session;
-
-/// Destination of a mesh, and the choice of its points.
-struct MeshTarget {
-    std::string path;       ///< Its extension names the format (core's write_mesh.h).
-    bool usedOnly = false;  ///< Without the points that are in no triangle.
-};
 
 /// A command line for a POSIX shell, or the reason why there is none.
 struct MeshCommand {

@@ -1,10 +1,12 @@
 #include "moves.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "run/strings.h"
 #include "session.h"
 
 namespace se::view {
@@ -17,7 +19,39 @@ constexpr std::chrono::milliseconds kPatience{2};
 /// Limit of waiting moves, so that key repeat does not pile them up.
 constexpr std::size_t kMaxMoves = 64;
 
+std::optional<long> readNumber(std::string_view text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// Moves the nearest position of `from` out, and `here` onto `to`.
+std::optional<std::string> step(std::vector<std::string>& from, std::vector<std::string>& to,
+                                std::string here) {
+    if (from.empty()) return std::nullopt;
+    std::string place = std::move(from.back());
+    from.pop_back();
+    to.push_back(std::move(here));
+    return place;
+}
+
 }  // namespace
+
+void History::leave(std::string place) {
+    after_.clear();
+    if (!before_.empty() && before_.back() == place) return;
+    before_.push_back(std::move(place));
+    if (before_.size() > kMax) before_.erase(before_.begin());
+}
+
+std::optional<std::string> History::back(std::string here) {
+    return step(before_, after_, std::move(here));
+}
+
+std::optional<std::string> History::forward(std::string here) {
+    return step(after_, before_, std::move(here));
+}
 
 void Moves::open(std::unique_ptr<Runner> runner, const std::optional<SamePosition>& place) {
     runner_ = std::move(runner);
@@ -131,16 +165,16 @@ std::string Moves::hereText() const {
     return session_.event() != nullptr ? toString(session_.address()) : std::string("0");
 }
 
-void Moves::goBack() {
-    if (!session_.ready()) return;
-    const auto place = history_.back(hereText());
+void Moves::jump(const std::optional<std::string>& place) {
     if (place) jump(addressFromString(*place).value_or(Address{}));
 }
 
+void Moves::goBack() {
+    if (session_.ready()) jump(history_.back(hereText()));
+}
+
 void Moves::goForward() {
-    if (!session_.ready()) return;
-    const auto place = history_.forward(hereText());
-    if (place) jump(addressFromString(*place).value_or(Address{}));
+    if (session_.ready()) jump(history_.forward(hereText()));
 }
 
 void Moves::goToPoint(Index point) {
@@ -271,6 +305,90 @@ void Moves::performPoint(Index point) {
     pointWanted_ = point;
     runner_->requestPoint(point, record().pivot);
     await(session_.overview().lastPivot);
+}
+
+// Moves to breakpoints, in either direction.
+
+std::string Moves::nameOf(const Stop& stop) const {
+    const Breakpoint& breakpoint = session_.hits().wanted()[stop.breakpoint];
+    const LineHits* known = session_.hits().of(breakpoint.line);
+    const std::string all = known != nullptr && known->complete
+                                ? " of " + std::to_string(known->list.total)
+                                : std::string();
+    const std::string& name = breakpoint.name.empty() ? breakpoint.line : breakpoint.name;
+    return "Breakpoint " + name + ": hit " + std::to_string(stop.number) + all + ".";
+}
+
+void Moves::continueRun(int direction) {
+    if (!session_.ready()) return;
+    // From the target of the moves before it, unless that takes too long.
+    if (busySeconds() > kLongMove) cancel();
+    awaitedShare_.reset();
+    awaitedStop_ = direction;
+    waitingSince_ = Clock::now();
+    session_.hits().resume();
+    goToAwaitedStop();
+}
+
+/// Moves as soon as the position of the stop is known, or that there is none.
+void Moves::goToAwaitedStop() {
+    if (!awaitsStop() || waiting_ || !moves_.empty()) return;
+    const int direction = awaitedStop_;
+    const HitSearch::Answer answer = session_.hits().stop(session_.place(), direction);
+    if (answer.known == HitSearch::Known::NotYet) return;
+    awaitedStop_ = 0;
+    if (answer.known == HitSearch::Known::GivenUp)
+        return session_.messages().say("The search for breakpoints was stopped.");
+    if (answer.stop) {
+        goTo(answer.stop->hit.address);
+        return session_.messages().say(nameOf(*answer.stop));
+    }
+    if (direction > 0) {
+        toEnd();
+    } else {
+        toStart();
+    }
+}
+
+void Moves::playToStop(const Stop& stop) {
+    playTo(stop.hit.address);
+    session_.messages().say(nameOf(stop));
+}
+
+// Positions as the user types them.
+
+Status Moves::goToText(const std::string& given) {
+    const std::string text = trimmed(given);
+    const Error unknown{"\"" + text +
+                        "\" is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
+    if (!session_.ready() || text.empty()) return unknown;
+    if (text.front() == '+' || text.front() == '-') {
+        const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
+        if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
+        stepPivot(static_cast<int>(*number));
+        return success();
+    }
+    if (text.back() == '%') {
+        const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
+        if (!share || *share < 0 || *share > 100) return unknown;
+        goToShare(static_cast<double>(*share) / 100.0);
+        return success();
+    }
+    if (text.front() == 'p') {
+        const auto point = readNumber(std::string_view(text).substr(1));
+        if (!point || *point < 0) return unknown;
+        if (static_cast<std::size_t>(*point) >= session_.model().points.size()) {
+            return Error{"There is no point " + std::to_string(*point) + "; the last one is " +
+                         std::to_string(session_.model().points.size() - 1) + "."};
+        }
+        session_.select(static_cast<Index>(*point));
+        goToPoint(static_cast<Index>(*point));
+        return success();
+    }
+    const std::optional<Address> address = addressFromString(text);
+    if (!address) return unknown;
+    goTo(*address);
+    return success();
 }
 
 }  // namespace se::view

@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "history.h"
 #include "jobs/runner.h"
 #include "run/same_position.h"
 #include "spiraling_edge/base/result.h"
@@ -22,6 +22,23 @@ namespace se::view {
 inline constexpr double kLongMove = 0.15;
 
 class Session;
+
+/// History of positions that were left by jumps, as in a browser. Plain values.
+class History {
+  public:
+    /// Records a jump from `place`. The forward history is cleared.
+    void leave(std::string place);
+    /// Goes back from `here`; empty if there is no position before it.
+    std::optional<std::string> back(std::string here);
+    std::optional<std::string> forward(std::string here);
+    bool canGoBack() const { return !before_.empty(); }
+    bool canGoForward() const { return !after_.empty(); }
+
+  private:
+    static constexpr std::size_t kMax = 200;
+    std::vector<std::string> before_;  // the last element is the nearest
+    std::vector<std::string> after_;
+};
 
 class Moves {
   public:
@@ -56,7 +73,7 @@ class Moves {
     void goForward();
     const History& history() const { return history_; }
 
-    // To breakpoints (moves_to_stops.cpp).
+    // To breakpoints.
     /// To the next (1) or previous (-1) stop, otherwise to the end or the start of the run; waits
     /// for the search if it has not come that far.
     void continueRun(int direction);
@@ -108,6 +125,7 @@ class Moves {
     bool takeAnswer();
     void land();
     void jump(const Address& address);
+    void jump(const std::optional<std::string>& place);
     std::string hereText() const;
     std::string nameOf(const Stop& stop) const;
 

@@ -1,8 +1,8 @@
 #include "session.h"
 
 #include <algorithm>
-#include <tuple>
 
+#include "annotations.h"
 #include "jobs/questions.h"
 
 namespace se::view {
@@ -208,26 +208,17 @@ bool Session::reached(const Address& address) const {
 
 std::optional<Address> Session::nextMark(int direction) const {
     if (!ready()) return std::nullopt;
-    const std::vector<RunMark>& marks = overview_.marks;  // by pivot, in the order of the run
-    const Address here = address();
-    const auto rank = [](const Address& place) {
-        return std::tuple(place.pivot, place.stage, place.n);
+    // The start comes before all events.
+    const Address here = event() != nullptr ? address() : Address{0, Stage{}, 0};
+    const auto isBeyond = [direction](const Address& a, const Address& b) {
+        return direction > 0 ? isBefore(b, a) : isBefore(a, b);
     };
-    const auto rankOf = [&rank](const RunMark& mark) {
-        return rank({mark.pivot, stageOf(mark.kind), mark.n});
-    };
-    const auto at = event() != nullptr ? rank(here) : rank({0, Stage{}, 0});
-    const RunMark* best = nullptr;
-    for (const RunMark& mark : marks) {
-        const auto place = rankOf(mark);
-        const bool beyond = direction > 0 ? place > at : place < at;
-        if (!beyond) continue;
-        const bool nearer =
-            best == nullptr || (direction > 0 ? place < rankOf(*best) : place > rankOf(*best));
-        if (nearer) best = &mark;
+    std::optional<Address> best;
+    for (const RunMark& mark : overview_.marks) {
+        const Address place{mark.pivot, stageOf(mark.kind), mark.n};
+        if (isBeyond(place, here) && (!best || isBeyond(*best, place))) best = place;
     }
-    if (best == nullptr) return std::nullopt;
-    return Address{best->pivot, stageOf(best->kind), best->n};
+    return best;
 }
 
 std::span<const LiveFailure> Session::noticedHere() const {

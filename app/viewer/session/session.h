@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "highlights.h"
+#include "jobs/alert_search.h"
 #include "jobs/doctor_job.h"
 #include "jobs/hit_search.h"
 #include "jobs/overview_job.h"
@@ -25,7 +26,6 @@
 #include "run/pivot_record.h"
 #include "run/selection.h"
 #include "scene/mesh_index.h"
-#include "session_alerts.h"
 #include "session_input.h"
 
 namespace se::view {
@@ -112,8 +112,8 @@ class Session {
     const Moves& moves() const { return moves_; }
 
     // What the user looks for in the run.
-    SessionAlerts& alerts() { return alerts_; }
-    const SessionAlerts& alerts() const { return alerts_; }
+    RunAlerts& alerts() { return alerts_; }
+    const RunAlerts& alerts() const { return alerts_; }
     /// Hits of the breakpoints.
     HitSearch& hits() { return hits_; }
     const HitSearch& hits() const { return hits_; }
@@ -165,7 +165,7 @@ class Session {
     Highlights highlights_;
 
     Moves moves_;
-    SessionAlerts alerts_;
+    RunAlerts alerts_;
     HitSearch hits_;
     WatchScan watches_;
     DoctorJob doctorJob_;

@@ -12,7 +12,6 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/sampling/volume.h"
-#include "stop_text.h"
 
 namespace se::view {
 
@@ -80,10 +79,7 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
         return file->string();
     });
     if (file && isUnfit(*file)) return unfit("input.source", *file);
-    if (const json* hash = find(*input, "hash"); hash != nullptr) {
-        if (!hash->is_string()) return expected("input.hash", "text");
-        out.inputHash = hash->get<std::string>();
-    }
+    if (!readField(*input, "hash", out.inputHash)) return expected("input.hash", "text");
     return std::nullopt;
 }
 
@@ -120,10 +116,7 @@ Complaint readSelection(const json& object, SessionFile& out) {
 }
 
 Complaint readLooks(const json& object, SessionFile& out) {
-    if (const json* alert = find(object, "alert"); alert != nullptr) {
-        if (!alert->is_string()) return expected("alert", "a class and a number");
-        out.alert = alert->get<std::string>();
-    }
+    if (!readField(object, "alert", out.alert)) return expected("alert", "a class and a number");
     if (const json* on = find(object, "layers"); on != nullptr) {
         const ReadLayers read = layersFromJson(*on);
         out.layers = read.modes;
@@ -159,29 +152,21 @@ Complaint readComparison(const json& object, const fs::path& folder, SessionFile
 }
 
 Complaint readNotes(const json& object, SessionFile& out) {
-    if (const json* notes = find(object, "notes"); notes != nullptr) {
-        if (!notes->is_string()) return expected("notes", "text");
-        out.notes = notes->get<std::string>();
-    }
-    if (const json* query = find(object, "query"); query != nullptr) {
-        if (!query->is_string()) return expected("query", "text");
-        out.query = query->get<std::string>();
-    }
+    if (!readField(object, "notes", out.annotations.notes)) return expected("notes", "text");
+    if (!readField(object, "query", out.query)) return expected("query", "text");
     const json* list = find(object, "bookmarks");
     if (list == nullptr) return std::nullopt;
     if (!list->is_array()) return expected("bookmarks", "a list");
     for (const json& each : *list) {
-        const json* text = each.is_object() ? find(each, "address") : nullptr;
-        const auto address = text != nullptr && text->is_string()
-                                 ? addressFromString(text->get<std::string>())
-                                 : std::nullopt;
-        const json* note = each.is_object() ? find(each, "note") : nullptr;
-        if (!address || (note != nullptr && !note->is_string())) {
+        std::string text;
+        std::string note;
+        const bool good =
+            each.is_object() && readField(each, "address", text) && readField(each, "note", note);
+        const std::optional<Address> address = addressFromString(text);
+        if (!good || !address)
             return expected("bookmarks",
                             "objects with \"address\" and optionally \"note\", both text");
-        }
-        insertBookmark(out.bookmarks,
-                       {*address, note != nullptr ? note->get<std::string>() : std::string{}});
+        insertBookmark(out.annotations.bookmarks, {*address, note});
     }
     return std::nullopt;
 }
@@ -193,7 +178,7 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
     if (Complaint c = readOptions(object, out.input)) return c;
     if (Complaint c = readPlace(object, out)) return c;
     if (Complaint c = readLooks(object, out)) return c;
-    if (Complaint c = readStops(object, out.breakpoints, out.watches)) return c;
+    if (Complaint c = readStops(object, out.annotations)) return c;
     if (Complaint c = readComparison(object, folder, out)) return c;
     return readNotes(object, out);
 }
@@ -303,33 +288,26 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     object["version"] = kFileVersion;
     json& input = objectAt(object, "input");
     input["source"] = relativeSource(session.input.source, folder);
-    input["hash"] = session.inputHash;
-    if (session.inputHash.empty()) input.erase("hash");
+    writeField(input, "hash", !session.inputHash.empty(), session.inputHash);
     object["options"] = optionsToJson(session.input, objectAt(object, "options"));
     object.erase("camera");
     object.update(json::parse(toText(session.place)));
     if (session.place.address.empty()) object["address"] = "0";
-    if (session.layers) {
-        objectAt(object, "layers").update(layersToJson(*session.layers));
-    }
+    if (session.layers) objectAt(object, "layers").update(layersToJson(*session.layers));
     if (session.layout) object["layout"] = rowOf(*session.layout).name;
-    object.erase("compare");
-    if (session.with.kind != CompareWith::Kind::Nothing)
-        object["compare"] = comparisonToJson(session.with, folder);
-    object.erase("selected");
+    writeField(object, "compare", session.with.kind != CompareWith::Kind::Nothing,
+               comparisonToJson(session.with, folder));
     const auto corners = session.selected.corners();
-    if (corners.size() == 1) object["selected"] = corners[0];
-    if (corners.size() > 1) object["selected"] = std::vector<Index>(corners.begin(), corners.end());
-    object.erase("alert");
-    if (!session.alert.empty()) object["alert"] = session.alert;
+    const json points(std::vector<Index>(corners.begin(), corners.end()));
+    writeField(object, "selected", !corners.empty(), corners.size() == 1 ? points[0] : points);
+    writeField(object, "alert", !session.alert.empty(), session.alert);
     object["bookmarks"] = json::array();
-    for (const Bookmark& each : session.bookmarks) {
+    for (const Bookmark& each : session.annotations.bookmarks) {
         object["bookmarks"].push_back({{"address", toString(each.address)}, {"note", each.note}});
     }
-    object["notes"] = session.notes;
-    object.erase("query");
-    if (!session.query.empty()) object["query"] = session.query;
-    stopsToJson(session.breakpoints, session.watches, object);
+    object["notes"] = session.annotations.notes;
+    writeField(object, "query", !session.query.empty(), session.query);
+    stopsToJson(session.annotations, object);
     return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

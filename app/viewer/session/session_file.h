@@ -14,7 +14,6 @@
 #include "run/model.h"
 #include "run/selection.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/replay/breakpoint.h"
 #include "view_position.h"
 
 namespace se::view {
@@ -30,11 +29,8 @@ struct SessionFile {
     Selection selected;
     std::string alert;  ///< Alert that was shown, see alertName(); empty: none.
     CompareWith with;   ///< What the run is compared with.
-    Bookmarks bookmarks;
-    std::string notes;
-    std::string query;  ///< Text in the line of the panel Query.
-    std::vector<Breakpoint> breakpoints;
-    std::vector<std::string> watches;
+    Annotations annotations;
+    std::string query;    ///< Text in the line of the panel Query.
     std::string leftOut;  ///< A sentence about unknown layers; empty: none.
     /// JSON that it was read from: unknown fields are written back. Empty for a new session.
     std::string original;

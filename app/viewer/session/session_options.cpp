@@ -1,5 +1,8 @@
 #include "session_options.h"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace se::view {
@@ -8,6 +11,16 @@ namespace {
 
 using nlohmann::json;
 
+template <typename Reach>
+Complaint readDistance(const json& options, const char* name, NeighborOptions& out) {
+    const json* distance = find(options, name);
+    if (distance == nullptr) return std::nullopt;
+    if (!distance->is_number() || !(distance->get<double>() > 0.0))
+        return expected(std::string("options.") + name, "a number > 0");
+    out = {Reach{distance->get<double>()}, true, 0, true};
+    return std::nullopt;
+}
+
 Complaint readReach(const json& options, NeighborOptions& out) {
     if (const json* count = find(options, "neighbors"); count != nullptr) {
         if (!count->is_number_integer() || *count < 1 || *count > 1000) {
@@ -15,19 +28,8 @@ Complaint readReach(const json& options, NeighborOptions& out) {
         }
         out = {KNearest{count->get<std::size_t>()}, true, 0, true};
     }
-    if (const json* radius = find(options, "radius"); radius != nullptr) {
-        if (!radius->is_number() || !(radius->get<double>() > 0.0)) {
-            return expected("options.radius", "a number > 0");
-        }
-        out = {WithinRadius{radius->get<double>()}, true, 0, true};
-    }
-    if (const json* reach = find(options, "reach"); reach != nullptr) {
-        if (!reach->is_number() || !(reach->get<double>() > 0.0)) {
-            return expected("options.reach", "a number > 0");
-        }
-        out = {WithinSpacings{reach->get<double>()}, true, 0, true};
-    }
-    return std::nullopt;
+    if (Complaint c = readDistance<WithinRadius>(options, "radius", out)) return c;
+    return readDistance<WithinSpacings>(options, "reach", out);
 }
 
 Complaint readFixes(const json& options, Fixes& out) {
@@ -41,14 +43,6 @@ Complaint readFixes(const json& options, Fixes& out) {
         if (check == nullptr || !canFix(*check)) return wrong;
         out.push_back(name.get<std::string>());
     }
-    return std::nullopt;
-}
-
-Complaint readSwitch(const json& options, const std::string& name, bool& out) {
-    const json* on = find(options, name.c_str());
-    if (on == nullptr) return std::nullopt;
-    if (!on->is_boolean()) return expected("options." + name, "true or false");
-    out = on->get<bool>();
     return std::nullopt;
 }
 
@@ -81,10 +75,14 @@ Complaint readPreparing(const json& options, InputSpec& out) {
         out.normals = *normals == "derived" ? NormalSource::Derived : NormalSource::Oriented;
     }
     if (Complaint c = readBox(options, out.walls)) return c;
-    if (Complaint c = readSwitch(options, "symmetric", out.neighbors.symmetric)) return c;
-    if (Complaint c = readSwitch(options, "rim", out.rim)) return c;
-    if (Complaint c = readSwitch(options, "keep_opposing", out.keepOpposing)) return c;
-    return readSwitch(options, "keep_noise", out.keepNoise);
+    NeighborOptions& lists = out.neighbors;
+    for (const auto& [name, on] : {std::pair{"symmetric", &lists.symmetric},
+                                   {"rim", &out.rim},
+                                   {"keep_opposing", &out.keepOpposing},
+                                   {"keep_noise", &out.keepNoise}})
+        if (!readField(options, name, *on))
+            return expected(std::string("options.") + name, "true or false");
+    return std::nullopt;
 }
 
 /// A rule is true or false, a number, or the name of an option.
@@ -145,20 +143,18 @@ namespace {
 
 /// Options for what is derived from the points, where they differ from the defaults.
 void preparingToJson(const InputSpec& input, json& options) {
-    for (const char* name : {"normals", "box", "symmetric", "rim", "keep_opposing", "keep_noise"}) {
-        options.erase(name);
-    }
-    if (input.normals == NormalSource::Derived) options["normals"] = "derived";
-    if (input.normals == NormalSource::Oriented) options["normals"] = "oriented";
-    if (input.walls.from == WallChoice::From::Around) options["box"] = "auto";
+    const bool derived = input.normals == NormalSource::Derived;
+    writeField(options, "normals", input.normals != NormalSource::AsGiven,
+               derived ? "derived" : "oriented");
+    writeField(options, "box", input.walls.from == WallChoice::From::Around, "auto");
     if (input.walls.from == WallChoice::From::Box) {
         const WallBox& b = input.walls.box;
         options["box"] = {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
     }
-    if (input.neighbors.symmetric) options["symmetric"] = true;
-    if (input.rim) options["rim"] = true;
-    if (input.keepOpposing) options["keep_opposing"] = true;
-    if (input.keepNoise) options["keep_noise"] = true;
+    writeField(options, "symmetric", input.neighbors.symmetric, true);
+    writeField(options, "rim", input.rim, true);
+    writeField(options, "keep_opposing", input.keepOpposing, true);
+    writeField(options, "keep_noise", input.keepNoise, true);
 }
 
 json ruleToJson(const RuleValue& rule) {
@@ -173,15 +169,11 @@ json ruleToJson(const RuleValue& rule) {
 
 json optionsToJson(const InputSpec& input, json options) {
     options["rules"] = input.rules;
-    options.erase("switches");
-    options.erase("neighbors");
-    options.erase("radius");
-    options.erase("reach");
-    options.erase("doctor");
-    if (!input.fixes.empty()) options["doctor"] = input.fixes;
+    for (const char* name : {"switches", "neighbors", "radius", "reach", "what_if"})
+        options.erase(name);
+    writeField(options, "doctor", !input.fixes.empty(), input.fixes);
     preparingToJson(input, options);
     for (const RuleValue& each : input.choices) options["switches"][each.name] = ruleToJson(each);
-    options.erase("what_if");
     for (const WhatIf& each : input.whatIf) options["what_if"].push_back(lineOf(each));
     if (!input.neighbors.recompute) return options;
     if (const auto* nearest = std::get_if<KNearest>(&input.neighbors.reach)) {
@@ -192,6 +184,61 @@ json optionsToJson(const InputSpec& input, json options) {
         options["radius"] = std::get<WithinRadius>(input.neighbors.reach).radius;
     }
     return options;
+}
+
+namespace {
+
+bool readCount(const json& object, const char* name, std::uint32_t least, std::uint32_t& out) {
+    const json* count = find(object, name);
+    if (count == nullptr) return true;
+    if (!count->is_number_unsigned() || *count > std::numeric_limits<std::uint32_t>::max() ||
+        *count < least)
+        return false;
+    out = count->get<std::uint32_t>();
+    return true;
+}
+
+bool readBreakpoint(const json& object, Breakpoint& out) {
+    return object.is_object() && object.contains("line") && readField(object, "line", out.line) &&
+           readField(object, "name", out.name) && readField(object, "on", out.on) &&
+           readField(object, "log_only", out.logOnly) && readCount(object, "skip", 0, out.skip) &&
+           readCount(object, "every", 1, out.every);
+}
+
+}  // namespace
+
+Complaint readStops(const json& object, Annotations& out) {
+    if (const json* list = find(object, "breakpoints"); list != nullptr) {
+        const bool good =
+            list->is_array() && std::all_of(list->begin(), list->end(), [&](const json& each) {
+                return readBreakpoint(each, out.breakpoints.emplace_back());
+            });
+        if (!good)
+            return expected("breakpoints",
+                            "a list of objects with \"line\" and optionally \"name\", \"skip\", "
+                            "\"every\" (from 1), \"on\" and \"log_only\"");
+    }
+    const json* list = find(object, "watches");
+    if (list == nullptr) return std::nullopt;
+    const bool good =
+        list->is_array() &&
+        std::all_of(list->begin(), list->end(), [](const json& each) { return each.is_string(); });
+    if (!good) return expected("watches", "a list of texts");
+    out.watches = list->get<std::vector<std::string>>();
+    return std::nullopt;
+}
+
+void stopsToJson(const Annotations& annotations, json& object) {
+    object["breakpoints"] = json::array();
+    for (const Breakpoint& each : annotations.breakpoints) {
+        object["breakpoints"].push_back({{"line", each.line},
+                                         {"name", each.name},
+                                         {"skip", each.skip},
+                                         {"every", each.every},
+                                         {"on", each.on},
+                                         {"log_only", each.logOnly}});
+    }
+    object["watches"] = annotations.watches;
 }
 
 }  // namespace se::view

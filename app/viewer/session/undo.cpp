@@ -42,14 +42,14 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.layout != to.layout) add(text, "layout");
     if (from.camera != to.camera) add(text, "camera");
     if (from.selected != to.selected) add(text, "selection");
-    if (from.bookmarks.size() != to.bookmarks.size()) {
+    if (from.annotations.bookmarks.size() != to.annotations.bookmarks.size()) {
         add(text, "bookmark");
-    } else if (from.bookmarks != to.bookmarks) {
+    } else if (from.annotations.bookmarks != to.annotations.bookmarks) {
         add(text, "note of a bookmark");
     }
-    if (from.notes != to.notes) add(text, "notes");
-    if (from.breakpoints != to.breakpoints) add(text, "breakpoints");
-    if (from.watches != to.watches) add(text, "watches");
+    if (from.annotations.notes != to.annotations.notes) add(text, "notes");
+    if (from.annotations.breakpoints != to.annotations.breakpoints) add(text, "breakpoints");
+    if (from.annotations.watches != to.annotations.watches) add(text, "watches");
     // The other changes are consequences of this one.
     if (from.fixes != to.fixes) return "the doctor's fix";
     if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));

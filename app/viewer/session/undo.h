@@ -13,7 +13,6 @@
 #include "run/selection.h"
 #include "scene/camera.h"
 #include "scene/palette.h"
-#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 
@@ -26,10 +25,7 @@ struct Edits {
     LayoutPreset layout = LayoutPreset::Debug;
     CameraPose camera;
     Selection selected;
-    Bookmarks bookmarks;
-    std::string notes;
-    std::vector<Breakpoint> breakpoints;
-    std::vector<std::string> watches;
+    Annotations annotations;
     Fixes fixes;    ///< Fixes of the input: a change opens it again.
     RuleSet rules;  ///< A change re-runs the input.
     friend bool operator==(const Edits&, const Edits&) = default;

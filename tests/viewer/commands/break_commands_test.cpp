@@ -17,7 +17,7 @@ struct Bench : test::HeadlessApp {
         session.open({source, {}, "paper"});
         waitUntilDone();
     }
-    void press(const char* key) { runCommand(*commandForKey(*keyFromString(key)), context); }
+    void press(const char* key) { runCommand(*KeyMap().commandFor(*keyFromString(key)), context); }
     std::string place() {
         session.waitUntilDone();
         return session.event() == nullptr ? "start" : toString(session.address());

@@ -34,7 +34,7 @@ struct CommandDesk {
     CommandContext context{open.session, playback, camera, ui};
 
     void press(const char* key) {
-        const Command* command = commandForKey(*keyFromString(key));
+        const Command* command = KeyMap().commandFor(*keyFromString(key));
         REQUIRE(command != nullptr);
         command->run(context);
     }
@@ -63,7 +63,7 @@ TEST_CASE("No key belongs to two commands, and every key can be read and written
             REQUIRE(chord.has_value());
             CHECK(toString(*chord) == key);
             CHECK(owner.emplace(key, command.id).second);
-            CHECK(commandForKey(*chord) == &command);
+            CHECK(KeyMap().commandFor(*chord) == &command);
         }
     }
 }

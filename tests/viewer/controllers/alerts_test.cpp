@@ -277,7 +277,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     app.session.alerts().seekRemedies();
     CHECK(app.session.alerts().remedies().busy());
     app.session.waitUntilDone();
-    const Remedies* found = app.session.alerts().remedies().found();
+    const Remedies* found = app.session.alerts().remedies().answer();
     REQUIRE(found != nullptr);
     REQUIRE(found->tried.front().prevents);
     const Remedy best = found->tried.front();

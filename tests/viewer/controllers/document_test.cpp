@@ -109,7 +109,7 @@ TEST_CASE("The first save asks for a name, later ones do not") {
     app.ui.requests.saveSession = true;
     app.document.carryOut(app.ui.requests);
     CHECK_FALSE(app.ui.fileBrowser);
-    CHECK(readSessionFile(path).value().notes == "later");
+    CHECK(readSessionFile(path).value().annotations.notes == "later");
 }
 
 TEST_CASE("Recent files and layout are kept in the state file, and only if there is one") {

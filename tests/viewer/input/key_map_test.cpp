@@ -24,7 +24,7 @@ TEST_CASE("Without changes the keys are those of the table") {
     for (const Command& each : commands()) {
         CAPTURE(std::string(each.id));
         CHECK(map.keysOf(each) == each.keys);
-        CHECK(map.first(each) == firstKey(each));
+        CHECK(map.first(each) == each.keys.substr(0, each.keys.find(' ')));
         CHECK_FALSE(map.isChanged(each));
     }
 }

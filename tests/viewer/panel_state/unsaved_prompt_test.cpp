@@ -139,7 +139,7 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
     app.ui.fileBrowser = false;
     app.frame();
     CHECK(app.session.input().spec().source == "scene:grid");
-    CHECK(readSessionFile(path).value().notes == "odd");
+    CHECK(readSessionFile(path).value().annotations.notes == "odd");
 
     // The file has a name now.
     app.open("scene:sphere");
@@ -148,7 +148,7 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
     app.answer(LeaveAnswer::Save);
     CHECK_FALSE(app.ui.fileBrowser);
     CHECK(app.ui.quitting);
-    CHECK(readSessionFile(path).value().notes == "odder");
+    CHECK(readSessionFile(path).value().annotations.notes == "odder");
 }
 
 TEST_CASE("A session that cannot be saved is not left") {

@@ -115,14 +115,15 @@ TEST_CASE("0.1.0: a session has the place, the looks and the comparison that wer
 
 TEST_CASE("0.1.0: a session has the annotations that were set") {
     const SessionFile session = savedSession();
-    CHECK(session.bookmarks == Bookmarks{{{12, Stage::Sort, 2}, "the first \"odd\" one"},
-                                         {{40, Stage::Advance, 1}, ""}});
-    CHECK(session.notes == "Two lines,\nwith \xC3\xA4 sign.");
+    CHECK(
+        session.annotations.bookmarks ==
+        Bookmarks{{{12, Stage::Sort, 2}, "the first \"odd\" one"}, {{40, Stage::Advance, 1}, ""}});
+    CHECK(session.annotations.notes == "Two lines,\nwith \xC3\xA4 sign.");
     CHECK(session.query == "stage=sphere kept margin<1e-4");
-    CHECK(session.breakpoints ==
+    CHECK(session.annotations.breakpoints ==
           std::vector<Breakpoint>{{"far out", "stage=sphere refused", 3, 2, false, false},
                                   {"", "point=118", 0, 1, true, true}});
-    CHECK(session.watches == std::vector<std::string>{"ring", "status=40"});
+    CHECK(session.annotations.watches == std::vector<std::string>{"ring", "status=40"});
 }
 
 TEST_CASE("0.1.0: a session opens where it was saved, without a complaint") {

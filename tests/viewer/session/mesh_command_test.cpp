@@ -8,8 +8,8 @@
 
 #include "controllers/mesh_saving.h"
 #include "headless_app.h"
+#include "jobs/mesh_export.h"
 #include "run/strings.h"
-#include "session/mesh_export.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/reading.h"

@@ -213,3 +213,19 @@ TEST_CASE("Waiting for the length of the run can be stopped, and ends with anoth
         if (waits) CHECK(session.record().pivot == (stopped ? 0U : 1U));
     }
 }
+
+TEST_CASE("History: back and forward lead through the positions before jumps") {
+    History history;
+    CHECK_FALSE(history.back("5").has_value());
+    history.leave("1");
+    history.leave("2");
+    CHECK(history.back("3") == "2");
+    CHECK(history.back("2") == "1");
+    CHECK_FALSE(history.back("1").has_value());
+    CHECK(history.forward("1") == "2");
+    CHECK(history.forward("2") == "3");
+    CHECK_FALSE(history.canGoForward());
+    history.back("3");
+    history.leave("9");
+    CHECK_FALSE(history.canGoForward());
+}

@@ -45,12 +45,13 @@ SessionFile fullSession() {
     modeOf(*s.layers, LayerId::Normals) = LayerMode::PinnedOn;
     s.layout = LayoutPreset::Learn;
     s.selected = Selection::ofPoint(812);
-    insertBookmark(s.bookmarks, {*addressFromString("12.sort.2"), "the first \"odd\" one"});
-    insertBookmark(s.bookmarks, {*addressFromString("40.sphere.1"), ""});
-    s.breakpoints = {{"far out", "stage=sphere refused", 3, 7, false, false},
-                     {"", "stage=dragon", 0, 1, true, true}};
-    s.watches = {"ring", "status=812"};
-    s.notes = "Two lines,\nwith \xC3\xA4 sign.";
+    insertBookmark(s.annotations.bookmarks,
+                   {*addressFromString("12.sort.2"), "the first \"odd\" one"});
+    insertBookmark(s.annotations.bookmarks, {*addressFromString("40.sphere.1"), ""});
+    s.annotations.breakpoints = {{"far out", "stage=sphere refused", 3, 7, false, false},
+                                 {"", "stage=dragon", 0, 1, true, true}};
+    s.annotations.watches = {"ring", "status=812"};
+    s.annotations.notes = "Two lines,\nwith \xC3\xA4 sign.";
     s.query = "stage=sphere kept margin<1e-4";
     return s;
 }
@@ -83,13 +84,13 @@ TEST_CASE("A session file is read back as written, the path relative to the file
     CHECK(r.inputHash == s.inputHash);
     CHECK(r.place.address == s.place.address);
     CHECK(r.place.camera == s.place.camera);
-    CHECK(r.breakpoints == s.breakpoints);
-    CHECK(r.watches == s.watches);
+    CHECK(r.annotations.breakpoints == s.annotations.breakpoints);
+    CHECK(r.annotations.watches == s.annotations.watches);
     CHECK(r.layers == s.layers);
     CHECK(r.layout == s.layout);
     CHECK(r.selected == s.selected);
-    CHECK(r.bookmarks == s.bookmarks);
-    CHECK(r.notes == s.notes);
+    CHECK(r.annotations.bookmarks == s.annotations.bookmarks);
+    CHECK(r.annotations.notes == s.annotations.notes);
     CHECK(r.query == s.query);
     CHECK(sessionToJson(r, "/data/sessions") == text);
 }
@@ -138,7 +139,7 @@ TEST_CASE("Unknown fields are kept, at any position") {
     const auto read = sessionFromJson(text, "a.sesession", "");
     REQUIRE(read.ok());
     SessionFile changed = read.value();
-    changed.notes = "new";
+    changed.annotations.notes = "new";
     const std::string written = sessionToJson(changed, "");
     for (const char* kept : {"\"future\"", "\"hologram\": \"on\"", "\"speed\": 3", "\"new\""}) {
         CAPTURE(kept);
@@ -173,7 +174,7 @@ TEST_CASE("Missing fields are left open: three fields are enough") {
     CHECK_FALSE(read.value().layers.has_value());
     CHECK_FALSE(read.value().layout.has_value());
     CHECK(read.value().selected == Selection{});
-    CHECK(read.value().bookmarks.empty());
+    CHECK(read.value().annotations.bookmarks.empty());
 }
 
 TEST_CASE("A bad session file is refused with its name and what was expected") {
@@ -274,7 +275,7 @@ TEST_CASE("Session files are written whole, and an unreadable one is an error wi
     REQUIRE(writeSessionFile(path, fullSession()).ok());
     const auto read = readSessionFile(path);
     REQUIRE(read.ok());
-    CHECK(read.value().notes == fullSession().notes);
+    CHECK(read.value().annotations.notes == fullSession().annotations.notes);
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
     const auto missing = readSessionFile(folder.path / "missing.sesession");
     REQUIRE_FALSE(missing.ok());

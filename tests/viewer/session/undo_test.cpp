@@ -61,7 +61,7 @@ TEST_CASE("A new change after an undo discards the undone ones") {
     b.now.layout = LayoutPreset::Learn;
     b.look();
     b.undo();
-    b.now.notes = "x";
+    b.now.annotations.notes = "x";
     b.look();
     CHECK(b.stack.redoDepth() == 0);
     CHECK(b.undo() == "notes");
@@ -119,26 +119,26 @@ TEST_CASE("Every kind of change has a name") {
     to.uiScale = 2.0;
     to.legend = false;
     to.camera.orthographic = true;
-    to.bookmarks.push_back({*addressFromString("3.sort.1"), ""});
+    to.annotations.bookmarks.push_back({*addressFromString("3.sort.1"), ""});
     CHECK(describeChange(from, to) == "text size, legend, camera, bookmark");
     Edits noted = to;
-    noted.bookmarks[0].note = "look";
+    noted.annotations.bookmarks[0].note = "look";
     CHECK(describeChange(to, noted) == "note of a bookmark");
 }
 
 TEST_CASE("Breakpoints and watches are undone and redone") {
     Bench b;
-    b.now.breakpoints.push_back({"", "stage=split"});
+    b.now.annotations.breakpoints.push_back({"", "stage=split"});
     b.look();
-    b.now.breakpoints[0].on = false;
+    b.now.annotations.breakpoints[0].on = false;
     b.look();
-    b.now.watches.push_back("ring");
+    b.now.annotations.watches.push_back("ring");
     b.look();
     CHECK(b.undo() == "watches");
     CHECK(b.undo() == "breakpoints");
-    CHECK(b.now.breakpoints[0].on);
+    CHECK(b.now.annotations.breakpoints[0].on);
     CHECK(b.undo() == "breakpoints");
-    CHECK(b.now.breakpoints.empty());
+    CHECK(b.now.annotations.breakpoints.empty());
     CHECK(b.redo() == "breakpoints");
-    CHECK(b.now.breakpoints.size() == 1);
+    CHECK(b.now.annotations.breakpoints.size() == 1);
 }

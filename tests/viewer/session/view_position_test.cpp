@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "open_session.h"
-#include "session/history.h"
 
 using namespace se;
 using namespace se::view;
@@ -37,22 +36,6 @@ TEST_CASE("A bare address is a position without a camera, and anything else is r
         CAPTURE(std::string(wrong));
         CHECK_FALSE(viewPositionFromText(wrong).ok());
     }
-}
-
-TEST_CASE("History: back and forward lead through the positions before jumps") {
-    History history;
-    CHECK_FALSE(history.back("5").has_value());
-    history.leave("1");
-    history.leave("2");
-    CHECK(history.back("3") == "2");
-    CHECK(history.back("2") == "1");
-    CHECK_FALSE(history.back("1").has_value());
-    CHECK(history.forward("1") == "2");
-    CHECK(history.forward("2") == "3");
-    CHECK_FALSE(history.canGoForward());
-    history.back("3");
-    history.leave("9");
-    CHECK_FALSE(history.canGoForward());
 }
 
 TEST_CASE("A session goes back to where a jump began, and forward again") {

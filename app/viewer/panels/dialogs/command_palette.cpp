@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "commands/palette_entries.h"
-#include "input/typing_wait.h"
+#include "input/key_routing.h"
 #include "panel_state/command_palette.h"
 #include "panel_state/ui_requests.h"
 #include "panels/panel.h"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "input/typing_wait.h"
+#include "input/key_routing.h"
 #include "mesh_fields.h"
 #include "panel_state/file_browser_state.h"
 #include "panel_state/growth_page.h"
@@ -11,6 +11,7 @@
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "session/mesh_command.h"
 #include "session/session.h"
 #include "session/session_file.h"
 #include "spiraling_edge/base/word_list.h"

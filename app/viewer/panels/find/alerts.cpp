@@ -206,10 +206,10 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
 /// Rules beyond the paper that would have prevented the alert.
 void drawRemedies(const PanelContext& context) {
     Session& session = context.session();
-    const RemedySearch& search = session.alerts().remedies();
-    const bool mine = search.about() == session.alerts().chosen();
+    const BackgroundQuery<Remedies>& search = session.alerts().remedies();
+    const bool mine = session.alerts().remediesOf() == session.alerts().chosen();
     heading(context, "What would have prevented it");
-    if (mine && search.found() != nullptr) return drawTried(context, *search.found());
+    if (mine && search.answer() != nullptr) return drawTried(context, *search.answer());
     if (mine && search.busy()) {
         ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
         if (ImGui::SmallButton("Stop")) session.alerts().remedies().stop();

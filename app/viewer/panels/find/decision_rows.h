@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "jobs/background_query.h"
+#include "jobs/background_job.h"
 #include "panel_state/query_panel_state.h"
 #include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"

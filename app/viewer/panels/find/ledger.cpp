@@ -1,6 +1,6 @@
 #include "commands/ask_actions.h"
 #include "decision_rows.h"
-#include "input/typing_wait.h"
+#include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"

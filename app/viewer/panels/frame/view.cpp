@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "input/double_click_filter.h"
+#include "input/view_drag.h"
 #include "layers/layer.h"
 #include "panel_state/query_panel_state.h"
 #include "panel_state/step_panels_state.h"

@@ -18,8 +18,8 @@ struct CompareWith {
 };
 
 /// Differences of `b` from `a`: "robust rules", "flip off, 16 nearest"; "the same" if there are
-std::string differenceText(const InputSpec& a, const InputSpec& b);
 /// none.
+std::string differenceText(const InputSpec& a, const InputSpec& b);
 /// Label of A beside B: "paper rules", with single rules that differ.
 std::string runTitle(const InputSpec& spec);
 /// The most informative rule set beside those of `spec`: robust, or paper if that is on.

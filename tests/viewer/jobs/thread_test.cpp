@@ -1,11 +1,11 @@
-#include "jobs/guarded.h"
+#include "jobs/thread.h"
 
 #include <doctest/doctest.h>
 
 #include <new>
 #include <stdexcept>
 
-#include "jobs/background_query.h"
+#include "jobs/background_job.h"
 #include "jobs/doctor_job.h"
 #include "jobs/growth.h"
 #include "jobs/hit_search.h"

@@ -1,4 +1,4 @@
-#include "mesh_text.h"
+#include "sentences.h"
 
 #include <fmt/format.h>
 

@@ -52,7 +52,7 @@ void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const 
     });
 }
 
-void MeshExport::forget() {
+void MeshExport::discard() {
     order_.reset();
     model_.reset();
     mesh_.cancel();

@@ -4,13 +4,19 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "jobs/background_query.h"
-#include "mesh_command.h"
+#include "background_job.h"
 #include "run/model.h"
 
 namespace se::view {
+
+/// Destination of a mesh, and the choice of its points.
+struct MeshTarget {
+    std::string path;       ///< Its extension names the format (core's write_mesh.h).
+    bool usedOnly = false;  ///< Without the points that are in no triangle.
+};
 
 /// The mesh at the end of a run, and the points that it is written with.
 struct FinishedMesh {
@@ -41,7 +47,7 @@ class MeshExport {
     /// prepare() took.
     void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input);
     /// Discards the mesh, and a pending write. A write in progress completes.
-    void forget();
+    void discard();
     /// Writes a file as soon as the mesh is ready. Ignored while another one is written.
     void save(const MeshTarget& target);
     /// Cancels save(); too late once the file is being written.
