@@ -14,7 +14,7 @@
 #include "commands/compare_commands.h"
 #include "controllers/pivot_camera.h"
 #include "jobs/questions.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "render/context.h"
 #include "render/screenshot.h"
 

@@ -11,7 +11,7 @@
 #include "command_actions.h"
 #include "compare_commands.h"
 #include "growth_commands.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"

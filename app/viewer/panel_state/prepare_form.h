@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "growth_form.h"
+#include "growth_page.h"
 #include "run/model.h"
 
 namespace se::view {

@@ -1,14 +1,37 @@
-/// Settings that survive a restart: a small JSON file in the user's configuration folder.
+/// The user's choices that survive a restart: a small JSON file in the configuration folder.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "input/key_map.h"
+#include "layers/layer.h"
+#include "scene/mesh_style.h"
+#include "scene/palette.h"
+#include "scene/point_tint.h"
+#include "scene/up_axis.h"
 #include "spiraling_edge/base/result.h"
-#include "view_settings.h"
 
 namespace se::view {
+
+/// Kept in the settings.
+struct ViewSettings {
+    Theme theme = Theme::Dark;
+    double uiScale = 0.0;  ///< 0: that of the monitor.
+    LayerModes layers{};
+    int width = 1280;
+    int height = 800;
+    double playRate = 4.0;
+    bool legend = true;
+    KeyMap keys;
+    std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
+    MeshStyle meshStyle = MeshStyle::Flat;
+    PointTint pointTint = PointTint::Status;
+    std::optional<UpAxis> up;  ///< For files; empty: guessed for each.
+};
 
 /// The folder named by the variable, or `below` the home folder. Empty if there is no home.
 std::filesystem::path xdgFolder(const char* variable, const char* below);

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "command_palette.h"
 #include "compare_page.h"
 #include "file_browser_state.h"
-#include "finding_panels.h"
 #include "growth_page.h"
 #include "input/double_click_filter.h"
 #include "input/go_to_box.h"
@@ -18,23 +16,28 @@
 #include "input/typing_wait.h"
 #include "input/view_drag.h"
 #include "layout/panel_rects.h"
-#include "mesh_form.h"
 #include "prepare_form.h"
-#include "query_panel_state.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
 #include "session/layout_preset.h"
 #include "session/selection_facts.h"
+#include "settings.h"
+#include "side_panels.h"
 #include "spiraling_edge/replay/breakpoint.h"
 #include "start_page.h"
-#include "step_panels_state.h"
-#include "tabs.h"
 #include "ui_requests.h"
-#include "unsaved_prompt.h"
-#include "view_settings.h"
 #include "what_if_offers.h"
 
 namespace se::view {
+
+struct CommandPalette {
+    bool open = false;
+    bool justOpened = false;  ///< The input line gets the keyboard focus.
+    std::array<char, 64> filter{};
+    int chosen = 0;
+
+    void show() { *this = {true, true, {}, 0}; }
+};
 
 struct UiState {
     /// An overlay above the view takes the keys.

@@ -3,8 +3,8 @@
 #include <initializer_list>
 
 #include "input/key_map.h"
+#include "panel_state/settings.h"
 #include "panel_state/ui_state.h"
-#include "panel_state/view_settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

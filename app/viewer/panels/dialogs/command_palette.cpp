@@ -1,9 +1,7 @@
 #include <algorithm>
 
 #include "commands/palette_entries.h"
-#include "input/typing_wait.h"
-#include "panel_state/command_palette.h"
-#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

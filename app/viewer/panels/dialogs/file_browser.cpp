@@ -6,7 +6,6 @@
 #include "mesh_fields.h"
 #include "panel_state/file_browser_state.h"
 #include "panel_state/growth_page.h"
-#include "panel_state/mesh_form.h"
 #include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"

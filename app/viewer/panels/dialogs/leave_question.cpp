@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "panel_state/unsaved_prompt.h"
+#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "panel_state/file_browser_state.h"
-#include "panel_state/mesh_form.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "panel_state/query_panel_state.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "spiraling_edge/explain/ledger.h"

@@ -7,7 +7,7 @@
 #include "decision_rows.h"
 #include "input/typing_wait.h"
 #include "jobs/questions.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "query_field.h"

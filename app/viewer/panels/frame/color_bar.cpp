@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "layout/corner.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "scene/mesh_style.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "panel_state/compare_page.h"
-#include "panel_state/query_panel_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/camera_mouse.h"
 #include "panels/widgets/widgets.h"

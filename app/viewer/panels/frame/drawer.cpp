@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "strips.h"

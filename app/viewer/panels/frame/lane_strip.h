@@ -1,7 +1,7 @@
 /// The lanes within the strip RUN.
 #pragma once
 
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

@@ -4,7 +4,7 @@
 
 #include "commands/break_commands.h"
 #include "input/view_drag.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "scene/camera.h"

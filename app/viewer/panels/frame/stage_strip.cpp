@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "scene/outcome.h"

@@ -5,7 +5,7 @@
 
 #include "input/go_to_box.h"
 #include "layout/bars.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/playback.h"

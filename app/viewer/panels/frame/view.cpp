@@ -5,9 +5,8 @@
 
 #include "input/double_click_filter.h"
 #include "layers/layer.h"
-#include "panel_state/query_panel_state.h"
-#include "panel_state/step_panels_state.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/camera_mouse.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "dial_drawer.h"
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 

@@ -1,4 +1,4 @@
-#include "compare_form.h"
+#include "compare_page.h"
 
 #include <utility>
 
