@@ -69,6 +69,46 @@ void strokeQuad(ImDrawList* list, const std::array<ImVec2, 4>& q, float stroke, 
 
 ImU32 toU32(const Color& color) { return ImGui::ColorConvertFloat4ToU32(toVec4(color)); }
 
+void nameItem(const PanelContext& context, const std::string& name, const std::string& tip) {
+    context.where()[name] = lastItem();
+    if (!tip.empty()) tooltip(tip);
+}
+
+bool textButton(const PanelContext& context, const std::string& label, const std::string& name,
+                const std::string& tip, float width) {
+    const bool clicked = ImGui::Button(label.c_str(), {width, 0.0F});
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool smallButton(const PanelContext& context, const std::string& label, const std::string& name,
+                 const std::string& tip) {
+    const bool clicked = ImGui::SmallButton(label.c_str());
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool selectable(const PanelContext& context, const std::string& label, bool on,
+                const std::string& name, const std::string& tip) {
+    const bool clicked = ImGui::Selectable(label.c_str(), on);
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool progressAndStop(const PanelContext& context, double share, const char* text,
+                     const std::string& name, float buttonEms) {
+    const float width = ImGui::GetContentRegionAvail().x - buttonEms * context.em;
+    ImGui::ProgressBar(static_cast<float>(share), {width, 0.0F}, text);
+    ImGui::SameLine();
+    return textButton(context, "Stop", name);
+}
+
+void textIn(ImFont* font, const std::string& text) {
+    ImGui::PushFont(font);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
+
 bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
     ImGui::SetNextWindowPos(toVec2(rect.min));
     ImGui::SetNextWindowSize(toVec2(rect.size));

@@ -27,6 +27,24 @@ inline Rect lastItem() {
     return {{low.x, low.y}, {high.x - low.x, high.y - low.y}};
 }
 
+/// Gives the item drawn last a name, by which test scripts find its rectangle, and a tooltip.
+void nameItem(const PanelContext& context, const std::string& name, const std::string& tip = {});
+/// Buttons with a text, a name and a tooltip, `width` pixels wide: 0: as wide as the text,
+/// negative: up to that distance from the right end. True if clicked.
+bool textButton(const PanelContext& context, const std::string& label, const std::string& name,
+                const std::string& tip = {}, float width = 0.0F);
+bool smallButton(const PanelContext& context, const std::string& label, const std::string& name,
+                 const std::string& tip = {});
+/// A row of a list with a name and a tooltip, highlighted if `on`. True if clicked.
+bool selectable(const PanelContext& context, const std::string& label, bool on,
+                const std::string& name, const std::string& tip = {});
+/// A bar of progress with a button after it, which has the rest of the line. `text`: on the bar;
+/// null: the percentage. True if the button was clicked.
+bool progressAndStop(const PanelContext& context, double share, const char* text,
+                     const std::string& name, float buttonEms = 4.0F);
+/// A line of text in this font.
+void textIn(ImFont* font, const std::string& text);
+
 /// Begins a window without frame that fills `rect`. ImGui::End() must follow in any case.
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 /// A line with the title of a panel, and a dim note at its right end.
