@@ -119,12 +119,10 @@ std::string sizeText(const MeshSize& size, bool usedOnly) {
 }
 
 std::string savedText(const SavedMesh& saved) {
-    std::string text = "Saved " + countText(saved.triangles, "triangle", "triangles") + " and " +
-                       countText(saved.points, "point", "points") + " to " + saved.target.path +
-                       ".";
-    if (lowerExtension(saved.target.path) == ".stl")
-        text = "Saved " + countText(saved.triangles, "triangle", "triangles") + " to " +
-               saved.target.path + ".";
+    std::string text = "Saved " + countText(saved.triangles, "triangle", "triangles");
+    if (lowerExtension(saved.target.path) != ".stl")
+        text += " and " + countText(saved.points, "point", "points");
+    text += " to " + saved.target.path + ".";
     if (saved.shift) {
         text += " Positions are relative to " + shiftText(*saved.shift) +
                 ": add this offset to get the input coordinates.";

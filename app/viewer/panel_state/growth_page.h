@@ -1,5 +1,5 @@
-/// The page on which new points spread: the user's input as text fields and choices, its content and
-/// its requests. Plain values.
+/// The page on which new points spread: the user's input as text fields and choices, its content
+/// and its requests. Plain values.
 #pragma once
 
 #include <array>

@@ -8,7 +8,6 @@
 #include "run/sample_spec.h"
 #include "run/strings.h"
 #include "settings.h"
-#include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/sampling/volume.h"
 
@@ -91,11 +90,7 @@ KeptState readKeptState(const fs::path& path) {
 }
 
 Status writeKeptState(const fs::path& path, const KeptState& state) {
-    if (path.empty()) return success();
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
-    return writeFileAtomically(path, keptStateToJson(state));
+    return writeKept(path, keptStateToJson(state));
 }
 
 }  // namespace se::view

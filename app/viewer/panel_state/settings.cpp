@@ -23,6 +23,12 @@ T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
     return value >= low && value <= high ? value : otherwise;
 }
 
+/// Empty if there is no such text.
+std::string wordIn(const json& object, const char* name) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
 /// "keys": {"step.pivot.next": "F10 ."}
 KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
     KeyMap map;
@@ -57,9 +63,7 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) return Error{"The settings are not a JSON object."};
     ViewSettings s;
-    if (const auto theme = object.find("theme"); theme != object.end() && theme->is_string()) {
-        s.theme = themeFromName(theme->get<std::string>()).value_or(s.theme);
-    }
+    s.theme = themeFromName(wordIn(object, "theme")).value_or(s.theme);
     s.uiScale = numberIn(object, "uiScale", 0.75, 3.0, s.uiScale);
     s.width = numberIn(object, "width", 320, 16384, s.width);
     s.height = numberIn(object, "height", 240, 16384, s.height);
@@ -68,14 +72,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
         s.legend = legend->get<bool>();
     }
     s.keys = keysIn(object, s.complaints);
-    if (const auto up = object.find("up"); up != object.end() && up->is_string())
-        s.up = upAxisFromName(up->get<std::string>());
-    if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
-        s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
-    }
-    if (const auto tint = object.find("pointTint"); tint != object.end() && tint->is_string()) {
-        s.pointTint = pointTintFromName(tint->get<std::string>()).value_or(s.pointTint);
-    }
+    s.up = upAxisFromName(wordIn(object, "up"));
+    s.meshStyle = meshStyleFromName(wordIn(object, "meshStyle")).value_or(s.meshStyle);
+    s.pointTint = pointTintFromName(wordIn(object, "pointTint")).value_or(s.pointTint);
     if (const auto modes = object.find("layers"); modes != object.end()) {
         const ReadLayers read = layersFromJson(*modes);
         s.layers = read.modes;
@@ -105,12 +104,16 @@ Result<ViewSettings> readSettings(const std::filesystem::path& path) {
     return text ? settingsFromJson(*text) : ViewSettings{};
 }
 
-Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {
+Status writeKept(const std::filesystem::path& path, const std::string& text) {
     if (path.empty()) return success();
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
-    return writeFileAtomically(path, settingsToJson(settings));
+    return writeFileAtomically(path, text);
+}
+
+Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {
+    return writeKept(path, settingsToJson(settings));
 }
 
 }  // namespace se::view

@@ -44,7 +44,8 @@ std::string settingsToJson(const ViewSettings& settings);
 
 /// The settings of a file; the defaults if there is none.
 Result<ViewSettings> readSettings(const std::filesystem::path& path);
-/// Makes the folder if necessary.
+/// Writes a file of the user's folders, which is made if necessary; an empty path has no effect.
+Status writeKept(const std::filesystem::path& path, const std::string& text);
 Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings);
 
 }  // namespace se::view

@@ -43,14 +43,20 @@ struct OpenTab {
     std::string wanted;  ///< To be opened in the next frame; empty: unchanged.
 };
 
-/// The lanes as last painted, and the inputs of that painting.
-struct PaintedLanes {
+/// The inputs of a painting of the lanes.
+struct LaneInputs {
     std::uint32_t generation = 0;
     std::size_t pivots = 0;
     std::size_t changes = 0;
     bool complete = false;
     StripWindow window;
     LaneRoom room;
+    friend bool operator==(const LaneInputs&, const LaneInputs&) = default;
+};
+
+/// The lanes as last painted.
+struct PaintedLanes {
+    LaneInputs inputs;
     LanePicture picture;
 };
 

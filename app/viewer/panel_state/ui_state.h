@@ -11,15 +11,11 @@
 #include "growth_page.h"
 #include "input/double_click_filter.h"
 #include "input/go_to_box.h"
-#include "input/key_map.h"
 #include "input/tab_order.h"
 #include "input/typing_wait.h"
 #include "input/view_drag.h"
-#include "layout/panel_rects.h"
-#include "prepare_form.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
-#include "session/layout_preset.h"
 #include "session/selection_facts.h"
 #include "settings.h"
 #include "side_panels.h"
@@ -41,9 +37,10 @@ struct CommandPalette {
 
 struct UiState {
     /// An overlay above the view takes the keys.
-    bool dialogOpen() const {
-        return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active() ||
-               prepare.open || leaving.asked;
+    bool dialogOpen() const { return coversView() || goTo.active(); }
+    bool coversView() const {
+        return fileBrowser || cheatSheet || keyEditor || palette.open || prepare.open ||
+               leaving.asked;
     }
 
     /// The text fields that are open or about to be, as bits of TypedField.
@@ -87,8 +84,8 @@ struct UiState {
     bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
     std::string notes;        ///< Free text by the user, stored in the session file.
     std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
-    std::string
-        unsaved;  ///< Annotations in no session file yet, see DocumentController::unsaved().
+    /// Annotations in no session file yet, see DocumentController::unsaved().
+    std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.

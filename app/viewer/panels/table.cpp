@@ -248,10 +248,7 @@ void drawPanels(const PanelContext& context) {
     }
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
-    if (!startPage && !growth && !context.ui().cheatSheet && !context.ui().keyEditor &&
-        !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
-        !context.ui().prepare.open)
-        drawBorders(context);
+    if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);

@@ -78,9 +78,7 @@ void drawAddressLine(const PanelContext& context) {
 
 }  // namespace
 
-void drawNarration(const PanelContext& context) { drawSentence(context, "##narration"); }
-
-void drawSentence(const PanelContext& context, const char* window) {
+void drawNarration(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.rects.narration)) {
         // Other messages are shown in the view for a while: see drawNotices().

@@ -1,10 +1,9 @@
-#include "screen_projection.h"
+#include "view_parts.h"
 
 #include <algorithm>
 #include <array>
 
 #include "run/pivot_neighborhood.h"
-#include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 
