@@ -1,3 +1,5 @@
+// Between the options of an input and the fields that show them. A fix of the doctor is shown as
+// the choices that it makes, and goes when a field is changed so that it makes another one.
 #include "prepare_form.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Small pictures of the built-in scenes: at most 1500 of their points, seen from beside and above,
+// scaled to a square, and in the order of depth, so that those in front are drawn last.
 #include "start_page.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The override that a verdict allows is its row's inverse (verdict_table.h); here it gets the point
+// and the words. Verdicts without an inverse get a sentence on what to change instead.
 #include "what_if_offers.h"
 
 #include <algorithm>

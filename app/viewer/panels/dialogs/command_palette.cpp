@@ -66,9 +66,8 @@ void drawCommandPalette(const PanelContext& context) {
         palette.justOpened = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
         ImGui::SetNextItemWidth(-1.0F);
         if (ImGui::InputTextWithHint("##filter", "Type an action, a panel or a scene",
-                                     palette.filter.data(), palette.filter.size())) {
+                                     palette.filter.data(), palette.filter.size()))
             palette.chosen = 0;
-        }
         if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
         const std::vector<PaletteEntry> matches = matchesNow(palette);
         const bool enter = moveChoice(palette, matches.size());

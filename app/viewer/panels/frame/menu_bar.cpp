@@ -1,4 +1,3 @@
-#include "panel_state/recent.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"

@@ -1,3 +1,5 @@
+// The sentence below the view: the decision at the cursor, in the largest type in which all of it
+// fits. In Compare both sentences have the same type, so that they can be compared as well.
 #include <algorithm>
 
 #include "panel_state/ui_state.h"

@@ -77,16 +77,12 @@ Progressed goneThrough(const Session& session) {
     return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
 }
 
-/// Known share of the breakpoint hits.
-Progressed searched(const Session& session) {
-    return {"hits", static_cast<float>(session.hits().share())};
-}
-
 /// Only for moves that take a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
     if (beginOverView(context, "##move", 1.0F, 22.0F)) {
-        const Progressed move = session.moves().awaitsStop()     ? searched(session)
+        const auto hits = static_cast<float>(session.hits().share());
+        const Progressed move = session.moves().awaitsStop()     ? Progressed{"hits", hits}
                                 : session.moves().awaitsLength() ? goneThrough(session)
                                                                  : moved(session);
         if (session.moves().awaitsStop()) ImGui::TextDisabled("Searching for the breakpoint ...");

@@ -1,3 +1,6 @@
+// The strip RUN: the whole run over its pivots, with all that was noticed, marked or compared on
+// it. The lanes of the rings are kept as a picture of one column per pixel, and are made again only
+// when the run, the window of the strip or its room has changed.
 #include <algorithm>
 #include <cmath>
 

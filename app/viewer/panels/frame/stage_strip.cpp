@@ -115,12 +115,12 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     tooltip(stageSummary(run));
 }
 
-/// The wheel anywhere on a strip. Drawn first, so that items over it can be clicked.
-float wheelOver(const Rect& area) {
-    const ImVec2 low = toVec2(area.min);
+/// The wheel anywhere on a strip. Called first, so that items over it can be clicked.
+void stepByWheel(const PanelContext& context, const Rect& area, const std::string& command) {
     const ImVec2 high = toVec2(area.max());
-    const bool here = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
-    return here ? ImGui::GetIO().MouseWheel : 0.0F;
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(toVec2(area.min), high)) return;
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0F) context.run(command + (wheel > 0.0F ? "previous" : "next"));
 }
 
 // ---- STAGE: one cell per test -----------------------------------------------------------------
@@ -186,9 +186,7 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     const float top = 1.35F * em;
     const Rect bars = beginStrip(context, "PIVOT", area, area.size.y - top - 0.35F * em, top);
     if (!session.ready()) return;
-    if (const float wheel = wheelOver(area); wheel != 0.0F) {
-        context.run(wheel > 0.0F ? "step.pivot.previous" : "step.pivot.next");
-    }
+    stepByWheel(context, area, "step.pivot.");
     keepSteps(context);
     const auto& runs = context.state<Navigation>().steps.runs();
     const float gap = 0.5F * em;
@@ -206,9 +204,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
     const Rect bars = beginStrip(context, "STAGE", area, area.size.y - 0.75F * em, 0.2F * em);
     const Session& session = context.session();
     if (!session.ready()) return;
-    if (const float wheel = wheelOver(area); wheel != 0.0F) {
-        context.run(wheel > 0.0F ? "step.event.previous" : "step.event.next");
-    }
+    stepByWheel(context, area, "step.event.");
     keepSteps(context);
     const StageRun* run = runAtCursor(context);
     if (run == nullptr) return;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "input/tab_order.h"
-#include "panel_state/recent.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/gallery.h"
