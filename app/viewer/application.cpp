@@ -13,7 +13,7 @@
 #include "commands/command_actions.h"
 #include "controllers/pivot_camera.h"
 #include "jobs/questions.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "render/context.h"
 #include "spiraling_edge/replay/event_text.h"
 

@@ -8,7 +8,6 @@
 #include "application.h"
 #include "offscreen.h"
 #include "options.h"
-#include "panel_state/recent.h"
 #include "panel_state/settings.h"
 #include "scene/picking.h"
 #include "spiraling_edge/base/atomic_file.h"

@@ -2,7 +2,7 @@
 
 #include "command_actions.h"
 #include "jobs/questions.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "run/strings.h"
 #include "session/line_position.h"
 

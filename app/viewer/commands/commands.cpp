@@ -10,7 +10,7 @@
 #include "break_commands.h"
 #include "command_actions.h"
 #include "growth_commands.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"

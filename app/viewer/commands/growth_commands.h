@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands.h"
-#include "panel_state/growth_form.h"
+#include "panel_state/growth_page.h"
 
 namespace se::view {
 

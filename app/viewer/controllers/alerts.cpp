@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "commands/alert_actions.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "run/gallery.h"
 
 namespace se::view {

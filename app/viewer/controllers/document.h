@@ -9,7 +9,7 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "panel_state/recent.h"
+#include "panel_state/settings.h"
 #include "panel_state/ui_state.h"
 #include "session/annotations.h"
 #include "session/session.h"

@@ -1,6 +1,7 @@
 /// The parts of the transport bar and of the status bar that fit. Plain arithmetic.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -24,22 +25,6 @@ struct TransportParts {
     bool loop = false;
 };
 
-/// The most important first: unit, speed, all units, loop.
-inline TransportParts fitTransport(float room, const TransportWidths& w) {
-    TransportParts parts;
-    float rest = room - w.buttons - w.gap - w.goTo;
-    const auto take = [&rest](float width) {
-        if (rest < width) return false;
-        rest -= width;
-        return true;
-    };
-    parts.unit = take(w.unit + w.gap);
-    parts.speed = parts.unit && take(w.speed + w.gap);
-    parts.units = parts.speed && take(w.units - w.unit);
-    parts.loop = parts.units && take(w.loop + w.gap);
-    return parts;
-}
-
 /// Number of `widths`, the most important first, that fit into `room` beside each other: whole, or
 /// not at all. None is left out in favor of a later one.
 inline std::size_t fittingParts(float room, std::span<const float> widths, float gap) {
@@ -51,6 +36,13 @@ inline std::size_t fittingParts(float room, std::span<const float> widths, float
         ++count;
     }
     return count;
+}
+
+/// The most important first: unit, speed, all units, loop.
+inline TransportParts fitTransport(float room, const TransportWidths& w) {
+    const std::array widths = {w.unit + w.gap, w.speed + w.gap, w.units - w.unit, w.loop + w.gap};
+    const std::size_t fits = fittingParts(room - w.buttons - w.gap - w.goTo, widths, 0.0F);
+    return {fits > 0, fits > 2, fits > 1, fits > 3};
 }
 
 }  // namespace se::view

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "labels.h"
+#include "overlays.h"
 
 namespace se::view {
 
@@ -64,10 +64,7 @@ class NamePlacer {
         const float gap = room_.gap + static_cast<float>(row) * room_.line;
         const Rect rect{nameCorner(rim, {degrees, name.extent}, gap), name.extent};
         // Half a pixel: the disc was made as large as the names allow.
-        const Rect& area = room_.area;
-        const bool inside = rect.min.x >= area.min.x - 0.5F && rect.min.y >= area.min.y - 0.5F &&
-                            rect.max().x <= area.max().x + 0.5F &&
-                            rect.max().y <= area.max().y + 0.5F;
+        const bool inside = within(rect, room_.area, 0.5F);
         // Moved along the rim a long name may reach into the disc; its corner touches it anyway.
         const LabelMark filled{disc_.center, disc_.radius - kTouch * room_.gap};
         if (!inside || overlap(rect, filled)) return std::nullopt;

@@ -31,18 +31,12 @@ void clipAxis(float from, float way, float low, float high, float& begin, float&
 OccupancyGrid::OccupancyGrid(const Rect& area, float cell)
     : area_(area),
       cell_(cell),
-      width_(std::max(1, static_cast<int>(std::ceil(area.size.x / cell)))),
-      height_(std::max(1, static_cast<int>(std::ceil(area.size.y / cell)))),
-      sums_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1)) {}
+      size_(glm::max(glm::ivec2(glm::ceil(area.size / cell)), 1)),
+      sums_(static_cast<std::size_t>(size_.x + 1) * static_cast<std::size_t>(size_.y + 1)) {}
 
-int OccupancyGrid::column(float x) const {
-    const float place = std::floor((x - area_.min.x) / cell_);
-    return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(width_ - 1)));
-}
-
-int OccupancyGrid::row(float y) const {
-    const float place = std::floor((y - area_.min.y) / cell_);
-    return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(height_ - 1)));
+glm::ivec2 OccupancyGrid::cellAt(glm::vec2 place) const {
+    const glm::vec2 cell = glm::floor((place - area_.min) / cell_);
+    return glm::ivec2(glm::clamp(cell, glm::vec2(0.0F), glm::vec2(size_ - 1)));
 }
 
 glm::vec2 OccupancyGrid::middle(int x, int y) const {
@@ -51,7 +45,7 @@ glm::vec2 OccupancyGrid::middle(int x, int y) const {
 
 float& OccupancyGrid::at(int x, int y) {
     // The first row and column stay zero.
-    const auto line = static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 1);
+    const auto line = static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(size_.x + 1);
     return sums_[line + static_cast<std::size_t>(x + 1)];
 }
 
@@ -67,18 +61,21 @@ void OccupancyGrid::addLine(glm::vec2 from, glm::vec2 to, float weight) {
     const float each = weight * length / cell_ / static_cast<float>(steps);
     for (int i = 0; i < steps; ++i) {
         const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(steps);
-        const glm::vec2 place = from + (begin + (end - begin) * share) * way;
-        at(column(place.x), row(place.y)) += each;
+        const glm::ivec2 cell = cellAt(from + (begin + (end - begin) * share) * way);
+        at(cell.x, cell.y) += each;
     }
 }
 
 void OccupancyGrid::addSpot(glm::vec2 center, float radius, float weight) {
     if (!area_.contains(center)) return;
-    at(column(center.x), row(center.y)) += weight;
-    for (int y = row(center.y - radius); y <= row(center.y + radius); ++y) {
-        for (int x = column(center.x - radius); x <= column(center.x + radius); ++x) {
-            const bool own = x == column(center.x) && y == row(center.y);
-            if (!own && glm::distance(middle(x, y), center) <= radius) at(x, y) += weight;
+    const glm::ivec2 own = cellAt(center);
+    const glm::ivec2 first = cellAt(center - radius);
+    const glm::ivec2 last = cellAt(center + radius);
+    at(own.x, own.y) += weight;
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            if (glm::ivec2(x, y) != own && glm::distance(middle(x, y), center) <= radius)
+                at(x, y) += weight;
         }
     }
 }
@@ -92,8 +89,10 @@ void OccupancyGrid::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float wei
         low.y >= area_.max().y) {
         return;
     }
-    for (int y = row(low.y); y <= row(high.y); ++y) {
-        for (int x = column(low.x); x <= column(high.x); ++x) {
+    const glm::ivec2 first = cellAt(low);
+    const glm::ivec2 last = cellAt(high);
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
             const glm::vec2 m = middle(x, y);
             const std::array sides = {crossOf(b - a, m - a), crossOf(c - b, m - b),
                                       crossOf(a - c, m - c)};
@@ -105,8 +104,8 @@ void OccupancyGrid::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float wei
 }
 
 void OccupancyGrid::finish() {
-    for (int y = 0; y < height_; ++y) {
-        for (int x = 0; x < width_; ++x) {
+    for (int y = 0; y < size_.y; ++y) {
+        for (int x = 0; x < size_.x; ++x) {
             at(x, y) += at(x - 1, y) + at(x, y - 1) - at(x - 1, y - 1);
         }
     }
@@ -117,15 +116,14 @@ float OccupancyGrid::under(const Rect& rect) const {
     const glm::vec2 high = glm::min(rect.max(), area_.max());
     if (!(low.x < high.x && low.y < high.y)) return 0.0F;
     const auto sum = [&](int x, int y) {
-        return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) +
+        return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x + 1) +
                      static_cast<std::size_t>(x)];
     };
     // A rectangle that ends at the border of a cell does not touch the next.
-    const int right = column(std::nextafter(high.x, low.x)) + 1;
-    const int bottom = row(std::nextafter(high.y, low.y)) + 1;
-    const int left = column(low.x);
-    const int top = row(low.y);
-    return sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top);
+    const glm::ivec2 from = cellAt(low);
+    const glm::ivec2 to =
+        cellAt({std::nextafter(high.x, low.x), std::nextafter(high.y, low.y)}) + 1;
+    return sum(to.x, to.y) - sum(from.x, to.y) - sum(to.x, from.y) + sum(from.x, from.y);
 }
 
 }  // namespace se::view

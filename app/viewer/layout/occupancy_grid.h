@@ -26,15 +26,14 @@ class OccupancyGrid {
     float under(const Rect& rect) const;
 
   private:
-    int column(float x) const;
-    int row(float y) const;
+    /// The cell of a place, or the one closest to it.
+    glm::ivec2 cellAt(glm::vec2 place) const;
     glm::vec2 middle(int x, int y) const;
     float& at(int x, int y);
 
     Rect area_;
     float cell_;
-    int width_;
-    int height_;
+    glm::ivec2 size_;  ///< In cells.
     /// One row and one column more than cells: after finish() the sums of all before.
     std::vector<float> sums_;
 };

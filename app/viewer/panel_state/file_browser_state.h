@@ -1,12 +1,15 @@
-/// State of the file browser: a folder, the files that can be opened in it, the typed text. No
-/// ImGui.
+/// State of the file browser: a folder, the files that can be opened in it, the typed text; and the
+/// choices and requests for saving a mesh in it. No ImGui.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "jobs/mesh_export.h"
 
 namespace se::view {
 
@@ -47,5 +50,64 @@ bool canHoldMesh(const std::filesystem::path& path);
 std::string typedSource(const std::filesystem::path& folder, const std::string& text);
 /// File name with `extension` (".ply") at its end, regardless of other dots in it.
 std::filesystem::path withExtension(std::filesystem::path path, std::string_view extension);
+
+/// Request of a frame, carried out at its end.
+enum class MeshAsk : std::uint8_t {
+    None,
+    Save,         ///< Asks before a file is replaced.
+    Replace,      ///< The answer yes.
+    Keep,         ///< Do not replace the file.
+    Cancel,       ///< Stop waiting for the mesh.
+    CopyCommand,  ///< Copy the command line to the clipboard.
+};
+
+/// Size of the mesh that would be written.
+struct MeshSize {
+    std::size_t triangles = 0;
+    std::size_t points = 0;
+    std::size_t usedPoints = 0;
+    bool capped = false;
+};
+
+struct MeshForm {
+    std::size_t format = 0;  ///< A position in core's meshFormats().
+    bool usedOnly = false;
+    MeshAsk ask = MeshAsk::None;
+    std::string path;  ///< The file that `ask` names.
+
+    // Set by MeshController.
+    std::optional<MeshSize> size;  ///< Empty until the run has ended.
+    double share = 0.0;            ///< Of the run, in [0, 1].
+    bool saving = false;
+    bool writing = false;  ///< Too late to cancel.
+
+    std::string complaint;    ///< Reason why nothing was saved or copied; empty: no problem.
+    std::string note;         ///< Note about the copied command.
+    std::string question;     ///< The file that would be replaced; empty: none.
+    bool justAsked = false;   ///< The button No gets the keyboard focus.
+    std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
+    std::string savedSource;  ///< A source, see InputSpec.
+    std::string copied;       ///< The command that was copied last.
+
+    /// True while a question or the progress replaces the fields.
+    bool waits() const { return saving || !question.empty(); }
+    /// Clears the messages of the previous use of the dialog; choices stay.
+    void open();
+    /// Takes the format of the name's extension, if it has one.
+    void followName(const std::string& name);
+    /// Chooses a format; a name with another extension gets its extension.
+    void choose(std::size_t place, std::string& name);
+    /// The typed name, with the extension of the format unless it has one of those.
+    std::string withFormat(const std::string& typed) const;
+};
+
+/// By extension: one of core's meshFormats().
+bool namesMeshFormat(const std::filesystem::path& path);
+/// The size as a line of the dialog: "19 304 triangles, 21 000 points".
+std::string sizeText(const MeshSize& size, bool usedOnly);
+/// The notice after saving: size and path.
+std::string savedText(const SavedMesh& saved);
+/// The question before a file is replaced; `source` is that of the input.
+std::string replaceText(const std::string& path, const std::string& source);
 
 }  // namespace se::view

@@ -1,3 +1,5 @@
+// Between the options of an input and the fields that show them. A fix of the doctor is shown as
+// the choices that it makes, and goes when a field is changed so that it makes another one.
 #include "prepare_form.h"
 
 #include <algorithm>
@@ -5,6 +7,7 @@
 #include <cstdio>
 
 #include "run/number_format.h"
+#include "run/strings.h"
 
 namespace se::view {
 
@@ -15,11 +18,7 @@ constexpr std::uint64_t kMaxNeighbors = 1000;
 constexpr double kRadiusInSpacings = 2.1;
 
 /// Digits of a suggested value.
-double rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return numberFromText(text).value_or(value);
-}
+double rounded(double value) { return numberFromText(formatted("%.4g", value)).value_or(value); }
 
 /// The fewest digits that are closer than a tenth of the tolerance of a wall.
 std::string proposed(double value, const WallBox& box) {
@@ -68,41 +67,19 @@ void PrepareForm::take(const InputSpec& spec, const Model& model) {
         radius = exact(std::get<WithinRadius>(lists.reach).radius);
         if (lists.recompute) reach = Reach::Radius;
     }
-    showFixes(spec.fixes);
-}
-
-void PrepareForm::showFixes(const Fixes& fixes) {
-    for (const std::string& name : fixes) {
-        const DoctorCheck* check = findDoctorCheck(name);
-        if (check == nullptr) continue;
-        if (check->fix == Fix::Orient) normals = NormalSource::Oriented;
-        if (check->fix == Fix::Symmetric) symmetric = true;
-        if (check->fix == Fix::Walls) walls = WallChoice::From::Around;
-        if (check->fix == Fix::Rim) rim = true;
-        if (check->fix != Fix::NewLists) continue;
-        reach = Reach::Nearest;
-        count = std::to_string(KNearest{}.k);
+    for (const std::string& name : spec.fixes) {
+        if (const DoctorCheck* check = findDoctorCheck(name)) show(check->fix);
     }
 }
 
-bool PrepareForm::agreesWith(Fix fix) const {
-    switch (fix) {
-        case Fix::Orient:
-            return normals == NormalSource::Oriented;
-        case Fix::NewLists:
-            return reach == Reach::Nearest && count == std::to_string(KNearest{}.k);
-        case Fix::Symmetric:
-            return symmetric;
-        case Fix::Walls:
-            return walls == WallChoice::From::Around;
-        case Fix::Rim:
-            return rim;
-        case Fix::None:
-        case Fix::Repair:
-        case Fix::Drop:
-            break;
-    }
-    return true;
+void PrepareForm::show(Fix fix) {
+    if (fix == Fix::Orient) normals = NormalSource::Oriented;
+    if (fix == Fix::Symmetric) symmetric = true;
+    if (fix == Fix::Walls) walls = WallChoice::From::Around;
+    if (fix == Fix::Rim) rim = true;
+    if (fix != Fix::NewLists) return;
+    reach = Reach::Nearest;
+    count = std::to_string(KNearest{}.k);
 }
 
 Status PrepareForm::setReach(NeighborOptions& neighbors) const {
@@ -116,15 +93,14 @@ Status PrepareForm::setReach(NeighborOptions& neighbors) const {
         }
         neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
     }
-    if (reach == Reach::Radius) {
-        const auto number = numberFromText(radius);
-        if (!number || !(*number > 0.0)) return Error{"Radius: expected a number > 0."};
-        neighbors.reach = WithinRadius{*number};
-    }
-    if (reach == Reach::Spacings) {
-        const auto number = numberFromText(spacings);
-        if (!number || !(*number > 0.0)) return Error{"Spacings: expected a number > 0."};
-        neighbors.reach = WithinSpacings{*number};
+    if (reach == Reach::Radius || reach == Reach::Spacings) {
+        const bool byRadius = reach == Reach::Radius;
+        const double number = numberFromText(byRadius ? radius : spacings).value_or(0.0);
+        if (!(number > 0.0))
+            return Error{std::string(byRadius ? "Radius" : "Spacings") +
+                         ": expected a number > 0."};
+        if (byRadius) neighbors.reach = WithinRadius{number};
+        if (!byRadius) neighbors.reach = WithinSpacings{number};
     }
     return success();
 }
@@ -141,10 +117,11 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     base.keepOpposing = keepOpposing;
     base.keepNoise = keepNoise;
     base.rim = rim;
-    // The choice made here replaces the one of a fix.
+    // The choice made here replaces the one of a fix, unless they agree.
     std::erase_if(base.fixes, [this](const std::string& name) {
-        const DoctorCheck* check = findDoctorCheck(name);
-        return check != nullptr && !agreesWith(check->fix);
+        PrepareForm fixed = *this;
+        if (const DoctorCheck* check = findDoctorCheck(name)) fixed.show(check->fix);
+        return fixed != *this;
     });
     return base;
 }

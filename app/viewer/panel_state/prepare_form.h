@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "growth_form.h"
+#include "growth_page.h"
 #include "run/model.h"
 
 namespace se::view {
@@ -32,10 +32,12 @@ struct PrepareForm {
     /// about the first field that is wrong.
     Result<InputSpec> spec(InputSpec base) const;
 
+    friend bool operator==(const PrepareForm&, const PrepareForm&) = default;
+
   private:
     Status setReach(NeighborOptions& neighbors) const;
-    void showFixes(const Fixes& fixes);
-    bool agreesWith(Fix fix) const;
+    /// Makes the choices of a fix.
+    void show(Fix fix);
 };
 
 }  // namespace se::view

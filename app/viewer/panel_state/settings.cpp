@@ -4,15 +4,20 @@
 #include <nlohmann/json.hpp>
 
 #include "layers/layer_text.h"
+#include "run/model.h"
+#include "run/number_format.h"
+#include "run/sample_spec.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
 template <typename T>
@@ -21,6 +26,12 @@ T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
     if (found == object.end() || !found->is_number()) return otherwise;
     const T value = found->template get<T>();
     return value >= low && value <= high ? value : otherwise;
+}
+
+/// Empty if there is no such text.
+std::string wordIn(const json& object, const char* name) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
 /// "keys": {"step.pivot.next": "F10 ."}
@@ -36,20 +47,35 @@ KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
     return map;
 }
 
+std::string absolutePath(const std::string& path) {
+    std::error_code error;
+    return fs::absolute(path, error).lexically_normal().string();
+}
+
+/// Absolute path, valid in any folder; empty if there is none.
+std::string fromAnywhere(const std::string& source) {
+    if (!isSample(source)) return absolutePath(source);
+    Result<SampleSpec> spec = sampleFromSource(source);
+    if (!spec) return {};
+    if (isVolumePath(spec.value().surface))
+        spec.value().surface = absolutePath(spec.value().surface);
+    return sampleSource(spec.value());
+}
+
 }  // namespace
 
-std::filesystem::path xdgFolder(const char* variable, const char* below) {
+fs::path xdgFolder(const char* variable, const char* below) {
     // The XDG standard: relative paths are ignored.
     if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
         return folder;
     }
     const char* home = std::getenv("HOME");
     if (home == nullptr || home[0] != '/') return {};
-    return std::filesystem::path(home) / below;
+    return fs::path(home) / below;
 }
 
-std::filesystem::path settingsPath() {
-    const std::filesystem::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
+fs::path settingsPath() {
+    const fs::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
     return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
 }
 
@@ -57,9 +83,7 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) return Error{"The settings are not a JSON object."};
     ViewSettings s;
-    if (const auto theme = object.find("theme"); theme != object.end() && theme->is_string()) {
-        s.theme = themeFromName(theme->get<std::string>()).value_or(s.theme);
-    }
+    s.theme = themeFromName(wordIn(object, "theme")).value_or(s.theme);
     s.uiScale = numberIn(object, "uiScale", 0.75, 3.0, s.uiScale);
     s.width = numberIn(object, "width", 320, 16384, s.width);
     s.height = numberIn(object, "height", 240, 16384, s.height);
@@ -68,14 +92,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
         s.legend = legend->get<bool>();
     }
     s.keys = keysIn(object, s.complaints);
-    if (const auto up = object.find("up"); up != object.end() && up->is_string())
-        s.up = upAxisFromName(up->get<std::string>());
-    if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
-        s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
-    }
-    if (const auto tint = object.find("pointTint"); tint != object.end() && tint->is_string()) {
-        s.pointTint = pointTintFromName(tint->get<std::string>()).value_or(s.pointTint);
-    }
+    s.up = upAxisFromName(wordIn(object, "up"));
+    s.meshStyle = meshStyleFromName(wordIn(object, "meshStyle")).value_or(s.meshStyle);
+    s.pointTint = pointTintFromName(wordIn(object, "pointTint")).value_or(s.pointTint);
     if (const auto modes = object.find("layers"); modes != object.end()) {
         const ReadLayers read = layersFromJson(*modes);
         s.layers = read.modes;
@@ -100,17 +119,77 @@ std::string settingsToJson(const ViewSettings& s) {
     return object.dump(2) + "\n";
 }
 
-Result<ViewSettings> readSettings(const std::filesystem::path& path) {
+Result<ViewSettings> readSettings(const fs::path& path) {
     const std::optional<std::string> text = readText(path);
     return text ? settingsFromJson(*text) : ViewSettings{};
 }
 
-Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {
+Status writeKept(const fs::path& path, const std::string& text) {
     if (path.empty()) return success();
     std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
+    fs::create_directories(path.parent_path(), error);
     if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
-    return writeFileAtomically(path, settingsToJson(settings));
+    return writeFileAtomically(path, text);
+}
+
+Status writeSettings(const fs::path& path, const ViewSettings& settings) {
+    return writeKept(path, settingsToJson(settings));
+}
+
+void remember(KeptState& state, const std::string& path) {
+    if (path.empty() || isScene(path)) return;
+    const std::string whole = fromAnywhere(path);
+    if (whole.empty()) return;
+    std::vector<std::string>& list = state.recent;
+    std::erase(list, whole);
+    list.insert(list.begin(), whole);
+    if (list.size() > kMaxRecent) list.resize(kMaxRecent);
+}
+
+std::string recentName(const std::string& path) {
+    const Result<SampleSpec> spec = sampleFromSource(path);
+    if (!isSample(path) || !spec) return fs::path(path).filename().string();
+    const SampleSpec& made = spec.value();
+    std::string name = made.count > 0 ? sampleTitle(made, made.count)
+                                      : sampleStem(made, 0) + ", " + exact(made.spacing) + " apart";
+    if (made.steps > 0) name += ", step " + std::to_string(made.steps);
+    return name;
+}
+
+fs::path statePath() {
+    const fs::path folder = xdgFolder("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / "spiraling-edge" / "state.json";
+}
+
+KeptState keptStateFromJson(std::string_view text) {
+    KeptState state;
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return state;
+    state.layout = layoutPresetFromName(wordIn(object, "layout")).value_or(state.layout);
+    const auto recent = object.find("recent");
+    if (recent == object.end() || !recent->is_array()) return state;
+    for (const json& each : *recent) {
+        if (each.is_string() && state.recent.size() < kMaxRecent) {
+            state.recent.push_back(each.get<std::string>());
+        }
+    }
+    return state;
+}
+
+std::string keptStateToJson(const KeptState& state) {
+    const json object = {{"version", 1},
+                         {"layout", std::string(rowOf(state.layout).name)},
+                         {"recent", state.recent}};
+    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+KeptState readKeptState(const fs::path& path) {
+    const std::optional<std::string> text = readText(path);
+    return text ? keptStateFromJson(*text) : KeptState{};
+}
+
+Status writeKeptState(const fs::path& path, const KeptState& state) {
+    return writeKept(path, keptStateToJson(state));
 }
 
 }  // namespace se::view

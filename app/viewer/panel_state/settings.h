@@ -1,14 +1,40 @@
-/// Settings that survive a restart: a small JSON file in the user's configuration folder.
+/// What survives a restart, in two small JSON files: the settings, which the user may write, in the
+/// configuration folder; and the layout of the window and the recent files, which the program keeps
+/// by itself, in the state folder.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "input/key_map.h"
+#include "layers/layer.h"
+#include "scene/mesh_style.h"
+#include "scene/palette.h"
+#include "scene/point_tint.h"
+#include "scene/up_axis.h"
+#include "session/layout_preset.h"
 #include "spiraling_edge/base/result.h"
-#include "view_settings.h"
 
 namespace se::view {
+
+/// Kept in the settings.
+struct ViewSettings {
+    Theme theme = Theme::Dark;
+    double uiScale = 0.0;  ///< 0: that of the monitor.
+    LayerModes layers{};
+    int width = 1280;
+    int height = 800;
+    double playRate = 4.0;
+    bool legend = true;
+    KeyMap keys;
+    std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
+    MeshStyle meshStyle = MeshStyle::Flat;
+    PointTint pointTint = PointTint::Status;
+    std::optional<UpAxis> up;  ///< For files; empty: guessed for each.
+};
 
 /// The folder named by the variable, or `below` the home folder. Empty if there is no home.
 std::filesystem::path xdgFolder(const char* variable, const char* below);
@@ -21,7 +47,34 @@ std::string settingsToJson(const ViewSettings& settings);
 
 /// The settings of a file; the defaults if there is none.
 Result<ViewSettings> readSettings(const std::filesystem::path& path);
-/// Makes the folder if necessary.
+/// Writes a file of the user's folders, which is made if necessary; an empty path has no effect.
+Status writeKept(const std::filesystem::path& path, const std::string& text);
 Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings);
+
+inline constexpr std::size_t kMaxRecent = 10;
+
+struct KeptState {
+    LayoutPreset layout = LayoutPreset::Debug;
+    std::vector<std::string> recent;  ///< Absolute paths, the latest first.
+    friend bool operator==(const KeptState&, const KeptState&) = default;
+};
+
+/// Puts a file, or sampled points (sample:...), at the front, once, and drops the oldest
+/// ones. Scenes are not recorded.
+void remember(KeptState& state, const std::string& path);
+/// Label in a list of recent files: the name of a file without its folder, "torus, 4 000 points".
+std::string recentName(const std::string& path);
+
+/// $XDG_STATE_HOME/spiraling-edge/state.json, or below ~/.local/state. Empty if there is no home.
+std::filesystem::path statePath();
+
+/// Anything that cannot be read is skipped silently: recent files are not worth a message.
+KeptState keptStateFromJson(std::string_view text);
+std::string keptStateToJson(const KeptState& state);
+
+/// The defaults if there is no such file.
+KeptState readKeptState(const std::filesystem::path& path);
+/// Makes the folder if necessary; an empty path has no effect.
+Status writeKeptState(const std::filesystem::path& path, const KeptState& state);
 
 }  // namespace se::view

@@ -6,40 +6,41 @@
 #include <string>
 #include <vector>
 
-#include "command_palette.h"
 #include "compare_page.h"
 #include "file_browser_state.h"
-#include "finding_panels.h"
 #include "growth_page.h"
 #include "input/go_to_box.h"
 #include "input/key_map.h"
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
-#include "layout/panel_rects.h"
-#include "mesh_form.h"
-#include "prepare_form.h"
-#include "query_panel_state.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
-#include "session/layout_preset.h"
 #include "session/selection_facts.h"
+#include "settings.h"
+#include "side_panels.h"
 #include "spiraling_edge/replay/breakpoint.h"
 #include "start_page.h"
-#include "step_panels_state.h"
-#include "tabs.h"
 #include "ui_requests.h"
-#include "unsaved_prompt.h"
-#include "view_settings.h"
 #include "what_if_offers.h"
 
 namespace se::view {
 
+struct CommandPalette {
+    bool open = false;
+    bool justOpened = false;  ///< The input line gets the keyboard focus.
+    std::array<char, 64> filter{};
+    int chosen = 0;
+
+    void show() { *this = {true, true, {}, 0}; }
+};
+
 struct UiState {
     /// An overlay above the view takes the keys.
-    bool dialogOpen() const {
-        return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active() ||
-               prepare.open || leaving.asked;
+    bool dialogOpen() const { return coversView() || goTo.active(); }
+    bool coversView() const {
+        return fileBrowser || cheatSheet || keyEditor || palette.open || prepare.open ||
+               leaving.asked;
     }
 
     /// The text fields that are open or about to be, as bits of TypedField.
@@ -83,8 +84,8 @@ struct UiState {
     bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
     std::string notes;        ///< Free text by the user, stored in the session file.
     std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
-    std::string
-        unsaved;  ///< Annotations in no session file yet, see DocumentController::unsaved().
+    /// Annotations in no session file yet, see DocumentController::unsaved().
+    std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.

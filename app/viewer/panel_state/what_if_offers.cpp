@@ -1,3 +1,5 @@
+// The override that a verdict allows is its row's inverse (verdict_table.h); here it gets the point
+// and the words. Verdicts without an inverse get a sentence on what to change instead.
 #include "what_if_offers.h"
 
 #include <algorithm>
@@ -13,38 +15,6 @@ namespace se::view {
 namespace {
 
 std::string pointText(Index p) { return "point " + std::to_string(p); }
-
-/// Offers for a test at a stage that can only keep or drop.
-std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
-    WhatIf what{WhatIfKind::Keep,       event.address.pivot, event.address.stage,
-                se::testedPoint(event), Vec3(0.0),           {}};
-    const std::optional<WhatIfKind> inverse = rowOf(verdict).inverse;
-    if (!inverse) return {};
-    what.kind = *inverse;
-    return {{what, (what.kind == WhatIfKind::Keep ? "Keep " : "Drop ") + pointText(what.point)}};
-}
-
-/// Offers for moving start or end.
-std::vector<WhatIfOffer> advanceOrNot(const Event& event, Verdict verdict) {
-    WhatIf what{WhatIfKind::Drop,       event.address.pivot, Stage::Limits,
-                se::testedPoint(event), Vec3(0.0),           {}};
-    const std::optional<WhatIfKind> inverse = rowOf(verdict).inverse;
-    if (!inverse) return {};
-    what.kind = *inverse;
-    return {{what, (what.kind == WhatIfKind::Keep ? "Advance to " : "Do not advance to ") +
-                       pointText(what.point)}};
-}
-
-/// Offers to override the rules on fans for the dropped point, or for the whole fan.
-std::vector<WhatIfOffer> overrule(const Event& event, Verdict verdict, Index pivot) {
-    if (!rowOf(verdict).inverse) return {};
-    const Index dropped = se::testedPoint(event);
-    const bool whole = dropped == kNone;
-    const WhatIf what{WhatIfKind::Keep,        event.address.pivot, Stage::Guard,
-                      whole ? pivot : dropped, Vec3(0.0),           {}};
-    return {
-        {what, whole ? std::string("Make these triangles anyway") : "Keep " + pointText(dropped)}};
-}
 
 bool saysWhatIf(const Event& event) {
     const std::optional<Verdict> verdict = verdictOf(event);
@@ -63,36 +33,39 @@ bool isEar(const Session& session) {
 std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
     const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return {};
-    WhatIf drop{WhatIfKind::Drop, event.address.pivot, event.address.stage, kNone, Vec3(0.0), {}};
-    switch (event.address.stage) {
-        case Stage::Sort: {
-            const auto* sort = std::get_if<SortEvidence>(&event.evidence);
-            if (sort == nullptr) return {};
-            drop.point = *verdict == Verdict::SameAngle ? sort->rival : sort->point;
-            if (*verdict == Verdict::SameAngle) {
-                return {{drop, "Drop " + pointText(drop.point) + ", so that " +
-                                   pointText(sort->point) + " stays"}};
-            }
-            if (*verdict != Verdict::Kept) return {};
-            return {{drop, "Drop " + pointText(drop.point)}};
-        }
+    const Stage stage = event.address.stage;
+    const auto offer = [&](WhatIfKind kind, Index point, std::string label) {
+        const WhatIf what{kind, event.address.pivot, stage, point, Vec3(0.0), {}};
+        return std::vector<WhatIfOffer>{{what, std::move(label)}};
+    };
+    if (const auto* sort = std::get_if<SortEvidence>(&event.evidence)) {
+        if (*verdict == Verdict::SameAngle)
+            return offer(WhatIfKind::Drop, sort->rival,
+                         "Drop " + pointText(sort->rival) + ", so that " + pointText(sort->point) +
+                             " stays");
+        if (*verdict != Verdict::Kept) return {};
+        return offer(WhatIfKind::Drop, sort->point, "Drop " + pointText(sort->point));
+    }
+    const std::optional<WhatIfKind> inverse = rowOf(*verdict).inverse;
+    if (!inverse) return {};
+    const bool keep = *inverse == WhatIfKind::Keep;
+    const Index tested = se::testedPoint(event);
+    switch (stage) {
         case Stage::Limits:
-            return advanceOrNot(event, *verdict);
+            return offer(*inverse, tested,
+                         (keep ? "Advance to " : "Do not advance to ") + pointText(tested));
         case Stage::Convex:
         case Stage::Reciprocal:
         case Stage::Hole:
         case Stage::Sphere:
-            return keepOrDrop(event, *verdict);
-        case Stage::TwoPoint: {
-            drop.point = pivot;
-            const std::optional<WhatIfKind> inverse = rowOf(*verdict).inverse;
-            if (!inverse) return {};
-            drop.kind = *inverse;
-            return {
-                {drop, drop.kind == WhatIfKind::Keep ? "Make the triangle" : "Make no triangle"}};
-        }
+            return offer(*inverse, tested, (keep ? "Keep " : "Drop ") + pointText(tested));
+        case Stage::TwoPoint:
+            return offer(*inverse, pivot, keep ? "Make the triangle" : "Make no triangle");
         case Stage::Guard:
-            return overrule(event, *verdict, pivot);
+            // The rules on fans dropped a point, or the whole fan.
+            if (tested == kNone)
+                return offer(WhatIfKind::Keep, pivot, "Make these triangles anyway");
+            return offer(WhatIfKind::Keep, tested, "Keep " + pointText(tested));
         default:
             return {};
     }

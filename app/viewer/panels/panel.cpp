@@ -6,8 +6,7 @@
 
 #include "input/tab_order.h"
 #include "panel_state/growth_page.h"
-#include "panel_state/step_panels_state.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/tab_rows.h"
 #include "panels/widgets/widgets.h"
@@ -284,10 +283,7 @@ void drawPanels(const PanelContext& context) {
     }
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
-    const UiState& ui = context.ui();
-    const bool dialog = ui.cheatSheet || ui.keyEditor || ui.fileBrowser || ui.palette.open ||
-                        ui.leaving.asked || ui.prepare.open;
-    if (!startPage && !growth && !dialog) drawBorders(context);
+    if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);

@@ -67,13 +67,13 @@ void drawStartPage(const PanelContext& context);
 /// Replaces all panels while new points spread; the open input waits.
 void drawGrowthPage(const PanelContext& context);
 void drawTransport(const PanelContext& context);
-void drawView(const PanelContext& context);
+/// The scene with its overlays, in a window of that name.
+void drawView(const PanelContext& context, const char* window = "##view");
 /// The column, the titles, the second view and its sentence of the layout Compare.
 void drawCompareColumn(const PanelContext& context);
 void drawComparedViews(const PanelContext& context);
-void drawNarration(const PanelContext& context);
 /// The decision of the context's session, in a window of that name.
-void drawSentence(const PanelContext& context, const char* window);
+void drawNarration(const PanelContext& context, const char* window = "##narration");
 void drawDrawer(const PanelContext& context);
 void drawStatusBar(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
@@ -125,8 +125,6 @@ void drawCharts(const PanelContext& context);
 /// Updates the tree of steps from the session: at the beginning of a frame, and after a click that
 /// may have moved the cursor to another pivot.
 void keepSteps(const PanelContext& context);
-/// The fields that specify the points to be made.
-void drawGrowthForm(const PanelContext& context);
 /// An input line of query terms (core's decision_query.h), as wide as the next item width. True if
 /// the line changed. The field takes any text, and is red where a word is not understood.
 bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line);

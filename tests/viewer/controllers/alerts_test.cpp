@@ -2,7 +2,7 @@
 #include "commands/alert_actions.h"
 #include "headless_app.h"
 #include "layers/layer.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "run/gallery.h"
 #include "run/strings.h"
 

@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "layers/layer.h"
 #include "open_session.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"

@@ -8,9 +8,8 @@
 
 #include "commands/commands.h"
 #include "controllers/pivot_camera.h"
-#include "layout/corner.h"
 #include "layout/dial.h"
-#include "layout/edge_arrow.h"
+#include "layout/overlays.h"
 #include "open_session.h"
 #include "panel_state/ui_state.h"
 #include "run/picture.h"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "headless_app.h"
-#include "panel_state/recent.h"
 #include "panel_state/settings.h"
 #include "session/session_file.h"
 

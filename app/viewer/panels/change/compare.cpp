@@ -1,25 +1,142 @@
-// The column of the layout Compare: the two runs, the counts, the first difference, the regions.
+// The column of the layout Compare: the form for the other run; then the two runs, the counts, the
+// first difference, the regions.
 #include <algorithm>
 
-#include "compare_parts.h"
 #include "input/tab_order.h"
 #include "jobs/questions.h"
 #include "panel_state/compare_page.h"
+#include "panel_state/what_if_offers.h"
+#include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/widgets.h"
+#include "rows/rule_rows.h"
+#include "rules.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 
-bool compareButton(const PanelContext& context, const char* label, const char* name,
+namespace {
+
+/// A button that test scripts find as "compare NAME".
+bool compareButton(const PanelContext& context, const char* label, const std::string& name,
                    const std::string& help) {
-    const bool pressed = ImGui::Button(label);
-    context.where()[std::string("compare ") + name] = lastItem();
-    tooltip(help);
-    return pressed;
+    return textButton(context, label, "compare " + name, help);
 }
 
-namespace {
+// ---- The form: the choice of the other run ------------------------------------------------------
+
+/// A part of the form that can be opened, and a note after its name.
+bool beginPart(const PanelContext& context, const char* name, const std::string& note,
+               const std::string& help) {
+    const std::string title = std::string(name) + ": " + note + "###" + name;
+    const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    nameItem(context, std::string("compare part ") + name, help);
+    return open;
+}
+
+void drawRuleFields(const PanelContext& context, CompareForm& form) {
+    const RuleListFields place{form.ruleFilter, "compare "};
+    ImGui::PushID("rules");
+    if (const auto set = drawRuleSets(context, form.rules, place)) form.rules = *set;
+    const std::size_t differing = differingCount(form.rules);
+    const std::string note =
+        differing == 0 ? "values of the set" : counted(differing, "differs", "differ");
+    if (beginPart(context, "Rules", note, "Every rule as a switch, a choice or a number")) {
+        if (const auto chosen = drawRuleList(context, form.rules, place)) form.rules = *chosen;
+        ImGui::Spacing();
+    }
+    ImGui::PopID();
+}
+
+/// Differences in the preparation of the other input.
+std::string prepareNote(const PanelContext& context, const CompareForm& form) {
+    const InputSpec& here = context.session().input().spec();
+    const Result<InputSpec> there = form.prepare.spec(here);
+    if (!there) return "a field is wrong";
+    const std::string text = differenceText(here, there.value());
+    return text == "the same" ? "as in A" : text;
+}
+
+void drawPrepared(const PanelContext& context, CompareForm& form) {
+    if (!beginPart(context, "Input", prepareNote(context, form),
+                   "Neighbor lists, normals, walls and rims of B, as in File > Prepare"))
+        return;
+    ImGui::PushID("input");
+    drawPrepareFields(context, form.prepare, "compare prepare ");
+    ImGui::Spacing();
+    ImGui::PopID();
+}
+
+void drawWhatIfs(const PanelContext& context, CompareForm& form) {
+    const auto& all = form.rules.whatIf;
+    const std::string note = all.empty() ? "none" : counted(all.size(), "change", "changes");
+    if (!beginPart(context, "What if", note, "Decisions of the rules that B overrides")) return;
+    ImGui::PushID("what if");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool gone =
+            smallButton(context, "x", "compare what if " + std::to_string(i + 1), "Remove from B");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(fitted(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
+        tooltip(describe(all[i]));
+        ImGui::PopID();
+        if (gone) {
+            form.rules = withoutWhatIf(form.rules, i);
+            break;
+        }
+    }
+    ImGui::SetNextItemWidth(-1.0F);
+    if (textField("##line", "137.sphere keep 812, Enter", form.whatIf,
+                  ImGuiInputTextFlags_EnterReturnsTrue))
+        form.addWhatIf();
+    nameItem(context, "compare what if line",
+             "Another one, in the syntax of --what-if; Enter adds it.");
+    ImGui::Spacing();
+    ImGui::PopID();
+}
+
+/// Choices that need one click only.
+void drawShortcuts(const PanelContext& context) {
+    ComparePage& page = context.state<ComparePage>();
+    const InputSpec& here = context.session().input().spec();
+    dimText("Or one of these:");
+    if (compareButton(context, "Mesh from file...", "mesh",
+                      "A mesh that another program made from the same points"))
+        context.run("run.compare.mesh");
+    if (!here.whatIf.empty() &&
+        compareButton(context, "Without what-ifs", "true run",
+                      "This run without its what-ifs, to see what they changed"))
+        page.begin = CompareWith::otherRun(trueRunOf(here));
+    if (page.before && compareButton(context, "Before the last change", "before",
+                                     "This run as it was: " + differenceText(here, *page.before)))
+        page.begin = CompareWith::otherRun(*page.before);
+    if (page.choosing && compareButton(context, "Back", "back", "Keep the current comparison"))
+        page.choosing = false;
+}
+
+void drawCompareForm(const PanelContext& context) {
+    ComparePage& page = context.state<ComparePage>();
+    CompareForm& form = page.form;
+    const InputSpec& here = context.session().input().spec();
+    dimText("B, to compare with the open run:");
+    drawRuleFields(context, form);
+    drawPrepared(context, form);
+    drawWhatIfs(context, form);
+    ImGui::Spacing();
+    const Result<InputSpec> spec = form.spec(here);
+    const std::string difference = spec ? differenceText(here, spec.value()) : "";
+    if (compareButton(context, "Compare", "begin", "Run it in the background and compare")) {
+        form.complaint = spec ? std::string{} : spec.error().message;
+        if (spec) page.begin = CompareWith::otherRun(spec.value());
+    }
+    ImGui::SameLine();
+    dimText(difference == "the same" ? "B is the same as A" : difference);
+    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    ImGui::Spacing();
+    drawShortcuts(context);
+}
+
+// ---- The comparison -----------------------------------------------------------------------------
 
 /// A color, its meaning, and the number of its triangles.
 void countRow(const PanelContext& context, const Color& color, const char* text,
@@ -54,13 +171,11 @@ void drawCounts(const PanelContext& context, const Compared& found) {
 void drawSide(const PanelContext& context, const char* name, const DifferenceSide& side,
               const Color& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-    ImGui::PushFont(context.fonts.strong);
     const std::string title =
         std::string(name) + "  " +
         (side.line ? toString(side.line->event.address) : std::string("the run has ended")) +
         (side.line && !side.decides ? "  instead" : "");
-    ImGui::TextUnformatted(title.c_str());
-    ImGui::PopFont();
+    textIn(context.fonts.strong, title);
     ImGui::PopStyleColor();
     // The line is also shown below the views, once the cursor is there.
     if (side.line) tooltip(describe(side.line->event));
@@ -97,13 +212,18 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
     ImGui::Spacing();
 }
 
+/// "A" or "B", before the text of the run.
+void drawLetter(const PanelContext& context, const char* letter, const Color& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    textIn(context.fonts.strong, letter);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+}
+
 /// Answer of one run.
 void drawAnswer(const PanelContext& context, const char* letter, const Color& color,
                 const Session* run) {
-    ImGui::PushFont(context.fonts.strong);
-    ImGui::TextColored(toVec4(color), "%s", letter);
-    ImGui::PopFont();
-    ImGui::SameLine();
+    drawLetter(context, letter, color);
     if (run == nullptr) return dimText("a finished mesh, without decisions");
     const BackgroundQuery<WhyAnswer>& asked = run->questions().ledger();
     if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
@@ -192,23 +312,16 @@ void drawNames(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     const InputSpec& run = context.session().input().spec();
     const CompareWith& with = page.now->with();
-    const auto name = [&](const char* letter, const std::string& text, const Color& color) {
-        ImGui::PushFont(context.fonts.strong);
-        ImGui::TextColored(toVec4(color), "%s", letter);
-        ImGui::PopFont();
-        ImGui::SameLine();
-        wrappedText(text);
-    };
-    name("A", runTitle(run), context.palette.used);
-    name("B",
-         with.kind == CompareWith::Kind::Mesh ? meshTitle(with) : differenceText(run, with.run),
-         context.palette.last);
+    const bool mesh = with.kind == CompareWith::Kind::Mesh;
+    drawLetter(context, "A", context.palette.used);
+    wrappedText(runTitle(run));
+    drawLetter(context, "B", context.palette.last);
+    wrappedText(mesh ? meshTitle(with) : differenceText(run, with.run));
     if (compareButton(context, "Other...", "other", "Choose another B")) {
         page.choosing = true;
-        if (with.kind == CompareWith::Kind::Run)
-            page.form.takeOther(with.run, context.session().model());
+        if (!mesh) page.form.takeOther(with.run, context.session().model());
     }
-    if (with.kind == CompareWith::Kind::Run) {
+    if (!mesh) {
         ImGui::SameLine();
         if (compareButton(context, "Swap", "swap", "Show B in all panels"))
             page.ask = CompareAsk::Swap;
@@ -225,12 +338,8 @@ void drawContent(const PanelContext& context) {
     heading(context, "Compare");
     if (!page.now->chosen() || page.choosing) return drawCompareForm(context);
     drawNames(context);
-    if (!page.now->complaint().empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        wrappedText("! " + page.now->complaint());
-        ImGui::PopStyleColor();
-        return;
-    }
+    if (!page.now->complaint().empty())
+        return wrappedText("! " + page.now->complaint(), context.palette.rejected);
     if (page.now->working()) return drawWorking(context);
     const Compared* found = page.result();
     if (found == nullptr) return;

@@ -1,19 +1,156 @@
+// The page that replaces all panels while new points spread: the form of what they are made of, the
+// view of the particles, and the bar to play and to use them.
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <filesystem>
 
-#include "input/tab_order.h"
-#include "panel_state/growth_page.h"
-#include "panels/panel.h"
+#include "panel_state/ui_state.h"
+#include "panels/widgets/boxes.h"
 #include "panels/widgets/camera_mouse.h"
+#include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "scene/draw_list.h"
+#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
 namespace {
+
+// ---- The form: what the points are made of ------------------------------------------------------
+
+constexpr int kShapesShown = 8;  ///< Rows of the list at once.
+constexpr float kName = 6.4F;    ///< Width of the names before the fields, in em.
+
+/// A dim name before the next item.
+void name(const PanelContext& context, const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(kName * context.em);
+    ImGui::SetNextItemWidth(-1.0F);
+}
+
+/// The particles get the keyboard focus back.
+void beginByEnter(const PanelContext& context) {
+    context.state<GrowthPage>().asked = GrowthAsk::Begin;
+    context.requests().closePopups = true;
+}
+
+/// A field after its name. Enter in it starts.
+void field(const PanelContext& context, const char* title, const char* hint, std::string& text,
+           const std::string& tip = {}) {
+    name(context, title);
+    const std::string id = std::string("##") + title;
+    const bool entered = textField(id.c_str(), hint, text, kEntered);
+    nameItem(context, std::string("field ") + title, tip);
+    if (entered) beginByEnter(context);
+}
+
+void drawSources(const PanelContext& context) {
+    GrowthForm& form = context.state<GrowthPage>().form;
+    if (ImGui::RadioButton("Shape", form.from == GrowthSource::Shape))
+        context.run("file.new.shape");
+    ImGui::SameLine(kName * context.em);
+    if (ImGui::RadioButton("Volume", form.from == GrowthSource::Volume))
+        context.run("file.new.volume");
+}
+
+void drawShapes(const PanelContext& context) {
+    GrowthPage& page = context.state<GrowthPage>();
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const auto all = static_cast<int>(shapes().size());
+    const float high = row * static_cast<float>(context.rects.left.size.y > 44.0F * context.em
+                                                    ? all
+                                                    : std::min(all, kShapesShown));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    if (ImGui::BeginChild("##shapes", {-1.0F, high + 2.0F * style.WindowPadding.y}, true)) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        for (const se::Shape& shape : shapes()) {
+            const std::string id(shape.id);
+            const bool chosen = page.form.shape == id;
+            const std::string label = fittedWords(std::string(shape.title), room) + "##" + id;
+            if (ImGui::Selectable(label.c_str(), chosen)) {
+                page.form.choose(id);
+                page.asked = GrowthAsk::Begin;
+            }
+            if (ImGui::IsItemVisible()) context.where()["shape " + id] = lastItem();
+            tooltip(std::string(shape.title) + " (" + id + ")");
+        }
+    }
+    ImGui::EndChild();
+}
+
+void drawVolume(const PanelContext& context) {
+    GrowthForm& form = context.state<GrowthPage>().form;
+    const std::string hint = "path of a " + wordList(volumeExtensions(), "or");
+    field(context, "File", hint.c_str(), form.volume, form.volume);
+    // A long path shows its beginning.
+    const std::string file = std::filesystem::path(form.volume).filename().string();
+    if (file != form.volume && !file.empty()) {
+        name(context, "");
+        ImGui::TextUnformatted(fitted(file, ImGui::GetContentRegionAvail().x).c_str());
+    }
+    if (!ImGui::Button("Choose...", {-1.0F, 0.0F})) return;
+    context.ui().browser = BrowserTask::Volume;
+    context.ui().fileBrowser = true;
+}
+
+/// One of the two ways to give the number of points, with its field; typing there chooses it.
+void drawNumber(const PanelContext& context, const char* title, const char* help, bool spacing) {
+    GrowthForm& form = context.state<GrowthPage>().form;
+    std::string& text = spacing ? form.spacing : form.count;
+    if (ImGui::RadioButton(title, form.bySpacing == spacing)) form.bySpacing = spacing;
+    tooltip(help);
+    ImGui::SameLine(kName * context.em);
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string before = text;
+    const std::string id = std::string("##") + title;
+    const bool entered = textField(id.c_str(), "", text, kEntered);
+    // Enter starts; only typing here chooses this one.
+    if (text != before) form.bySpacing = spacing;
+    nameItem(context, std::string("field ") + title);
+    if (entered) beginByEnter(context);
+}
+
+void drawBox(const PanelContext& context) {
+    GrowthPage& page = context.state<GrowthPage>();
+    bool cut = page.form.cut;
+    if (ImGui::Checkbox("Clip to a box", &cut)) {
+        if (cut) page.form.cutByOwnBox();
+        page.form.cut = cut;
+    }
+    tooltip("Points on its walls are boundary points");
+    if (page.form.cut && drawBoxFields(context, page.form.box)) beginByEnter(context);
+}
+
+void drawGrowthForm(const PanelContext& context) {
+    GrowthPage& page = context.state<GrowthPage>();
+    heading(context, "New points");
+    drawSources(context);
+    page.form.from == GrowthSource::Shape ? drawShapes(context) : drawVolume(context);
+    ImGui::Spacing();
+    field(context, "Isovalue",
+          page.form.from == GrowthSource::Shape ? "that of the shape" : "that of the volume",
+          page.form.isovalue);
+    drawNumber(context, "Points", "Exact number", false);
+    drawNumber(context, "Spacing", "As many as fit at this distance", true);
+    field(context, "Seed", "a whole number", page.form.seed, "Seed of the random start positions");
+    field(context, "Curvature", "0 to 100", page.form.curvature,
+          "Denser where the surface bends: the spacing is divided by 1 + this times the curvature "
+          "over its mean, at most by 5");
+    drawBox(context);
+    ImGui::Spacing();
+    if (textButton(context, "Restart", "growth begin",
+                   "Spread these particles (Enter in a field, or " + context.key("run.start") + ")",
+                   -1.0F))
+        page.asked = GrowthAsk::Begin;
+    if (!page.complaint.empty()) wrappedText("! " + page.complaint, context.palette.rejected);
+}
+
+// ---- The bar and the view -----------------------------------------------------------------------
 
 /// Values that fit beside each other share a line; the others go to the next.
 class Values {
@@ -108,21 +245,23 @@ void drawEndings(const PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           toVec4(mix(context.palette.accent, context.palette.text, 0.15F)));
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-    if (ImGui::Button("Use these points")) page.asked = GrowthAsk::Use;
+    const bool use = ImGui::Button("Use these points");
     ImGui::PopStyleColor(3);
-    context.where()["growth use"] = lastItem();
-    tooltip(page.phase == GrowthPhase::Done ? "Open a run on them"
-                                            : "Open a run on them as they are now");
+    nameItem(context, "growth use",
+             page.phase == GrowthPhase::Done ? "Open a run on them"
+                                             : "Open a run on them as they are now");
+    if (use) page.asked = GrowthAsk::Use;
     ImGui::SameLine();
-    if (ImGui::Button("Save as PLY...")) context.run("file.savepoints");
-    context.where()["growth save"] = lastItem();
     const std::string command = sampleCommand(page.made);
-    tooltip(command.empty() ? "Save them as they are now" : "The same file as by\n" + command);
+    if (textButton(
+            context, "Save as PLY...", "growth save",
+            command.empty() ? "Save them as they are now" : "The same file as by\n" + command))
+        context.run("file.savepoints");
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (ImGui::Button("Cancel")) page.asked = GrowthAsk::Leave;
-    context.where()["growth cancel"] = lastItem();
-    tooltip("Leave this page (" + context.key("help.leave") + ")");
+    if (textButton(context, "Cancel", "growth cancel",
+                   "Leave this page (" + context.key("help.leave") + ")"))
+        page.asked = GrowthAsk::Leave;
 }
 
 float endingsWidth() {
@@ -146,21 +285,6 @@ void drawBar(const PanelContext& context) {
     drawValues(context);
     if (!said.empty())
         ImGui::TextUnformatted(fitted(said, ImGui::GetContentRegionAvail().x).c_str());
-}
-
-void drawParticles(const PanelContext& context) {
-    const Rect& view = context.rects.view;
-    if (view.size.x < 1.0F || view.size.y < 1.0F) return;
-    const auto texture =
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
-    ImGui::SetCursorScreenPos(toVec2(view.min));
-    ImGui::InvisibleButton("##scene", toVec2(view.size),
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
-    moveCameraByMouse(context);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1}, {1, 0});
-    drawAxes(context, {});
 }
 
 /// Legend of the shapes.
@@ -206,14 +330,11 @@ void drawGrowthPage(const PanelContext& context) {
                                             toU32(context.palette.border));
     }
     ImGui::End();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
-    const bool open = beginRegion(
-        "##view", l.view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    if (open) {
-        drawParticles(context);
+    if (beginView(context, "##view")) {
+        offerView(context);
+        moveCameraByMouse(context);
+        drawViewPicture(context);
+        drawAxes(context, {});
         drawKey(context);
     }
     ImGui::End();

@@ -1,11 +1,8 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
-#include <imgui.h>
-
-#include <algorithm>
-
 #include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
+#include "panels/widgets/boxes.h"
 #include "panels/widgets/widgets.h"
 #include "run/rule_set.h"
 #include "session/layout_preset.h"
@@ -18,12 +15,18 @@ namespace {
 
 void ask(const PanelContext& context, const RuleSet& rules) { context.requests().rules = rules; }
 
+/// Adds a what-if, or says why the fields are none.
+void askOrSay(const PanelContext& context, const RuleSet& rules, const Result<WhatIf>& what) {
+    if (what) return ask(context, withWhatIf(rules, what.value()));
+    context.session().messages().say(what.error().message);
+}
+
 /// A button that adds a what-if.
 void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
            const std::string& label, const std::string& name) {
-    if (ImGui::Button(label.c_str())) ask(context, withWhatIf(rules, what));
-    context.where()["what if " + name] = lastItem();
-    tooltip(describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it.");
+    if (textButton(context, label, "what if " + name,
+                   describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it."))
+        ask(context, withWhatIf(rules, what));
 }
 
 void drawPresent(const PanelContext& context, const RuleSet& rules) {
@@ -31,40 +34,28 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
     for (std::size_t i = 0; i < rules.whatIf.size(); ++i) {
         const WhatIf& what = rules.whatIf[i];
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::SmallButton("x")) ask(context, withoutWhatIf(rules, i));
-        context.where()["what if remove " + std::to_string(i + 1)] = lastItem();
-        tooltip("Remove this what-if");
+        const std::string number = std::to_string(i + 1);
+        if (smallButton(context, "x", "what if remove " + number, "Remove this what-if"))
+            ask(context, withoutWhatIf(rules, i));
         ImGui::SameLine();
-        const std::string text = lineOf(what);
-        if (ImGui::Selectable(fitted(text, ImGui::GetContentRegionAvail().x).c_str())) {
+        if (selectable(context, fitted(lineOf(what), ImGui::GetContentRegionAvail().x), false,
+                       "what if " + number, describe(what) + "\nClick to go there."))
             session.moves().goTo(placeOf(what));
-        }
-        context.where()["what if " + std::to_string(i + 1)] = lastItem();
-        tooltip(describe(what) + "\nClick to go there.");
         const std::string& problem = session.input().whatIfProblem(i);
-        if (!problem.empty() && !session.input().isRerunning()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-            wrappedText("No effect. " + problem);
-            ImGui::PopStyleColor();
-        }
+        if (!problem.empty() && !session.input().isRerunning())
+            wrappedText("No effect. " + problem, context.palette.rejected);
         ImGui::PopID();
     }
-    if (rules.whatIf.empty()) {
-        ImGui::TextDisabled("No what-ifs are active.");
-        return;
-    }
-    if (ImGui::Button("Remove all what-ifs")) context.run("edit.whatif.clear");
-    context.where()["what if clear"] = lastItem();
+    if (rules.whatIf.empty()) return ImGui::TextDisabled("No what-ifs are active.");
+    if (textButton(context, "Remove all what-ifs", "what if clear"))
+        context.run("edit.whatif.clear");
 }
 
 void drawOffers(const PanelContext& context, const RuleSet& rules) {
     const Session& session = context.session();
     const Event* event = session.event();
     heading(context, "Here", addressText(session));
-    if (event == nullptr) {
-        ImGui::TextDisabled("No decision at the start of the run.");
-        return;
-    }
+    if (event == nullptr) return ImGui::TextDisabled("No decision at the start of the run.");
     const auto offers = offersHere(session);
     for (std::size_t i = 0; i < offers.size(); ++i) {
         const std::string name = i == 0 ? "here" : "here " + std::to_string(i + 1);
@@ -72,9 +63,7 @@ void drawOffers(const PanelContext& context, const RuleSet& rules) {
     }
     const bool said = describe(*event).starts_with("What if");
     if (said) wrappedText("A what-if decides here: the cross above removes it.");
-    if (offers.empty() && !said) {
-        wrappedText(noOfferText(*event));
-    }
+    if (offers.empty() && !said) wrappedText(noOfferText(*event));
 }
 
 /// The selected point, otherwise the pivot.
@@ -94,29 +83,21 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
         ImGui::PushID(kNames[i]);
         textField("##to", kNames[i], form.to[i]);
         ImGui::PopID();
-        context.where()[std::string("what if ") + kNames[i]] = lastItem();
+        nameItem(context, std::string("what if ") + kNames[i]);
     }
-    if (ImGui::Button("Move it there")) {
-        const auto what = form.move(pivot);
-        what ? ask(context, withWhatIf(rules, what.value()))
-             : context.session().messages().say(what.error().message);
-    }
-    context.where()["what if move"] = lastItem();
-    tooltip("From pivot " + std::to_string(pivot) + " on; its triangles move along.");
+    if (textButton(context, "Move it there", "what if move",
+                   "From pivot " + std::to_string(pivot) + " on; its triangles move along."))
+        askOrSay(context, rules, form.move(pivot));
 }
 
 void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
     WhatIfForm& form = context.state<WhatIfForm>();
     ImGui::SetNextItemWidth(-1.0F);
     textField("##list", "its neighbors, as numbers", form.list);
-    context.where()["what if list"] = lastItem();
-    if (ImGui::Button("Give it this list")) {
-        const auto what = form.neighbors(pivot);
-        what ? ask(context, withWhatIf(rules, what.value()))
-             : context.session().messages().say(what.error().message);
-    }
-    context.where()["what if neighbors"] = lastItem();
-    tooltip("From pivot " + std::to_string(pivot) + " on; the list is sorted by distance.");
+    nameItem(context, "what if list");
+    if (textButton(context, "Give it this list", "what if neighbors",
+                   "From pivot " + std::to_string(pivot) + " on; the list is sorted by distance."))
+        askOrSay(context, rules, form.neighbors(pivot));
 }
 
 void drawPoint(const PanelContext& context, const RuleSet& rules) {
@@ -125,8 +106,7 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
     ImGui::Spacing();
     if (point == kNone) {
         heading(context, "Point");
-        ImGui::TextDisabled("Select a point to move it or to edit its list.");
-        return;
+        return ImGui::TextDisabled("Select a point to move it or to edit its list.");
     }
     heading(context, ("Point " + std::to_string(point)).c_str(),
             session.selected() == kNone ? "the pivot" : "selected");
@@ -144,14 +124,10 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
 
 void drawWhatIf(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RuleSet rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
-    heading(context, "What if",
-            count == 0 ? "" : std::to_string(count) + (count == 1 ? " change" : " changes"));
+    heading(context, "What if", count == 0 ? "" : counted(count, "change", "changes"));
     drawPresent(context, rules);
     ImGui::Spacing();
     drawOffers(context, rules);
@@ -163,24 +139,15 @@ void drawWhatIfBanner(const PanelContext& context) {
     if (!session.ready() || context.rects.layoutPreset == LayoutPreset::Present) return;
     const std::size_t count = session.input().spec().whatIf.size();
     if (count == 0) return;
-    const Rect& view = context.rects.view;
-    const float em = context.em;
-    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 0.6F * em},
-                            ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * context.em, 0.3F * context.em});
     ImGui::PushStyleColor(ImGuiCol_Border, toVec4(context.palette.test));
-    if (ImGui::Begin("##whatif", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                         ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (beginOverView(context, "##whatif", 0.6F, std::nullopt)) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(
-            ("What if: " + std::to_string(count) + (count == 1 ? " change" : " changes")).c_str());
+        ImGui::TextUnformatted(("What if: " + counted(count, "change", "changes")).c_str());
         ImGui::SameLine();
-        if (ImGui::SmallButton("Remove all")) context.run("edit.whatif.clear");
-        context.where()["true run"] = lastItem();
-        tooltip("Remove all what-ifs");
+        if (smallButton(context, "Remove all", "true run", "Remove all what-ifs"))
+            context.run("edit.whatif.clear");
     }
     ImGui::End();
     ImGui::PopStyleColor();

@@ -2,8 +2,8 @@
 
 #include "commands/palette_entries.h"
 #include "input/key_routing.h"
-#include "panel_state/command_palette.h"
 #include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 
@@ -68,9 +68,8 @@ void drawCommandPalette(const PanelContext& context) {
         palette.justOpened = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
         ImGui::SetNextItemWidth(-1.0F);
         if (ImGui::InputTextWithHint("##filter", "Type an action, a panel or a scene",
-                                     palette.filter.data(), palette.filter.size())) {
+                                     palette.filter.data(), palette.filter.size()))
             palette.chosen = 0;
-        }
         if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
         const std::vector<PaletteEntry> matches = matchesNow(palette);
         const bool enter = moveChoice(palette, matches.size());

@@ -4,12 +4,9 @@
 
 #include "input/key_routing.h"
 #include "mesh_fields.h"
-#include "panel_state/file_browser_state.h"
-#include "panel_state/growth_page.h"
-#include "panel_state/mesh_form.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
+#include "panels/widgets/boxes.h"
 #include "panels/widgets/widgets.h"
 #include "session/mesh_command.h"
 #include "session/session.h"
@@ -207,9 +204,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
             openSource(context, source);
         }
     }
-    if (!state.error.empty()) {
-        wrappedText("! " + state.error, context.palette.rejected);
-    }
+    if (!state.error.empty()) wrappedText("! " + state.error, context.palette.rejected);
 }
 
 void drawFiles(const PanelContext& context, FileBrowsing& state) {
@@ -275,20 +270,9 @@ void drawFileBrowser(const PanelContext& context) {
         return;
     }
     if (!state.shown || state.task != context.ui().browser) prepare(context, state);
-    const float em = context.em;
-    const PanelRects& l = context.rects;
-    const glm::vec2 screen(l.status.size.x, l.status.max().y);
-    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize(
-        {std::min(48.0F * em, screen.x - 2.0F * em), std::min(32.0F * em, screen.y - 2.0F * em)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    const bool shown = ImGui::Begin(
-        wordsFor(context.ui().browser).title, &open,
-        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
-    ImGui::PopStyleVar();
-    const bool scenes = context.ui().browser == BrowserTask::Open;
-    if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
+    placeDialog(context, {48.0F, 32.0F});
+    if (beginDialog(wordsFor(state.task).title, &open, ImGuiWindowFlags_NoScrollbar))
+        state.task == BrowserTask::Open ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // After a question the input line has the keyboard focus again.
     state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);

@@ -1,10 +1,8 @@
-#include <algorithm>
-#include <string>
+#include <array>
 #include <utility>
 
-#include "panel_state/unsaved_prompt.h"
-#include "panels/panel.h"
-#include "panels/widgets/widgets.h"
+#include "panel_state/ui_requests.h"
+#include "panels/widgets/boxes.h"
 
 namespace se::view {
 
@@ -12,17 +10,10 @@ namespace {
 
 constexpr const char* kQuestionTitle = "##leave";
 
-const char* headline(LeaveFor what) {
-    switch (what) {
-        case LeaveFor::Quit:
-            return "Quit without saving?";
-        case LeaveFor::Open:
-            return "Open another file without saving?";
-        case LeaveFor::Reload:
-            return "Reload without saving?";
-    }
-    return "";
-}
+/// By LeaveFor.
+constexpr std::array kHeadlines = {"Quit without saving?", "Open another file without saving?",
+                                   "Reload without saving?"};
+static_assert(kHeadlines.size() == static_cast<std::size_t>(LeaveFor::Reload) + 1);
 
 struct Choice {
     const char* label;
@@ -47,8 +38,8 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
     const bool row = width + 2.0F * style.ItemSpacing.x <= ImGui::GetContentRegionAvail().x;
     for (const Choice& each : kChoices) {
         if (row && each.answer != LeaveAnswer::Save) ImGui::SameLine();
-        if (ImGui::Button(each.label, {row ? 0.0F : -1.0F, 0.0F})) question.answer = each.answer;
-        context.where()[each.id] = lastItem();
+        if (textButton(context, each.label, each.id, each.help, row ? 0.0F : -1.0F))
+            question.answer = each.answer;
         if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
             takeKeyboard();
         }
@@ -56,7 +47,6 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
         const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
                            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));
         if (ImGui::IsItemFocused() && enter) question.answer = each.answer;
-        tooltip(each.help);
     }
 }
 
@@ -65,9 +55,7 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
 void drawLeaveQuestion(const PanelContext& context) {
     LeaveQuestion& question = context.state<LeaveQuestion>();
     if (question.asked && !ImGui::IsPopupOpen(kQuestionTitle)) ImGui::OpenPopup(kQuestionTitle);
-    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
-    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(26.0F * context.em, screen.x - 2.0F * context.em), 0.0F});
+    placeDialog(context, {26.0F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     const bool open = ImGui::BeginPopupModal(
         kQuestionTitle, nullptr,
@@ -75,7 +63,7 @@ void drawLeaveQuestion(const PanelContext& context) {
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
     if (!open) return;
-    heading(context, headline(question.leave.what));
+    heading(context, kHeadlines[static_cast<std::size_t>(question.leave.what)]);
     wrappedText("There are unsaved " + question.atStake + ".");
     ImGui::Spacing();
     drawChoices(context, question);

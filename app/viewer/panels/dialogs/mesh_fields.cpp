@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "panel_state/file_browser_state.h"
-#include "panel_state/mesh_form.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
@@ -24,11 +23,11 @@ void drawName(const PanelContext& context, const char* name) {
 }
 
 /// A choice, beside the previous one if there is room. True if it was chosen.
-bool drawChoice(const PanelContext& context, const char* label, bool on, const char* where,
-                bool first) {
+bool drawChoice(const PanelContext& context, const std::string& label, bool on,
+                const std::string& where, const std::string& tip, bool first) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width =
-        ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+        ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label.c_str()).x;
     if (!first) {
         ImGui::SameLine(0.0F, context.em);
         if (ImGui::GetContentRegionAvail().x < width) {
@@ -36,8 +35,8 @@ bool drawChoice(const PanelContext& context, const char* label, bool on, const c
             ImGui::SameLine(kFieldColumn * context.em);
         }
     }
-    const bool chosen = ImGui::RadioButton(label, on);
-    context.where()[where] = lastItem();
+    const bool chosen = ImGui::RadioButton(label.c_str(), on);
+    nameItem(context, where, tip);
     return chosen;
 }
 
@@ -54,9 +53,9 @@ void drawFormats(const PanelContext& context, std::string& name) {
     for (std::size_t i = 0; i < meshFormats().size(); ++i) {
         const MeshFormat& format = meshFormats()[i];
         const std::string label(format.name);
-        if (drawChoice(context, label.c_str(), form.format == i, ("mesh " + label).c_str(), i == 0))
+        if (drawChoice(context, label, form.format == i, "mesh " + label, leftOutText(format),
+                       i == 0))
             form.choose(i, name);
-        tooltip(leftOutText(format));
     }
     ImGui::SetCursorPosX(kFieldColumn * context.em);
     dimText(leftOutText(meshFormats()[form.format]));
@@ -66,12 +65,11 @@ void drawPoints(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
     drawName(context, "Points");
     if (drawChoice(context, "All, in the order of the input", !form.usedOnly, "mesh all points",
-                   true))
+                   "Also points in no triangle", true))
         form.usedOnly = false;
-    tooltip("Also points in no triangle");
-    if (drawChoice(context, "Used points only", form.usedOnly, "mesh used points", false))
+    if (drawChoice(context, "Used points only", form.usedOnly, "mesh used points",
+                   "Without points in no triangle (--used-points)", false))
         form.usedOnly = true;
-    tooltip("Without points in no triangle (--used-points)");
 }
 
 /// Size of the mesh, and the state of the run.
@@ -91,12 +89,11 @@ void drawSize(const PanelContext& context) {
 
 void drawCopy(const PanelContext& context, const std::string& path) {
     MeshForm& form = context.state<MeshForm>();
-    if (ImGui::Button("Copy command")) {
+    if (textButton(context, "Copy command", "mesh copy command",
+                   "The command line that writes the same file, for a terminal")) {
         form.path = path;
         form.ask = MeshAsk::CopyCommand;
     }
-    context.where()["mesh copy command"] = lastItem();
-    tooltip("The command line that writes the same file, for a terminal");
     if (form.note.empty()) return;
     ImGui::SameLine();
     dimText(form.note);
@@ -105,12 +102,10 @@ void drawCopy(const PanelContext& context, const std::string& path) {
 void drawQuestion(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
     wrappedText(replaceText(form.question, context.session().input().spec().source));
-    const bool replace = ImGui::Button("Replace");
+    const bool replace = textButton(context, "Replace", "mesh replace");
     const bool chosen = ImGui::IsItemFocused();
-    context.where()["mesh replace"] = lastItem();
     ImGui::SameLine();
-    const bool keep = ImGui::Button("Cancel (Esc)");
-    context.where()["mesh keep"] = lastItem();
+    const bool keep = textButton(context, "Cancel (Esc)", "mesh keep");
     // The safe answer has the keyboard focus. Space is Dear ImGui's own key for it.
     if (std::exchange(form.justAsked, false)) takeKeyboard();
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
@@ -130,8 +125,7 @@ void drawWork(const PanelContext& context) {
                        form.writing ? "writing" : "running to the end");
     ImGui::SameLine();
     ImGui::BeginDisabled(form.writing);
-    if (ImGui::Button("Cancel", {-1.0F, 0.0F})) form.ask = MeshAsk::Cancel;
-    context.where()["mesh cancel"] = lastItem();
+    if (textButton(context, "Cancel", "mesh cancel", {}, -1.0F)) form.ask = MeshAsk::Cancel;
     ImGui::EndDisabled();
 }
 

@@ -10,7 +10,7 @@
 #include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
 #include "jobs/questions.h"
-#include "panel_state/finding_panels.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"

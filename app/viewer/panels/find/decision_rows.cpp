@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "jobs/background_job.h"
-#include "panel_state/query_panel_state.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"
 #include "spiraling_edge/explain/ledger.h"

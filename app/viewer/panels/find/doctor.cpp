@@ -4,7 +4,7 @@
 #include <span>
 
 #include "jobs/doctor_job.h"
-#include "panel_state/finding_panels.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"

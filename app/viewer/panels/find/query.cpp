@@ -5,7 +5,7 @@
 #include "decision_rows.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"

@@ -2,7 +2,7 @@
 
 #include "commands/ask_actions.h"
 #include "panel_state/compare_page.h"
-#include "panel_state/query_panel_state.h"
+#include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"

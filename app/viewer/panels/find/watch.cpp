@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel_state/finding_panels.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/watch_plot.h"

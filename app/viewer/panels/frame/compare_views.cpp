@@ -2,10 +2,9 @@
 #include <algorithm>
 
 #include "panel_state/compare_page.h"
-#include "panel_state/query_panel_state.h"
-#include "panels/panel.h"
+#include "panel_state/side_panels.h"
+#include "panels/widgets/boxes.h"
 #include "panels/widgets/camera_mouse.h"
-#include "panels/widgets/widgets.h"
 #include "run/status_list.h"
 #include "session/session.h"
 #include "view_parts.h"
@@ -28,7 +27,7 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
     ImGui::PopStyleVar(2);
     if (open) {
         ImDrawList* list = ImGui::GetWindowDrawList();
-        list->AddRectFilled(toVec2(bar.min), toVec2(bar.max()), toU32(context.palette.panelRaised));
+        fill(list, bar, context.palette.panelRaised);
         list->AddRectFilled(toVec2(bar.min), {bar.min.x + 0.3F * em, bar.max().y}, toU32(color));
         const float y = bar.min.y + 0.5F * (bar.size.y - em);
         list->AddText(context.fonts.strong, em, {bar.min.x + 0.8F * em, y}, toU32(color), letter);
@@ -61,8 +60,8 @@ void drawEmptyView(const PanelContext& context) {
         } else {
             dimText("Choose on the left what to compare this run with, or", width);
             const std::string usual = usualOther(context.session().input().spec()).rules + " rules";
-            if (ImGui::Button(("Compare with the " + usual).c_str())) context.run("run.compare");
-            context.where()["compare usual"] = lastItem();
+            if (textButton(context, "Compare with the " + usual, "compare usual"))
+                context.run("run.compare");
         }
         ImGui::EndGroup();
     }
@@ -71,23 +70,11 @@ void drawEmptyView(const PanelContext& context) {
 
 /// A mesh from a file: it can be viewed, but has no steps.
 void drawStill(const PanelContext& context) {
-    const Rect& view = context.rects.view;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    const bool open = beginRegion(
-        "##otherStill", view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
-    if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
-        ImGui::SetCursorScreenPos(toVec2(view.min));
-        ImGui::InvisibleButton("##scene", toVec2(view.size),
-                               ImGuiButtonFlags_MouseButtonLeft |
-                                   ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+    if (beginView(context, "##otherStill")) {
+        offerView(context);
         moveCameraByMouse(context);
         if (isClick(context, ImGuiMouseButton_Right)) context.state<SubjectMenu>().openBeside({});
-        const auto texture =
-            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
-        ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
-                                             {1, 0});
+        drawViewPicture(context);
     }
     ImGui::End();
 }
@@ -110,15 +97,13 @@ void drawOther(const PanelContext& context) {
                              true,
                              &context.session()};
     if (other.commands == nullptr) return drawStill(there);
-    drawScene(there, "##otherView");
-    drawSentence(there, "##otherNarration");
+    drawView(there, "##otherView");
+    drawNarration(there, "##otherNarration");
 }
 
-/// "B 212.sphere.3", the position of the other run.
+/// "212.sphere.3   12 only here", with the position of the run.
 std::string noteOf(const Session& session, std::size_t only) {
-    const std::string place =
-        session.event() != nullptr ? toString(session.address()) : std::string("start");
-    return place + "   " + grouped(only) + " only here";
+    return addressText(session) + "   " + grouped(only) + " only here";
 }
 
 void drawEmptySentence(const PanelContext& context) {
@@ -152,8 +137,7 @@ void drawComparedViews(const PanelContext& context) {
             noteB = noteOf(*now->other(), found->meshes.onlyB);
     }
     drawTitle(context, rects.otherTitle, "B", nameB, context.palette.last, noteB);
-    if (context.other == nullptr) drawEmptyView(context);
-    if (context.other != nullptr) drawOther(context);
+    context.other == nullptr ? drawEmptyView(context) : drawOther(context);
     if (context.other == nullptr || context.other->commands == nullptr) drawEmptySentence(context);
 }
 

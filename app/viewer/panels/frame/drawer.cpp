@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include "panel_state/step_panels_state.h"
-#include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "strips.h"
 
@@ -28,10 +26,7 @@ void drawFoldButton(const PanelContext& context) {
     const float r = 0.32F * em;
     const float tip = folded ? -0.5F * r : 0.5F * r;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    if (hovered) {
-        list->AddRectFilled(at, {at.x + side, at.y + side}, toU32(context.palette.panelRaised),
-                            0.2F * em);
-    }
+    if (hovered) fill(list, lastItem(), context.palette.panelRaised, 0.2F * em);
     const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
     list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
                       0, std::max(1.5F, 0.12F * em));
@@ -39,19 +34,19 @@ void drawFoldButton(const PanelContext& context) {
 
 }  // namespace
 
-Rect barsOf(const PanelContext& context, const Rect& strip, float height, float top) {
+Rect beginStrip(const PanelContext& context, const char* name, const Rect& strip, float height,
+                float top) {
     const float left = kGutter * context.em;
     const float right = kDrawerMargin * context.em;
-    return {{strip.min.x + left, strip.min.y + top},
-            {std::max(1.0F, strip.size.x - left - right), std::max(1.0F, height)}};
-}
-
-void stripName(const PanelContext& context, const char* name, const Rect& bars) {
-    ImFont* font = context.fonts.strong;
+    const Rect bars{{strip.min.x + left, strip.min.y + top},
+                    {std::max(1.0F, strip.size.x - left - right), std::max(1.0F, height)}};
     const float size = 0.85F * context.em;
     const float y = bars.min.y + 0.5F * (std::min(bars.size.y, 1.6F * context.em) - size);
-    ImGui::GetWindowDrawList()->AddText(font, size, {0.7F * context.em, y - 0.1F * size},
+    ImGui::GetWindowDrawList()->AddText(context.fonts.strong, size,
+                                        {0.7F * context.em, y - 0.1F * size},
                                         toU32(context.palette.textDim), name);
+    context.where()["strip " + lowerCase(name)] = bars;
+    return bars;
 }
 
 void keepSteps(const PanelContext& context) {

@@ -1,4 +1,4 @@
-#include "lane_strip.h"
+#include "strips.h"
 
 #include "scene/draw_list.h"
 #include "session/session.h"
@@ -24,22 +24,20 @@ void drawGathered(const RunStrip& strip) {
     const Palette& palette = strip.context.palette;
     const float bottom = strip.lanes.max().y;
     const float top = bottom - kGathered * em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled({strip.lanes.min.x, top}, {strip.lanes.max().x, top + 1.0F},
-                        toU32(palette.border));
+    strip.list->AddRectFilled({strip.lanes.min.x, top}, {strip.lanes.max().x, top + 1.0F},
+                              toU32(palette.border));
     const float unit = (bottom - top - 0.15F * em) / static_cast<float>(picture.gathered);
     const ImU32 color = toU32(palette.used.withAlpha(0.75F));
     for (std::size_t c = 0; c < picture.crowd.size(); ++c) {
         if (picture.crowd[c] == 0) continue;
         const float x = strip.bars.min.x + static_cast<float>(c);
         const float height = std::max(1.0F, unit * static_cast<float>(picture.crowd[c]));
-        list->AddRectFilled({x, bottom - height}, {x + 1.0F, bottom}, color);
+        strip.list->AddRectFilled({x, bottom - height}, {x + 1.0F, bottom}, color);
     }
 }
 
 /// The active ring thick, those that wait on the stack thin.
 void drawBars(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const Palette& palette = strip.context.palette;
     const float thick = std::max(2.0F, std::round(0.46F * strip.pitch));
     const float thin = std::max(1.0F, std::round(0.14F * strip.pitch));
@@ -50,13 +48,12 @@ void drawBars(const RunStrip& strip) {
             const float y = std::round(strip.yOf(bar.row) - 0.5F * (active ? thick : thin));
             const float from = strip.bars.min.x + bar.from;
             const float to = std::max(strip.bars.min.x + bar.to, from + 1.0F);
-            list->AddRectFilled({from, y}, {to, y + (active ? thick : thin)}, color);
+            strip.list->AddRectFilled({from, y}, {to, y + (active ? thick : thin)}, color);
         }
     }
 }
 
 void drawSign(const RunStrip& strip, const LaneSign& sign) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const Palette& palette = strip.context.palette;
     const float em = strip.context.em;
     const float x = std::round(strip.bars.min.x + sign.x);
@@ -67,29 +64,30 @@ void drawSign(const RunStrip& strip, const LaneSign& sign) {
         case LaneChangeKind::Split:
         case LaneChangeKind::Join: {
             const ImU32 line = toU32(palette.used);
-            list->AddRectFilled(
+            strip.list->AddRectFilled(
                 {x, std::min(y, strip.yOf(sign.otherRow))},
                 {x + std::max(1.0F, 0.08F * em), std::max(y, strip.yOf(sign.otherRow))}, line);
             if (!sign.alone) break;
             // A split opens forward, a join closes: triangles on the lane that begins or ends.
             const bool split = sign.kind == LaneChangeKind::Split;
-            drawShape(list, {split ? x + 0.3F * size : x - 0.2F * size, y}, size,
+            drawShape(strip.list, {split ? x + 0.3F * size : x - 0.2F * size, y}, size,
                       split ? Shape::Forward : Shape::Back, color);
             break;
         }
         case LaneChangeKind::Closed:
-            list->AddCircleFilled({x, y}, 0.5F * size, toU32(palette.background));
-            drawShape(list, {x, y}, size, Shape::Circle, color);
+            strip.list->AddCircleFilled({x, y}, 0.5F * size, toU32(palette.background));
+            drawShape(strip.list, {x, y}, size, Shape::Circle, color);
             break;
         case LaneChangeKind::Freed:
-            drawShape(list, {x, y}, size, Shape::Square, color);
+            drawShape(strip.list, {x, y}, size, Shape::Square, color);
             break;
         case LaneChangeKind::Hole:
-            drawShape(list, {x, y}, 1.15F * size, Shape::Cross, toU32(palette.rejected));
+            drawShape(strip.list, {x, y}, 1.15F * size, Shape::Cross, toU32(palette.rejected));
             break;
         case LaneChangeKind::Seed:
-            list->AddRectFilled({x, y - 0.5F * strip.pitch},
-                                {x + std::max(1.0F, 0.1F * em), y + 0.5F * strip.pitch}, color);
+            strip.list->AddRectFilled({x, y - 0.5F * strip.pitch},
+                                      {x + std::max(1.0F, 0.1F * em), y + 0.5F * strip.pitch},
+                                      color);
             break;
         case LaneChangeKind::Activated:
             break;
@@ -123,15 +121,14 @@ float pitchOf(const RunStrip& strip) {
 }
 
 void drawRingLengths(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 color = toU32(strip.context.palette.used.withAlpha(0.16F));
     const float bottom = strip.lanes.max().y;
     const auto& lengths = strip.picture().ringLength;
     for (std::size_t c = 0; c < lengths.size(); ++c) {
         if (lengths[c] <= 0.0F) continue;
         const float x = strip.bars.min.x + static_cast<float>(c);
-        list->AddRectFilled({x, bottom - lengths[c] * strip.lanes.size.y}, {x + 1.0F, bottom},
-                            color);
+        strip.list->AddRectFilled({x, bottom - lengths[c] * strip.lanes.size.y}, {x + 1.0F, bottom},
+                                  color);
     }
 }
 
@@ -150,8 +147,8 @@ void drawMore(const RunStrip& strip) {
     ImFont* font = strip.context.fonts.text;
     const float width = font->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
     const float y = strip.yOf(picture.rows - 1) - 0.5F * size;
-    ImGui::GetWindowDrawList()->AddText(font, size, {strip.bars.min.x - 0.4F * em - width, y},
-                                        toU32(strip.context.palette.textDim), text.c_str());
+    strip.list->AddText(font, size, {strip.bars.min.x - 0.4F * em - width, y},
+                        toU32(strip.context.palette.textDim), text.c_str());
 }
 
 std::string gatheredText(const RunStrip& strip, ImVec2 mouse) {

@@ -1,9 +1,4 @@
-#include "panel_state/growth_page.h"
-#include "panel_state/recent.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
-#include "panel_state/view_settings.h"
-#include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"
 #include "scene/up_axis.h"
@@ -42,35 +37,15 @@ void drawSceneMenu(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// The layouts are rows of the table of commands as well, but here the current one is checked.
-void drawLayouts(const PanelContext& context) {
-    if (!ImGui::BeginMenu("Layout")) return;
-    for (const LayoutPresetRow& row : layoutPresets()) {
-        const bool on = context.ui().layoutPreset == row.id;
-        const std::string command = "view.layout." + std::string(row.name);
-        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
-    }
-    ImGui::EndMenu();
-}
-
-/// The styles of the mesh, with a check at the current one.
-void drawMeshStyles(const PanelContext& context) {
-    if (!ImGui::BeginMenu("Mesh")) return;
-    for (const MeshStyleRow& row : meshStyles()) {
-        const bool on = context.settings().meshStyle == row.id;
-        const std::string command = "view.mesh." + std::string(row.name);
-        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
-    }
-    ImGui::EndMenu();
-}
-
-/// The colors of the points, with a check at the current one.
-void drawPointTints(const PanelContext& context) {
-    if (!ImGui::BeginMenu("Points")) return;
-    for (const PointTintRow& row : pointTints()) {
-        const bool on = context.settings().pointTint == row.id;
-        const std::string command = "view.points." + std::string(row.name);
-        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+/// A submenu of the rows of a table, with a check at the current one. Each row is a command as
+/// well, "view.layout.NAME", which the menu around it leaves out.
+template <class Rows, class Id>
+void drawChoices(const PanelContext& context, const char* menu, const std::string& commands,
+                 const Rows& rows, Id current) {
+    if (!ImGui::BeginMenu(menu)) return;
+    for (const auto& row : rows) {
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, row.id == current))
+            context.run(commands + std::string(row.name));
     }
     ImGui::EndMenu();
 }
@@ -98,14 +73,14 @@ bool isChoice(const Command& command) {
 
 void drawItem(const PanelContext& context, const Command& command) {
     const std::string key = context.key(command);
-    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
+    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str()))
         runCommand(command, context.commands);
-    }
 }
 
 /// One menu from all commands of a group.
 void drawMenuGroup(const PanelContext& context, std::string_view group) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) return;
+    const UiState& ui = context.ui();
     for (const Command& command : commands()) {
         if (command.group != group) continue;
         if (command.id == "view.up.auto") drawUpAxes(context);
@@ -115,9 +90,12 @@ void drawMenuGroup(const PanelContext& context, std::string_view group) {
             drawRecent(context);
             drawSceneMenu(context);
         }
-        if (command.id == "view.layout.next") drawLayouts(context);
-        if (command.id == "view.mesh.next") drawMeshStyles(context);
-        if (command.id == "view.mesh.next") drawPointTints(context);
+        if (command.id == "view.layout.next")
+            drawChoices(context, "Layout", "view.layout.", layoutPresets(), ui.layoutPreset);
+        if (command.id == "view.mesh.next") {
+            drawChoices(context, "Mesh", "view.mesh.", meshStyles(), ui.settings.meshStyle);
+            drawChoices(context, "Points", "view.points.", pointTints(), ui.settings.pointTint);
+        }
     }
     ImGui::EndMenu();
 }

@@ -1,3 +1,5 @@
+// The sentence below the view: the decision at the cursor, in the largest type in which all of it
+// fits. In Compare both sentences have the same type, so that they can be compared as well.
 #include <algorithm>
 
 #include "panel_state/ui_state.h"
@@ -79,9 +81,7 @@ void drawAddressLine(const PanelContext& context) {
 
 }  // namespace
 
-void drawNarration(const PanelContext& context) { drawSentence(context, "##narration"); }
-
-void drawSentence(const PanelContext& context, const char* window) {
+void drawNarration(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.rects.narration)) {
         // Other messages are shown in the view for a while: see drawNotices().

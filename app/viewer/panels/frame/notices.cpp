@@ -1,9 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "panel_state/ui_state.h"
-#include "panels/panel.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/boxes.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -12,34 +12,16 @@ namespace {
 
 /// A plate in the middle of the view.
 bool beginNotice(const PanelContext& context, const char* name) {
-    const Rect& view = context.rects.view;
-    const glm::vec2 middle = view.min + 0.5F * view.size;
-    ImGui::SetNextWindowPos(toVec2(middle), ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(26.0F * context.em, 0.9F * view.size.x), 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    const bool open = ImGui::Begin(
-        name, nullptr,
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    const bool open = beginOverView(context, name, std::nullopt, 26.0F);
     ImGui::PopStyleVar();
     return open;
 }
 
-const char* partName(LoadPart part) {
-    switch (part) {
-        case LoadPart::Reading:
-            return "reading the points";
-        case LoadPart::Sampling:
-            return "spreading the points";
-        case LoadPart::Preparing:
-            return "finding neighbors";
-        case LoadPart::Placing:
-            return "preparing the view";
-        case LoadPart::Beginning:
-            return "starting the run";
-    }
-    return "";
-}
+/// By LoadPart.
+constexpr std::array kPartNames = {"reading the points", "spreading the points",
+                                   "finding neighbors", "preparing the view", "starting the run"};
+static_assert(kPartNames.size() == static_cast<std::size_t>(LoadPart::Beginning) + 1);
 
 void drawLoading(const PanelContext& context) {
     Session& session = context.session();
@@ -48,9 +30,8 @@ void drawLoading(const PanelContext& context) {
         heading(context, session.input().isRerunning() ? "Re-running" : "Opening",
                 fitted(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.input().loadShare()), {-1.0F, 0.0F},
-                           partName(session.input().loadPart()));
-        if (ImGui::Button("Cancel")) session.cancelOpening();
-        context.where()["cancel opening"] = lastItem();
+                           kPartNames[static_cast<std::size_t>(session.input().loadPart())]);
+        if (textButton(context, "Cancel", "cancel opening")) session.cancelOpening();
     }
     ImGui::End();
 }
@@ -65,8 +46,8 @@ void drawError(const PanelContext& context) {
         ImGui::Spacing();
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
-        if (ImGui::Button(session.ready() ? "Continue" : "Start page")) session.dismissError();
-        context.where()["go on"] = lastItem();
+        if (textButton(context, session.ready() ? "Continue" : "Start page", "go on"))
+            session.dismissError();
     }
     ImGui::End();
 }
@@ -96,36 +77,21 @@ Progressed goneThrough(const Session& session) {
     return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
 }
 
-/// Known share of the breakpoint hits.
-Progressed searched(const Session& session) {
-    return {"hits", static_cast<float>(session.hits().share())};
-}
-
 /// Only for moves that take a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
-    const Rect& view = context.rects.view;
-    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 1.0F * context.em},
-                            ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowSize({std::min(22.0F * context.em, 0.9F * view.size.x), 0.0F});
-    if (ImGui::Begin("##move", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                         ImGuiWindowFlags_AlwaysAutoResize)) {
-        const Progressed move = session.moves().awaitsStop()     ? searched(session)
+    if (beginOverView(context, "##move", 1.0F, 22.0F)) {
+        const auto hits = static_cast<float>(session.hits().share());
+        const Progressed move = session.moves().awaitsStop()     ? Progressed{"hits", hits}
                                 : session.moves().awaitsLength() ? goneThrough(session)
                                                                  : moved(session);
         if (session.moves().awaitsStop()) ImGui::TextDisabled("Searching for the breakpoint ...");
-        if (session.moves().awaitsLength()) {
+        if (session.moves().awaitsLength())
             ImGui::TextDisabled("Running once to find the length of the run ...");
-        }
-        const float button = 4.5F * context.em;
-        ImGui::ProgressBar(std::min(1.0F, move.share),
-                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, move.text.c_str());
-        ImGui::SameLine();
-        if (ImGui::Button("Stop")) session.moves().cancel();
+        if (progressAndStop(context, std::min(1.0F, move.share), move.text.c_str(), "stop move",
+                            4.5F))
+            session.moves().cancel();
         tooltip("Stop (Esc)");
-        context.where()["stop move"] = lastItem();
     }
     ImGui::End();
 }
@@ -150,13 +116,6 @@ void drawSaid(const PanelContext& context) {
                   toU32(context.palette.text), text.c_str(), nullptr, room);
 }
 
-/// A popup covers the view, and the start page shows messages itself.
-bool viewIsFree(const PanelContext& context) {
-    const UiState& ui = context.ui();
-    return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open &&
-           !ui.prepare.open && !ui.leaving.asked;
-}
-
 }  // namespace
 
 void drawNotices(const PanelContext& context) {
@@ -168,7 +127,9 @@ void drawNotices(const PanelContext& context) {
     if (session.input().phase() == SessionPhase::Ready && session.moves().busySeconds() > kLongMove)
         drawMove(context);
     // At the start the caption shows the message permanently: there is no decision.
-    if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);
+    // A dialog covers the view.
+    if (session.ready() && session.event() != nullptr && !context.ui().coversView())
+        drawSaid(context);
 }
 
 }  // namespace se::view

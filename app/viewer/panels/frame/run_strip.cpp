@@ -1,11 +1,12 @@
+// The strip RUN: the whole run over its pivots, with all that was noticed, marked or compared on
+// it. The lanes of the rings are kept as a picture of one column per pixel, and are made again only
+// when the run, the window of the strip or its room has changed.
 #include <algorithm>
 #include <cmath>
 
 #include "input/view_drag.h"
 #include "jobs/hit_search.h"
-#include "lane_strip.h"
 #include "panel_state/compare_page.h"
-#include "panels/widgets/widgets.h"
 #include "session/annotations.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -21,19 +22,10 @@ void keepPainted(const PanelContext& context, const LaneRoom& room) {
     const Session& session = context.session();
     const RunOverview& run = session.overview();
     Navigation& nav = context.state<Navigation>();
-    PaintedLanes& painted = nav.lanes;
-    const bool same =
-        painted.generation == session.generation() && painted.pivots == run.pivots.size() &&
-        painted.changes == run.laneChanges.size() && painted.complete == run.complete &&
-        painted.window == nav.strip && painted.room == room;
-    if (same) return;
-    painted = {session.generation(),
-               run.pivots.size(),
-               run.laneChanges.size(),
-               run.complete,
-               nav.strip,
-               room,
-               makeLanePicture(run, nav.strip, room)};
+    const LaneInputs now{session.generation(), run.pivots.size(), run.laneChanges.size(),
+                         run.complete,         nav.strip,         room};
+    if (nav.lanes.inputs == now) return;
+    nav.lanes = {now, makeLanePicture(run, nav.strip, room)};
 }
 
 /// Pivots along the top, at round numbers.
@@ -48,7 +40,6 @@ void drawScale(const RunStrip& strip) {
         step /= 2.0;
     }
     step = std::max(1.0, step);
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 color = toU32(strip.context.palette.textDim);
     const ImU32 line = toU32(strip.context.palette.textDim.withAlpha(0.22F));
     const float size = 0.78F * em;
@@ -58,29 +49,28 @@ void drawScale(const RunStrip& strip) {
         const std::string text = grouped(static_cast<std::size_t>(pivot));
         const float width =
             strip.context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
-        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y}, line);
+        strip.list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y}, line);
         const float left =
             std::clamp(x - 0.5F * width, strip.bars.min.x, strip.bars.max().x - width);
-        list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
-                      text.c_str());
+        strip.list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
+                            text.c_str());
     }
 }
 
 void drawAlertMarks(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const float y = strip.lanes.min.y;
     for (const LaneAlert& alert : strip.picture().alerts) {
         const float x = strip.bars.min.x + alert.x;
-        list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em}, {x + 0.3F * em, y - 0.25F * em},
-                                {x, y + 0.25F * em}, toU32(strip.context.palette.rejected));
+        strip.list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em},
+                                      {x + 0.3F * em, y - 0.25F * em}, {x, y + 0.25F * em},
+                                      toU32(strip.context.palette.rejected));
     }
 }
 
 /// Failures on the way: thin strokes along the top of the lanes, one per pixel; and the
 /// three moments of the chosen alert.
 void drawNoticed(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const Session& session = strip.context.session();
     const Palette& palette = strip.context.palette;
     const float em = strip.context.em;
@@ -90,8 +80,8 @@ void drawNoticed(const RunStrip& strip) {
         const float x = std::round(strip.xOf(each.address.pivot));
         if (x == last || x < strip.bars.min.x || x > strip.bars.max().x) continue;
         last = x;
-        list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
-                            toU32(palette.rejected));
+        strip.list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
+                                  toU32(palette.rejected));
     }
     const RunFailure* alert = session.alerts().shown();
     if (alert == nullptr) return;
@@ -101,16 +91,16 @@ void drawNoticed(const RunStrip& strip) {
         if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
         const bool created = line == &moments.created;
         const Color color = created ? palette.rejected : palette.text;
-        list->AddRectFilled({x - 0.04F * em, top}, {x + 0.04F * em + 1.0F, strip.lanes.max().y},
-                            toU32(color.withAlpha(0.8F)));
-        list->AddCircleFilled({x + 0.5F, strip.lanes.max().y - 0.3F * em}, 0.28F * em,
-                              toU32(color));
+        strip.list->AddRectFilled({x - 0.04F * em, top},
+                                  {x + 0.04F * em + 1.0F, strip.lanes.max().y},
+                                  toU32(color.withAlpha(0.8F)));
+        strip.list->AddCircleFilled({x + 0.5F, strip.lanes.max().y - 0.3F * em}, 0.28F * em,
+                                    toU32(color));
     }
 }
 
 /// A flag with the number of the bookmark, while there is a key for it.
 void drawBookmarkMarks(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const ImU32 color = toU32(strip.context.palette.text);
     const Bookmarks& marks = strip.context.state<Bookmarks>();
@@ -118,21 +108,20 @@ void drawBookmarkMarks(const RunStrip& strip) {
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const float x = std::round(strip.xOf(marks[i].address.pivot));
         if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
-        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, bottom},
-                            toU32(strip.context.palette.text.withAlpha(0.45F)));
-        list->AddTriangleFilled({x, bottom - 0.8F * em}, {x + 0.6F * em, bottom - 0.55F * em},
-                                {x, bottom - 0.3F * em}, color);
+        strip.list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, bottom},
+                                  toU32(strip.context.palette.text.withAlpha(0.45F)));
+        strip.list->AddTriangleFilled({x, bottom - 0.8F * em}, {x + 0.6F * em, bottom - 0.55F * em},
+                                      {x, bottom - 0.3F * em}, color);
         if (i >= kBookmarkKeys) continue;
         const std::string number = std::to_string((i + 1) % kBookmarkKeys);
-        list->AddText(strip.context.fonts.text, 0.75F * em, {x + 0.65F * em, bottom - 0.95F * em},
-                      color, number.c_str());
+        strip.list->AddText(strip.context.fonts.text, 0.75F * em,
+                            {x + 0.65F * em, bottom - 0.95F * em}, color, number.c_str());
     }
 }
 
 /// A tick at each pivot where the run stops: upright, from the lower edge of the lanes.
 void drawStops(const RunStrip& strip) {
     const PanelContext& context = strip.context;
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const float bottom = strip.lanes.max().y;
     const float top = bottom - 0.45F * context.em;
     const auto columns = static_cast<std::size_t>(std::max(1.0F, strip.bars.size.x));
@@ -144,7 +133,7 @@ void drawStops(const RunStrip& strip) {
         for (const std::uint32_t pivot :
              stopPivots(each, known->list, {strip.window().from(), strip.window().to()}, columns)) {
             const float x = std::round(strip.xOf(pivot));
-            list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, color);
+            strip.list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, color);
         }
     }
 }
@@ -167,17 +156,16 @@ Rect differenceMark(const RunStrip& strip) {
 void drawDifference(const RunStrip& strip) {
     const Rect mark = differenceMark(strip);
     if (mark.size.x <= 0.0F) return;
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const Palette& palette = strip.context.palette;
     const glm::vec2 at = mark.min + 0.5F * mark.size;
-    list->AddRectFilled({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
-                        toU32(palette.text.withAlpha(0.6F)));
-    list->AddTriangleFilled({mark.min.x, at.y}, {at.x, mark.min.y}, {at.x, mark.max().y},
-                            toU32(palette.used));
-    list->AddTriangleFilled({at.x, mark.min.y}, {mark.max().x, at.y}, {at.x, mark.max().y},
-                            toU32(palette.last));
-    list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
-                  {at.x, mark.max().y}, toU32(palette.background), 1.0F);
+    strip.list->AddRectFilled({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
+                              toU32(palette.text.withAlpha(0.6F)));
+    strip.list->AddTriangleFilled({mark.min.x, at.y}, {at.x, mark.min.y}, {at.x, mark.max().y},
+                                  toU32(palette.used));
+    strip.list->AddTriangleFilled({at.x, mark.min.y}, {mark.max().x, at.y}, {at.x, mark.max().y},
+                                  toU32(palette.last));
+    strip.list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
+                        {at.x, mark.max().y}, toU32(palette.background), 1.0F);
     strip.context.where()["strip difference"] = mark;
 }
 
@@ -196,24 +184,24 @@ std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
 void drawLoop(const RunStrip& strip) {
     const PlayLoop& loop = strip.context.playback().loop;
     if (loop.empty()) return;
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const Color& tint = strip.context.palette.pivot;
     const float top = strip.lanes.min.y;
     const float bottom = strip.lanes.max().y;
     if (loop.complete()) {
-        list->AddRectFilled({strip.xOf(loop.from->pivot), top}, {strip.xOf(loop.to->pivot), bottom},
-                            toU32(tint.withAlpha(0.10F)));
+        strip.list->AddRectFilled({strip.xOf(loop.from->pivot), top},
+                                  {strip.xOf(loop.to->pivot), bottom},
+                                  toU32(tint.withAlpha(0.10F)));
     }
     const auto bracket = [&](const Address& at, float side, const char* letter) {
         const float x = strip.xOf(at.pivot);
         const float width = 0.14F * em;
-        list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, toU32(tint));
+        strip.list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, toU32(tint));
         for (const float y : {top, bottom - width}) {
-            list->AddRectFilled({std::min(x, x + side * 0.4F * em), y},
-                                {std::max(x, x + side * 0.4F * em), y + width}, toU32(tint));
+            strip.list->AddRectFilled({std::min(x, x + side * 0.4F * em), y},
+                                      {std::max(x, x + side * 0.4F * em), y + width}, toU32(tint));
         }
-        list->AddText(
+        strip.list->AddText(
             strip.context.fonts.text, 0.8F * em,
             {x + side * 0.55F * em - (side < 0.0F ? 0.45F * em : 0.0F), bottom - 1.2F * em},
             toU32(tint), letter);
@@ -229,11 +217,11 @@ void drawPlayhead(const RunStrip& strip) {
     const float x = std::round(at);
     const float em = strip.context.em;
     const float top = strip.bars.min.y;
-    ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 color = toU32(strip.context.palette.pivot);
-    list->AddRectFilled({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y}, color);
-    list->AddTriangleFilled({x - 0.38F * em, top - 0.2F * em}, {x + 0.38F * em, top - 0.2F * em},
-                            {x, top + 0.4F * em}, color);
+    strip.list->AddRectFilled({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y},
+                              color);
+    strip.list->AddTriangleFilled({x - 0.38F * em, top - 0.2F * em},
+                                  {x + 0.38F * em, top - 0.2F * em}, {x, top + 0.4F * em}, color);
 }
 
 std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse) {
@@ -299,7 +287,7 @@ void handleMouse(const RunStrip& strip) {
 void keepWindow(const PanelContext& context) {
     const Session& session = context.session();
     Navigation& nav = context.state<Navigation>();
-    if (nav.lanes.generation != session.generation()) nav.strip.showAll();
+    if (nav.lanes.inputs.generation != session.generation()) nav.strip.showAll();
     nav.strip.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
     const bool moved =
         nav.stripWatch.moved(session.generation(), session.record().pivot, session.cursor());
@@ -314,14 +302,9 @@ void drawTotal(const RunStrip& strip) {
     const float em = strip.context.em;
     const std::string total = (run.complete ? "" : "\xE2\x89\xA5") +
                               grouped(static_cast<std::size_t>(strip.window().last()));
-    if (strip.context.rects.drawerFolded) return;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const float size = 0.85F * em;
-    const auto line = [&](float y, const std::string& text) {
-        list->AddText(strip.context.fonts.text, size, {0.7F * em, strip.bars.min.y + y * em},
-                      toU32(strip.context.palette.textDim), text.c_str());
-    };
-    line(1.15F, total);
+    strip.list->AddText(strip.context.fonts.text, 0.85F * em,
+                        {0.7F * em, strip.bars.min.y + 1.15F * em},
+                        toU32(strip.context.palette.textDim), total.c_str());
 }
 
 }  // namespace
@@ -331,20 +314,17 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     const float em = context.em;
     const bool folded = context.rects.drawerFolded;
     const float top = 0.55F * em;
-    const Rect bars = barsOf(context, area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
-    stripName(context, "RUN", bars);
-    context.where()["strip run"] = bars;
+    const Rect bars =
+        beginStrip(context, "RUN", area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
     if (!session.ready()) return;
     keepWindow(context);
     // Folded, the scale is drawn only where it covers nothing.
     const float scale = folded ? 0.35F * em : 1.0F * em;
-    RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}, 1.0F};
+    RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}};
     strip.lanes.size.y = bars.size.y - scale;
     keepPainted(context, {bars.size.x, rowsFor(strip), 0.7F * em});
     strip.pitch = pitchOf(strip);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(toVec2(strip.lanes.min), toVec2(strip.lanes.max()),
-                        toU32(context.palette.background), 0.2F * em);
+    fill(strip.list, strip.lanes, context.palette.background, 0.2F * em);
     ImGui::PushClipRect({bars.min.x - 0.4F * em, area.min.y},
                         {bars.max().x + 0.4F * em, area.max().y}, true);
     drawRingLengths(strip);
@@ -358,7 +338,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     drawPlayhead(strip);
     drawDifference(strip);
     ImGui::PopClipRect();
-    drawTotal(strip);
+    if (!folded) drawTotal(strip);
     drawMore(strip);
     handleMouse(strip);
 }

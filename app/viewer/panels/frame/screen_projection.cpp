@@ -1,4 +1,7 @@
-#include "screen_projection.h"
+// What the overlays must not cover, in pixels: the marks, the points of the decisions, and a grid
+// with the amount of drawing. All of it is projected again in each frame, hence the limits on its
+// parts.
+#include "view_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel_state/step_panels_state.h"
-#include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "scene/outcome.h"
 #include "session/playback.h"
@@ -30,6 +28,17 @@ void frameHere(const PanelContext& context, const Rect& cell) {
     ImGui::GetWindowDrawList()->AddRect(
         {cell.min.x - 1.0F, cell.min.y - 1.0F}, {cell.max().x + 1.0F, cell.max().y + 1.0F},
         toU32(context.palette.pivot), 0.2F * context.em, 0, std::max(1.5F, 0.13F * context.em));
+}
+
+/// An item over a picture: a click goes to the event.
+void offerEvent(const PanelContext& context, const char* id, const Rect& area, std::size_t event) {
+    ImGui::SetCursorScreenPos(toVec2(area.min));
+    ImGui::PushID(static_cast<int>(event));
+    if (ImGui::InvisibleButton(id, toVec2(area.size))) {
+        context.playback().pause();
+        context.session().moves().goToEvent(event);
+    }
+    ImGui::PopID();
 }
 
 // ---- PIVOT: one block per stage ---------------------------------------------------------------
@@ -61,9 +70,7 @@ void drawTicks(const PanelContext& context, const StageRun& run, const Rect& blo
     if (width < kLeastTick) {
         const bool later = run.begin > session.cursor();
         const Color color = run.refused > 0 ? context.palette.rejected : context.palette.textDim;
-        list->AddRectFilled(toVec2(block.min), toVec2(block.max()),
-                            toU32(color.withAlpha(later ? 0.3F : 0.7F)), 0.15F * context.em);
-        return;
+        return fill(list, block, color.withAlpha(later ? 0.3F : 0.7F), 0.15F * context.em);
     }
     for (std::size_t e = run.begin; e < run.end; ++e) {
         const Event& event = session.record().events[e];
@@ -92,9 +99,8 @@ std::string stageSummary(const StageRun& run) {
 
 void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect& block,
                     float textTop) {
-    Session& session = context.session();
     const float em = context.em;
-    const bool here = run.contains(session.cursor());
+    const bool here = run.contains(context.session().cursor());
     const float size = 0.85F * em;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const std::string name(stageName(run.stage));
@@ -104,23 +110,18 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     list->PopClipRect();
     drawTicks(context, run, block);
     if (here) frameHere(context, block);
-    ImGui::SetCursorScreenPos({block.min.x, textTop});
-    ImGui::PushID(static_cast<int>(run.begin));
-    if (ImGui::InvisibleButton("##stage",
-                               {std::max(1.0F, block.size.x), block.max().y - textTop})) {
-        context.playback().pause();
-        session.moves().goToEvent(run.begin);
-    }
+    offerEvent(context, "##stage",
+               {{block.min.x, textTop}, {std::max(1.0F, block.size.x), block.max().y - textTop}},
+               run.begin);
     tooltip(stageSummary(run));
-    ImGui::PopID();
 }
 
-/// The wheel anywhere on a strip. Drawn first, so that items over it can be clicked.
-float wheelOver(const Rect& area) {
-    const ImVec2 low = toVec2(area.min);
+/// The wheel anywhere on a strip. Called first, so that items over it can be clicked.
+void stepByWheel(const PanelContext& context, const Rect& area, const std::string& command) {
     const ImVec2 high = toVec2(area.max());
-    const bool here = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
-    return here ? ImGui::GetIO().MouseWheel : 0.0F;
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(toVec2(area.min), high)) return;
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0F) context.run(command + (wheel > 0.0F ? "previous" : "next"));
 }
 
 // ---- STAGE: one cell per test -----------------------------------------------------------------
@@ -143,14 +144,13 @@ std::string cellText(const Event& event, float room) {
 }
 
 void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) {
-    Session& session = context.session();
+    const Session& session = context.session();
     const Event& event = session.record().events[index];
     const float em = context.em;
     const bool later = index > session.cursor();
     const Color color = cellColor(context, event);
     ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(toVec2(cell.min), toVec2(cell.max()),
-                        toU32(color.withAlpha(later ? 0.10F : 0.22F)), 0.2F * em);
+    fill(list, cell, color.withAlpha(later ? 0.10F : 0.22F), 0.2F * em);
     list->AddRectFilled(toVec2(cell.min), {cell.min.x + 0.22F * em, cell.max().y},
                         toU32(color.withAlpha(later ? 0.45F : 1.0F)), 0.1F * em);
     const float middle = cell.min.y + 0.5F * cell.size.y;
@@ -164,17 +164,11 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
     const Color ink = later ? context.palette.textDim : context.palette.text;
     list->AddText({x, middle - 0.5F * ImGui::GetTextLineHeight()}, toU32(ink), text.c_str());
     if (index == session.cursor()) frameHere(context, cell);
-    ImGui::SetCursorScreenPos(toVec2(cell.min));
-    ImGui::PushID(static_cast<int>(index));
-    if (ImGui::InvisibleButton("##cell", toVec2(cell.size))) {
-        context.playback().pause();
-        session.moves().goToEvent(index);
-    }
+    offerEvent(context, "##cell", cell, index);
     if (ImGui::IsItemHovered()) {
         context.state<Navigation>().pointedAt = subjectOf(event);
         tooltip(toString(event.address) + "\n" + describe(event));
     }
-    ImGui::PopID();
 }
 
 const StageRun* runAtCursor(const PanelContext& context) {
@@ -191,13 +185,9 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     Session& session = context.session();
     const float em = context.em;
     const float top = 1.35F * em;
-    const Rect bars = barsOf(context, area, area.size.y - top - 0.35F * em, top);
-    stripName(context, "PIVOT", bars);
-    context.where()["strip pivot"] = bars;
+    const Rect bars = beginStrip(context, "PIVOT", area, area.size.y - top - 0.35F * em, top);
     if (!session.ready()) return;
-    if (const float wheel = wheelOver(area); wheel != 0.0F) {
-        context.run(wheel > 0.0F ? "step.pivot.previous" : "step.pivot.next");
-    }
+    stepByWheel(context, area, "step.pivot.");
     keepSteps(context);
     const auto& runs = context.state<Navigation>().steps.runs();
     const float gap = 0.5F * em;
@@ -212,14 +202,10 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
 
 void drawStageStrip(const PanelContext& context, const Rect& area) {
     const float em = context.em;
-    const Rect bars = barsOf(context, area, area.size.y - 0.75F * em, 0.2F * em);
-    stripName(context, "STAGE", bars);
-    context.where()["strip stage"] = bars;
+    const Rect bars = beginStrip(context, "STAGE", area, area.size.y - 0.75F * em, 0.2F * em);
     const Session& session = context.session();
     if (!session.ready()) return;
-    if (const float wheel = wheelOver(area); wheel != 0.0F) {
-        context.run(wheel > 0.0F ? "step.event.previous" : "step.event.next");
-    }
+    stepByWheel(context, area, "step.event.");
     keepSteps(context);
     const StageRun* run = runAtCursor(context);
     if (run == nullptr) return;

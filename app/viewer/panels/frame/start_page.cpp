@@ -4,11 +4,7 @@
 #include <utility>
 
 #include "input/tab_order.h"
-#include "panel_state/recent.h"
-#include "panel_state/start_page.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
-#include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/gallery.h"
 #include "session/session.h"
@@ -23,19 +19,22 @@ constexpr float kLeastTile = 14.5F;  ///< Width in em.
 constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
 constexpr float kSide = 19.0F;       ///< Width of the column beside the tiles, in em.
 
-/// Frame around something that can be opened.
-struct PageFrame {
-    Color color;
-    float width;
-};
-
 bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
 
-/// Frame of the item drawn last; stronger with the keyboard focus.
-PageFrame frameOf(const Palette& palette, float em) {
-    if (hasKeyboard()) return {palette.pivot, 0.18F * em};
-    if (ImGui::IsItemHovered()) return {palette.accent, 0.12F * em};
-    return {palette.border, std::max(1.0F, 0.06F * em)};
+/// Frame of the item drawn last, which can be opened; stronger with the keyboard focus.
+void frameItem(const PanelContext& context, float rounding) {
+    const float em = context.em;
+    Color color = context.palette.border;
+    float width = std::max(1.0F, 0.06F * em);
+    if (hasKeyboard()) {
+        color = context.palette.pivot;
+        width = 0.18F * em;
+    } else if (ImGui::IsItemHovered()) {
+        color = context.palette.accent;
+        width = 0.12F * em;
+    }
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        toU32(color), rounding * em, 0, width);
 }
 
 void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 low,
@@ -83,10 +82,8 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const bool first = &tile == &context.state<StartPage>().tiles.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Scenes)) takeKeyboard();
     const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
-    context.where()[name] = lastItem();
-    tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
+    nameItem(context, name, std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
     if (!ImGui::IsItemVisible()) return;
-    const PageFrame frame = frameOf(palette, em);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -95,7 +92,7 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     list->AddRectFilled(low, {high.x, picture}, toU32(palette.background), 0.3F * em,
                         ImDrawFlags_RoundCornersTop);
     drawPicture(context, list, tile, low, {high.x, picture});
-    list->AddRect(low, high, toU32(frame.color), 0.3F * em, 0, frame.width);
+    frameItem(context, 0.3F);
     const float room = size.x - 1.0F * em;
     ImGui::PushFont(context.fonts.strong);
     list->AddText({low.x + 0.5F * em, picture + 0.35F * em}, toU32(palette.text),
@@ -167,8 +164,7 @@ void drawDropHint(const PanelContext& context) {
     const ImVec2 size(width, y - low.y + margin - 0.2F * em);
     if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
     if (context.state<KeyWalk>().offer(KeyStop::Files)) takeKeyboard();
-    const PageFrame frame = frameOf(palette, em);
-    list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
+    frameItem(context, 0.4F);
 }
 
 void drawNew(const PanelContext& context) {
@@ -177,8 +173,8 @@ void drawNew(const PanelContext& context) {
         const Command& command = *findCommand(id);
         const std::string key = context.key(command);
         if (ImGui::Button(std::string(command.title).c_str(), {-1.0F, 0.0F})) context.run(id);
-        context.where()[std::string(hasKeyboard() ? "chosen " : "start ") + id] = lastItem();
-        tooltip(std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
+        nameItem(context, std::string(hasKeyboard() ? "chosen " : "start ") + id,
+                 std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
     }
     ImGui::Spacing();
 }
@@ -186,9 +182,7 @@ void drawNew(const PanelContext& context) {
 void drawRecentFiles(const PanelContext& context) {
     heading(context, "Recent files");
     const std::vector<std::string>& recent = context.ui().recent;
-    if (recent.empty()) {
-        dimText("Files that you open are listed here.");
-    }
+    if (recent.empty()) dimText("Files that you open are listed here.");
     const float width = ImGui::GetContentRegionAvail().x;
     std::string chosen;
     int place = 0;
@@ -196,8 +190,7 @@ void drawRecentFiles(const PanelContext& context) {
         const std::string label = fitted(recentName(path), width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
         const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
-        context.where()[what + std::to_string(++place)] = lastItem();
-        tooltip(path);
+        nameItem(context, what + std::to_string(++place), path);
     }
     if (!chosen.empty()) context.requests().open = chosen;
     ImGui::Spacing();
@@ -207,9 +200,7 @@ void drawKeys(const PanelContext& context) {
     heading(context, "Three keys");
     for (const char* id : {"step.event.next", "step.pivot.next", "help.keys"}) {
         const Command& command = *findCommand(id);
-        ImGui::PushFont(context.fonts.mono);
-        ImGui::TextUnformatted(context.key(command).c_str());
-        ImGui::PopFont();
+        textIn(context.fonts.mono, context.key(command));
         ImGui::SameLine(5.0F * context.em);
         ImGui::TextUnformatted(std::string(command.title).c_str());
     }
@@ -246,9 +237,8 @@ void drawStartPage(const PanelContext& context) {
     const bool open = beginRegion("##start", area);
     ImGui::PopStyleVar();
     if (open) {
-        ImGui::PushFont(context.fonts.large);
-        ImGui::TextUnformatted("Watch the Spiraling Edge triangulate points, decision by decision");
-        ImGui::PopFont();
+        textIn(context.fonts.large,
+               "Watch the Spiraling Edge triangulate points, decision by decision");
         ImGui::Spacing();
         const float side = std::min(kSide * em, 0.4F * area.size.x);
         ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.0F});

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "layout/bars.h"
-#include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/status_list.h"
 #include "session/session.h"
@@ -63,26 +62,21 @@ void drawStatusBar(const PanelContext& context) {
     if (open) {
         const float total = ImGui::GetContentRegionAvail().x;
         const float left = ImGui::GetCursorPosX();
-        ImGui::PushFont(context.fonts.mono);
-        const std::string address = addressText(context.session());
-        const float width = ImGui::CalcTextSize(address.c_str()).x;
-        ImGui::TextUnformatted(address.c_str());
-        ImGui::PopFont();
+        textIn(context.fonts.mono, addressText(context.session()));
+        const float width = ImGui::GetItemRectSize().x;
         std::vector<std::string> parts;
         if (context.session().ready()) parts = partsOf(context);
         const std::string keys = keysText(context);
         std::vector<float> widths;
         widths.reserve(parts.size() + 1);
-        for (const std::string& part : parts) {
-            widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
-        }
+        for (const std::string& part : parts) widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
         widths.push_back(ImGui::CalcTextSize(keys.c_str()).x);
         float x = left + std::max(kAddressWidth * em, width + kPartGap * em);
         const std::size_t fits = fittingParts(left + total - x, widths, kPartGap * em);
         for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
             ImGui::SameLine(x);
             ImGui::TextUnformatted(parts[i].c_str());
-            context.where()["status " + std::to_string(i + 1)] = lastItem();
+            nameItem(context, "status " + std::to_string(i + 1));
             x += widths[i] + kPartGap * em;
         }
         if (fits > parts.size()) {

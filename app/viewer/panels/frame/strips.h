@@ -1,16 +1,45 @@
-/// Shared parts of the three strips in the drawer.
+/// Shared parts of the three strips in the drawer, and the lanes within the strip RUN.
 #pragma once
 
-#include "panels/panel.h"
+#include "panel_state/side_panels.h"
+#include "panels/widgets/boxes.h"
 
 namespace se::view {
 
-/// Area of the bars of a strip: right of its name, in the middle of its height.
-Rect barsOf(const PanelContext& context, const Rect& strip, float height, float top);
-/// The name of a strip, in the margin to the left of its bars.
-void stripName(const PanelContext& context, const char* name, const Rect& bars);
+/// Draws the name of a strip, "RUN", in the margin to the left of its bars. The area of the bars:
+/// right of the name, `top` below the upper edge of the strip. Test scripts find it as "strip run".
+Rect beginStrip(const PanelContext& context, const char* name, const Rect& strip, float height,
+                float top);
 void drawRunStrip(const PanelContext& context, const Rect& area);
 void drawPivotStrip(const PanelContext& context, const Rect& area);
 void drawStageStrip(const PanelContext& context, const Rect& area);
+
+struct RunStrip {
+    const PanelContext& context;
+    Rect bars;
+    Rect lanes;  ///< Within bars, without the scale above.
+    float pitch = 1.0F;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+
+    const LanePicture& picture() const { return context.state<Navigation>().lanes.picture; }
+    const StripWindow& window() const { return context.state<Navigation>().strip; }
+    float xOf(double pivot) const {
+        return bars.min.x + static_cast<float>(window().shareOf(pivot)) * bars.size.x;
+    }
+    /// The middle of a row.
+    float yOf(std::uint32_t row) const;
+};
+
+/// Rows for the lanes: if there are too many, the last one is shared.
+std::uint32_t rowsFor(const RunStrip& strip);
+/// Distance between rows as painted.
+float pitchOf(const RunStrip& strip);
+/// Length of the active ring, in the background.
+void drawRingLengths(const RunStrip& strip);
+void drawLanes(const RunStrip& strip);
+/// Number of lanes without a row of their own, beside the shared row.
+void drawMore(const RunStrip& strip);
+/// Tooltip of the shared row, if the mouse is there.
+std::string gatheredText(const RunStrip& strip, ImVec2 mouse);
 
 }  // namespace se::view

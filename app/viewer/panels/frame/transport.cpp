@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 
 #include "input/go_to_box.h"
 #include "layout/bars.h"
-#include "panel_state/view_settings.h"
-#include "panels/panel.h"
+#include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -51,14 +49,21 @@ void drawButtons(const PanelContext& context, const std::array<TransportButton, 
     }
 }
 
+/// A button that is filled while `on`.
+bool filledButton(const PanelContext& context, const std::string& label, bool on,
+                  float width = 0.0F) {
+    const ImVec4 filled = toVec4(context.palette.accent.withAlpha(0.45F));
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? filled : ImGui::GetStyleColorVec4(ImGuiCol_Button));
+    const bool clicked = ImGui::Button(label.c_str(), {width, 0.0F});
+    ImGui::PopStyleColor();
+    return clicked;
+}
+
 void drawUnit(const PanelContext& context) {
+    Playback& playback = context.playback();
     for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
-        const bool on = context.playback().unit() == unit;
-        if (on) {
-            ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
-        }
-        if (ImGui::Button(std::string(unitName(unit)).c_str())) context.playback().setUnit(unit);
-        if (on) ImGui::PopStyleColor();
+        if (filledButton(context, std::string(unitName(unit)), playback.unit() == unit))
+            playback.setUnit(unit);
         tooltip(withKeys(context, "Unit of playback and single steps", "run.unit"));
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
@@ -69,9 +74,7 @@ void drawSpeed(const PanelContext& context) {
     if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
     tooltip(withKeys(context, "Slower", "run.slower"));
     ImGui::SameLine(0.0F, 0.0F);
-    char text[32];
-    std::snprintf(text, sizeof text, "%g/s", playback.rate());
-    const std::string shown = playback.unlimited() ? "max" : text;
+    const std::string shown = playback.unlimited() ? "max" : formatted("%g/s", playback.rate());
     const float width = 3.4F * context.em;
     const float pad = 0.5F * (width - ImGui::CalcTextSize(shown.c_str()).x);
     const float x = ImGui::GetCursorPosX();
@@ -95,12 +98,8 @@ void drawLoop(const PanelContext& context) {
     for (const Mark& mark :
          {Mark{"A", "run.loop.start", "Start of the loop", loop.from},
           Mark{"B", "run.loop.end", "End of the loop, which returns to A", loop.to}}) {
-        if (mark.at) {
-            ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
-        }
-        const bool set = mark.at.has_value();
-        if (ImGui::Button(mark.title, {1.8F * context.em, 0})) context.run(mark.command);
-        if (set) ImGui::PopStyleColor();
+        if (filledButton(context, mark.title, mark.at.has_value(), 1.8F * context.em))
+            context.run(mark.command);
         std::string help = withKeys(context, mark.help, mark.command);
         if (mark.at) {
             help += "\nNow at " + toString(*mark.at) + ". " +

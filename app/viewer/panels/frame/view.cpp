@@ -1,25 +1,134 @@
-#include <algorithm>
+// The view of the scene: the overlays in the order in which they take room, the lasso, and what a
+// click or a drag means.
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
+#include "commands/break_commands.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
-#include "panel_state/query_panel_state.h"
-#include "panel_state/step_panels_state.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
+#include "panel_state/side_panels.h"
+#include "panels/widgets/boxes.h"
 #include "panels/widgets/camera_mouse.h"
-#include "panels/widgets/widgets.h"
-#include "scene/camera.h"
 #include "scene/motion.h"
 #include "scene/picking.h"
 #include "session/layout_preset.h"
+#include "session/playback.h"
 #include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
 
 namespace {
+
+/// The disc with the letter, and the arrow from its center to the tip, in em.
+constexpr float kDisc = 0.85F;
+constexpr float kTip = 1.75F;
+constexpr float kInset = 2.0F;
+
+/// The arrow to the pivot, if the pivot is outside of the view.
+struct PivotArrow {
+    EdgeArrow arrow;
+    Rect rect;  ///< In pixels of the window.
+    bool hovered = false;
+};
+
+/// Takes clicks, which frame the pivot. To be called before the scene takes the remaining ones.
+std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready() || session.picture().pivot == kNone) return std::nullopt;
+    const Rect& view = context.rects.view;
+    const Index pivot = session.picture().pivot;
+    const auto arrow = edgeArrow(context.camera().matrices(view.size.x / view.size.y),
+                                 session.shown().place[pivot], view.size, kInset * context.em);
+    if (!arrow) return std::nullopt;
+    const glm::vec2 half(kTip * context.em);
+    PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};
+    ImGui::SetCursorScreenPos(toVec2(found.rect.min));
+    if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size))) context.run("view.pivot");
+    found.hovered = ImGui::IsItemHovered();
+    tooltip("The pivot, p " + std::to_string(pivot) +
+            ", is outside of the view.\nClick to center it.");
+    context.where()["pivot arrow"] = found.rect;
+    return found;
+}
+
+void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow) {
+    const float em = context.em;
+    const Palette& colors = context.palette;
+    const glm::vec2 at = arrow.rect.min + 0.5F * arrow.rect.size;
+    const glm::vec2 way = arrow.arrow.way;
+    const glm::vec2 across(-way.y, way.x);
+    const ImU32 color = toU32(colors.pivot);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const glm::vec2 neck = at + kDisc * 0.55F * em * way;
+    list->AddTriangleFilled(toVec2(at + kTip * em * way), toVec2(neck + 0.8F * em * across),
+                            toVec2(neck - 0.8F * em * across), color);
+    list->AddCircleFilled(toVec2(at), kDisc * em,
+                          toU32(arrow.hovered ? colors.panelRaised : colors.background), 32);
+    list->AddCircle(toVec2(at), kDisc * em, color, 32, std::max(1.5F, 0.14F * em));
+    const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, "p");
+    list->AddText(context.fonts.strong, em,
+                  {std::round(at.x - 0.5F * extent.x), std::round(at.y - 0.56F * extent.y)}, color,
+                  "p");
+}
+
+/// Minimum distance between corners of the line, in em.
+constexpr float kLassoStep = 0.25F;
+
+/// Sets a breakpoint on all events of the enclosed points, and marks them.
+void closeLasso(const PanelContext& context, Lasso& lasso) {
+    Session& session = context.session();
+    const Rect& view = context.rects.view;
+    std::vector<glm::vec2> path = std::exchange(lasso.path, {});
+    lasso.drawing = false;
+    if (path.size() < 3) return;
+    for (glm::vec2& corner : path) corner -= view.min;
+    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
+    const std::vector<Index> points = pointsWithin(session.model(), camera, view.size, path);
+    if (points.empty())
+        return session.messages().say("There is no point inside the lasso that faces this way.");
+    addBreakpoint(context.commands,
+                  {"lasso, " + grouped(points.size()) + " points", amongLine(points)});
+    context.state<OpenTab>().wanted = kBreakpointsTab;
+    session.highlights().mark(points);
+}
+
+/// Ctrl with a left drag draws a lasso around points; true while it does, and as it ends. To be
+/// called right after the scene's own item.
+bool handleLasso(const PanelContext& context) {
+    Lasso& lasso = context.state<Lasso>();
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::vec2 mouse(io.MousePos.x, io.MousePos.y);
+    if (ImGui::IsItemActivated() && io.KeyCtrl && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        lasso = {true, {mouse}};
+        context.playback().pause();
+    }
+    if (!lasso.drawing) return false;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        closeLasso(context, lasso);
+    } else if (glm::distance(lasso.path.back(), mouse) > kLassoStep * context.em) {
+        lasso.path.push_back(mouse);
+    }
+    return true;
+}
+
+void drawLasso(const PanelContext& context) {
+    const std::vector<glm::vec2>& path = context.state<Lasso>().path;
+    if (path.size() < 2) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    // In the color of text, with a rim of the background color, unlike any ring.
+    const auto stroke = [&](const Color& color, float width) {
+        for (const glm::vec2& corner : path) list->PathLineTo(toVec2(corner));
+        list->PathStroke(toU32(color), 0, width);
+    };
+    stroke(context.palette.background, std::max(3.5F, 0.3F * context.em));
+    stroke(context.palette.text, std::max(1.5F, 0.12F * context.em));
+    list->AddLine(toVec2(path.back()), toVec2(path.front()),
+                  toU32(context.palette.text.withAlpha(0.5F)), std::max(1.0F, 0.08F * context.em));
+}
 
 glm::vec2 localMouse(const Rect& view) {
     const ImVec2 mouse = ImGui::GetMousePos();
@@ -114,8 +223,7 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     const glm::vec2 pad(0.6F * em, 0.25F * em);
     const Rect place{at - pad, glm::vec2(extent.x, extent.y) + 2.0F * pad};
     ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(toVec2(place.min), toVec2(place.max()),
-                        toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
+    fill(list, place, context.palette.panel.withAlpha(0.94F), 0.3F * em);
     list->AddText(context.fonts.strong, em, toVec2(at), toU32(color), text.c_str());
     return place;
 }
@@ -140,28 +248,12 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
 
 }  // namespace
 
-void drawView(const PanelContext& context) { drawScene(context, "##view"); }
-
-void drawScene(const PanelContext& context, const char* window) {
-    const Rect& view = context.rects.view;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
-    const bool open = beginRegion(
-        window, view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
-        const auto texture =
-            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
+void drawView(const PanelContext& context, const char* window) {
+    if (beginView(context, window)) {
         const std::optional<PivotArrow> arrow = offerPivotArrow(context);
-        ImGui::SetCursorScreenPos(toVec2(view.min));
-        ImGui::InvisibleButton("##scene", toVec2(view.size),
-                               ImGuiButtonFlags_MouseButtonLeft |
-                                   ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+        offerView(context);
         handleMouse(context);
-        ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
-                                             {1, 0});
+        drawViewPicture(context);
         drawOver(context, arrow);
         drawLasso(context);
     }

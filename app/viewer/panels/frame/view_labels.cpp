@@ -1,9 +1,8 @@
 /// The labels of the view.
 #include <algorithm>
 
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/boxes.h"
 #include "scene/draw_list.h"
-#include "screen_projection.h"
 #include "session/session.h"
 #include "view_parts.h"
 
@@ -31,8 +30,7 @@ void drawPlate(const PanelContext& context, const Label& label, const Rect& plat
     const float em = context.em;
     const Print print = printOf(context, label);
     ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(toVec2(plate.min), toVec2(plate.max()),
-                        toU32(context.palette.background.withAlpha(0.78F)), 0.2F * em);
+    fill(list, plate, context.palette.background.withAlpha(0.78F), 0.2F * em);
     list->AddText(print.font, print.size, {plate.min.x + 0.22F * em, plate.min.y + 0.02F * em},
                   toU32(label.color), label.text.c_str());
 }

@@ -1,28 +1,16 @@
 /// Overlays of the scene. Each reports its rectangle, so that the next one avoids it.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "layout/edge_arrow.h"
-#include "layout/labels.h"
+#include "layout/overlays.h"
 #include "panels/panel.h"
+#include "scene/camera.h"
 
 namespace se::view {
-
-/// The arrow to the pivot, if the pivot is outside of the view.
-struct PivotArrow {
-    EdgeArrow arrow;
-    Rect rect;  ///< In pixels of the window.
-    bool hovered = false;
-};
-
-/// The scene with its overlays, in a window of that name.
-void drawScene(const PanelContext& context, const char* window);
-
-/// Takes clicks, which frame the pivot. To be called before the scene takes the remaining ones.
-std::optional<PivotArrow> offerPivotArrow(const PanelContext& context);
-void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow);
 
 /// Legend of the marks, in a corner where it covers nothing of `taken` and leaves the pivot's
 /// surroundings visible; nothing if there is none.
@@ -31,12 +19,27 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
 /// Legend of the mesh colors, if they have a meaning.
 std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Rect> taken);
 
-/// Ctrl with a left drag draws a lasso around points; true while it does, and as it ends. To be
-/// called right after the scene's own item.
-bool handleLasso(const PanelContext& context);
-void drawLasso(const PanelContext& context);
-
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
+
+/// Projection of the scene to the screen, in pixels of the window: for overlays.
+class ScreenProjection {
+  public:
+    explicit ScreenProjection(const PanelContext& context);
+
+    /// Empty if the point is behind the eye.
+    std::optional<glm::vec2> at(const glm::vec3& place) const;
+    /// The marks of the pivot, its ends, the point under test and the selection.
+    std::vector<LabelMark> marks() const;
+    /// The points that the decisions of the pivot involve, also those without a mark.
+    std::vector<LabelMark> neighborhood() const;
+    /// Everything that is drawn, apart from the finished mesh and the cloud.
+    OccupancyGrid occupancy() const;
+
+  private:
+    const PanelContext& context_;
+    const Rect& view_;
+    CameraMatrices camera_;
+};
 
 }  // namespace se::view

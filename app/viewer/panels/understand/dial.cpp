@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "dial_drawer.h"
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "layout/dial.h"
-#include "layout/labels.h"
+#include "layout/overlays.h"
 #include "panels/panel.h"
 #include "rows/pivot_dial.h"
 

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "layers/layer.h"
-#include "panel_state/view_settings.h"
+#include "panel_state/settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"

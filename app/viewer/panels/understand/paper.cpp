@@ -1,7 +1,7 @@
 #include "rows/paper_text.h"
 
 #include "commands/alert_actions.h"
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"

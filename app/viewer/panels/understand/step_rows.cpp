@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "run/status_list.h"
 #include "scene/draw_list.h"

@@ -2,8 +2,7 @@
 #include <cmath>
 
 #include "input/tab_order.h"
-#include "panel_state/query_panel_state.h"
-#include "panel_state/step_panels_state.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/playback.h"

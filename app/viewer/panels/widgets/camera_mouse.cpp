@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "input/view_drag.h"
-#include "layout/corner.h"
+#include "layout/overlays.h"
 #include "scene/camera.h"
 #include "widgets.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/tab_order.h"
-#include "panel_state/tabs.h"
+#include "panel_state/side_panels.h"
 #include "widgets.h"
 
 namespace se::view {

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "open_session.h"
-#include "panel_state/compare_form.h"
+#include "panel_state/compare_page.h"
 #include "scene/difference.h"
 #include "spiraling_edge/io/write_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "panel_state/growth_form.h"
+#include "panel_state/growth_page.h"
 
 #include <doctest/doctest.h>
 

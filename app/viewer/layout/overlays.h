@@ -1,8 +1,11 @@
-/// Positions of the labels in a view: none covers another, none covers important points, and the
-/// fan of the pivot stays visible. Plain arithmetic, in pixels.
+/// Positions of what is drawn over a view: labels, of which none covers another or an important
+/// point, so that the fan of the pivot stays visible; plates in the corner in which they hide
+/// least; the arrow to something outside of the view. Plain arithmetic, in pixels.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +13,8 @@
 #include "panel_rects.h"
 
 namespace se::view {
+
+struct CameraMatrices;
 
 /// Rank of a label, which decides order and maximum distance.
 enum class LabelRank : std::uint8_t {
@@ -50,9 +55,39 @@ struct PlacedLabel {
 /// for which there is no room, is not in the result.
 std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelWish> wishes);
 
+/// True if `rect` lies within the area, up to `slack`.
+bool within(const Rect& rect, const Rect& area, float slack = 0.0F);
 bool overlap(const Rect& a, const Rect& b);
 bool overlap(const Rect& rect, const LabelMark& mark);
 /// The position of `rect` that is closest to `from`.
 glm::vec2 nearestIn(const Rect& rect, glm::vec2 from);
+
+enum class Corner : std::uint8_t { TopRight, TopLeft, BottomRight, BottomLeft };
+
+/// A plate of `size` in a corner of `view`, at `margin` from its sides.
+Rect cornerRect(const Rect& view, glm::vec2 size, float margin, Corner corner);
+
+/// Things that a plate in a corner must not cover.
+struct CornerRoom {
+    Rect view;
+    float margin = 0.0F;
+    std::span<const Rect> taken{};       ///< Areas covered by other overlays.
+    std::span<const LabelMark> marks{};  ///< Points that must stay visible.
+};
+
+/// The first of `corners` where the plate covers none of them; empty if there is none, or if the
+/// view is too small for it.
+std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
+                               std::span<const Corner> corners);
+
+struct EdgeArrow {
+    glm::vec2 at{0.0F};   ///< In pixels of the view, y down.
+    glm::vec2 way{0.0F};  ///< Unit direction to the target.
+};
+
+/// Position of an arrow to `place` in a view of `size`, at `inset` from its edge. Empty if the
+/// place is within the view, or the view too small for an arrow.
+std::optional<EdgeArrow> edgeArrow(const CameraMatrices& camera, const glm::vec3& place,
+                                   glm::vec2 size, float inset);
 
 }  // namespace se::view

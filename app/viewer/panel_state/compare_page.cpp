@@ -1,4 +1,4 @@
-#include "compare_form.h"
+#include "compare_page.h"
 
 #include <utility>
 
@@ -6,15 +6,6 @@
 #include "what_if_offers.h"
 
 namespace se::view {
-
-namespace {
-
-/// `spec` with the rules of `other`: only the preparation remains to differ.
-InputSpec ruledAs(const InputSpec& spec, const InputSpec& other) {
-    return withRules(spec, rulesOf(other));
-}
-
-}  // namespace
 
 void CompareForm::takeOther(const InputSpec& other, const Model& model) {
     rules = rulesOf(other);
@@ -30,7 +21,8 @@ void CompareForm::take(const InputSpec& spec, const Model& model) {
 }
 
 void CompareForm::follow(const InputSpec& before, const InputSpec& now, const Model& model) {
-    if (differenceText(ruledAs(before, now), now) != "the same") {
+    // With the rules of `now` only the preparation remains to differ.
+    if (differenceText(withRules(before, rulesOf(now)), now) != "the same") {
         prepare.take(now, model);
         prepare.open = false;
     }

@@ -1,4 +1,4 @@
-#include "layout/labels.h"
+#include "layout/overlays.h"
 
 #include <doctest/doctest.h>
 

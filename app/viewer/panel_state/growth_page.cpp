@@ -1,4 +1,4 @@
-#include "growth_form.h"
+#include "growth_page.h"
 
 #include "run/number_format.h"
 #include "run/strings.h"

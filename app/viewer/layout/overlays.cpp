@@ -3,7 +3,7 @@
 // that the label covers (occupancy_grid.h), the habit of reading right above a point, and pointing
 // toward the pivot. The search of a label ends as soon as distance alone costs more than its best
 // position.
-#include "labels.h"
+#include "overlays.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <optional>
+
+#include "scene/camera.h"
 
 namespace se::view {
 
@@ -19,8 +20,9 @@ namespace {
 
 /// Maximum distance of a plate from its point, in em.
 constexpr std::array kFar = {0.45F, 0.8F, 1.2F, 1.7F, 2.4F, 3.2F, 4.2F, 5.4F, 7.0F, 9.0F, 12.0F};
-constexpr std::size_t kMinorReach = 4;
-constexpr std::size_t kStrongReach = 8;
+/// Number of these distances for labels of each rank.
+constexpr std::array kReach = {kFar.size(), std::size_t{8}, std::size_t{4}};
+static_assert(kReach.size() == static_cast<std::size_t>(LabelRank::Minor) + 1);
 /// Distance from which a line leads to the point, in em.
 constexpr float kLeaderFrom = 0.95F;
 /// Costs of one em of distance, of covering a cell full of lines, and of pointing to the pivot.
@@ -56,21 +58,10 @@ Rect plateAt(glm::vec2 at, glm::vec2 plate, glm::vec2 way, float distance) {
     return {glm::round(near - plate * glm::vec2(part(way.x), part(way.y))), plate};
 }
 
-bool within(const Rect& rect, const Rect& area) {
-    return rect.min.x >= area.min.x && rect.min.y >= area.min.y && rect.max().x <= area.max().x &&
-           rect.max().y <= area.max().y;
-}
-
-std::size_t reachOf(LabelRank rank) {
-    switch (rank) {
-        case LabelRank::Essential:
-            return kFar.size();
-        case LabelRank::Strong:
-            return kStrongReach;
-        case LabelRank::Minor:
-            return kMinorReach;
-    }
-    return 0;
+template <class Others>
+bool overlapsAny(const Rect& rect, const Others& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const auto& other) { return overlap(rect, other); });
 }
 
 class Placer {
@@ -81,7 +72,7 @@ class Placer {
 
     std::optional<PlacedLabel> place(const LabelWish& wish) {
         if (!room_.area.contains(wish.at)) return std::nullopt;
-        const std::size_t reach = reachOf(wish.rank);
+        const std::size_t reach = kReach[static_cast<std::size_t>(wish.rank)];
         std::optional<PlacedLabel> best;
         float least = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < reach && kFar[i] * kPerEm < least; ++i) {
@@ -110,11 +101,8 @@ class Placer {
     bool isFree(const Rect& plate) const {
         const glm::vec2 apart(kApart * room_.em);
         const Rect wide{plate.min - apart, plate.size + 2.0F * apart};
-        return within(plate, room_.area) &&
-               std::none_of(taken_.begin(), taken_.end(),
-                            [&](const Rect& other) { return overlap(wide, other); }) &&
-               std::none_of(room_.marks.begin(), room_.marks.end(),
-                            [&](const LabelMark& mark) { return overlap(wide, mark); });
+        return within(plate, room_.area) && !overlapsAny(wide, taken_) &&
+               !overlapsAny(wide, room_.marks);
     }
 
     const LabelRoom& room_;
@@ -122,6 +110,11 @@ class Placer {
 };
 
 }  // namespace
+
+bool within(const Rect& rect, const Rect& area, float slack) {
+    return rect.min.x >= area.min.x - slack && rect.min.y >= area.min.y - slack &&
+           rect.max().x <= area.max().x + slack && rect.max().y <= area.max().y + slack;
+}
 
 bool overlap(const Rect& a, const Rect& b) {
     return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
@@ -148,6 +141,43 @@ std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const Labe
         }
     }
     return placed;
+}
+
+Rect cornerRect(const Rect& view, glm::vec2 size, float margin, Corner corner) {
+    const bool left = corner == Corner::TopLeft || corner == Corner::BottomLeft;
+    const bool top = corner == Corner::TopLeft || corner == Corner::TopRight;
+    return {{left ? view.min.x + margin : view.max().x - margin - size.x,
+             top ? view.min.y + margin : view.max().y - margin - size.y},
+            size};
+}
+
+std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
+                               std::span<const Corner> corners) {
+    const glm::vec2 whole = size + glm::vec2(2.0F * room.margin);
+    if (whole.x > room.view.size.x || whole.y > room.view.size.y) return std::nullopt;
+    for (const Corner corner : corners) {
+        const Rect rect = cornerRect(room.view, size, room.margin, corner);
+        if (!overlapsAny(rect, room.taken) && !overlapsAny(rect, room.marks)) return rect;
+    }
+    return std::nullopt;
+}
+
+std::optional<EdgeArrow> edgeArrow(const CameraMatrices& camera, const glm::vec3& place,
+                                   glm::vec2 size, float inset) {
+    const glm::vec2 half = 0.5F * size - glm::vec2(inset);
+    if (!(half.x > 0.0F && half.y > 0.0F)) return std::nullopt;
+    const glm::vec4 clip = camera.viewProjection() * glm::vec4(place, 1.0F);
+    const bool inside = clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+    if (inside) return std::nullopt;
+    // Not divided by w: a point behind the eye would appear on the wrong side.
+    const glm::vec2 off(clip.x * size.x, -clip.y * size.y);
+    const float length = glm::length(off);
+    // Directly behind the eye every direction is equally good.
+    const glm::vec2 way = length > 0.0F ? off / length : glm::vec2(0.0F, 1.0F);
+    constexpr float kNever = std::numeric_limits<float>::max();
+    const float reach = std::min(way.x != 0.0F ? half.x / std::abs(way.x) : kNever,
+                                 way.y != 0.0F ? half.y / std::abs(way.y) : kNever);
+    return EdgeArrow{0.5F * size + reach * way, way};
 }
 
 }  // namespace se::view

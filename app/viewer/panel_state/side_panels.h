@@ -1,0 +1,157 @@
+/// The panels of the side columns and of the drawer: the titles of their tabs, and what each
+/// remembers. Plain values, no ImGui.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layout/panel_rects.h"
+#include "rows/lane_picture.h"
+#include "rows/step_tree.h"
+#include "rows/watch_plot.h"
+#include "run/selection.h"
+#include "spiraling_edge/explain/ring_history.h"
+
+namespace se::view {
+
+/// The tab that opens by itself when the doctor has found a problem.
+inline constexpr const char* kDoctorTab = "Doctor";
+inline constexpr const char* kBreakpointsTab = "Breakpoints";
+inline constexpr const char* kWatchTab = "Watch";
+
+/// The tab with the alerts.
+inline constexpr const char* kAlertsTab = "Alerts";
+
+/// The tab with all rules as switches.
+inline constexpr const char* kRulesTab = "Rules";
+
+/// The tab for overriding decisions.
+inline constexpr const char* kWhatIfTab = "What if";
+
+/// Tabs of the query panels.
+inline constexpr const char* kLedgerTab = "Ledger";
+inline constexpr const char* kQueryTab = "Query";
+inline constexpr const char* kChartsTab = "Charts";
+
+/// The tab of the right column.
+struct OpenTab {
+    std::string title;   ///< As last drawn.
+    std::string wanted;  ///< To be opened in the next frame; empty: unchanged.
+};
+
+/// The inputs of a painting of the lanes.
+struct LaneInputs {
+    std::uint32_t generation = 0;
+    std::size_t pivots = 0;
+    std::size_t changes = 0;
+    bool complete = false;
+    StripWindow window;
+    LaneRoom room;
+    friend bool operator==(const LaneInputs&, const LaneInputs&) = default;
+};
+
+/// The lanes as last painted.
+struct PaintedLanes {
+    LaneInputs inputs;
+    LanePicture picture;
+};
+
+/// Something that follows the cursor, but only when it moves, so that the user can scroll away.
+class CursorWatch {
+  public:
+    /// True for two frames after a move: sizes are known one frame late.
+    bool moved(std::uint32_t generation, std::uint32_t pivot, std::size_t cursor) {
+        if (generation_ != generation || pivot_ != pivot || cursor_ != cursor) again_ = 2;
+        generation_ = generation;
+        pivot_ = pivot;
+        cursor_ = cursor;
+        return again_ > 0 && again_-- > 0;
+    }
+
+  private:
+    std::uint32_t generation_ = 0;
+    std::uint32_t pivot_ = 0;
+    std::size_t cursor_ = 0;
+    int again_ = 0;
+};
+
+struct Navigation {
+    DrawerWish drawer = DrawerWish::Auto;
+    bool drawerFolded = false;  ///< As last laid out.
+    StripWindow strip;
+    PaintedLanes lanes;
+    CursorWatch stripWatch;
+    StepTree steps;
+    CursorWatch stepsWatch;
+    std::array<char, 64> stepFilter{};
+    CursorWatch paperWatch;
+    Index pointedAt = kNone;    ///< The point under the pointer, determined again in every frame.
+    Index pointedRing = kNone;  ///< The ring under the pointer, determined again in every frame.
+    CursorWatch ringWatch;
+    long ringShift = 0;  ///< Offset of the ring strip, in points.
+
+    /// Folds the drawer if it is open, otherwise opens it, regardless of the height of the window.
+    void toggleDrawer() { drawer = drawerFolded ? DrawerWish::Open : DrawerWish::Folded; }
+};
+
+struct AlertsPanel {
+    std::map<std::string, bool> open;  ///< Classes that were folded or unfolded by the user.
+    bool reveal = false;               ///< The list scrolls to the chosen alert.
+};
+
+struct DoctorPanel {
+    std::string shownCheck;  ///< The finding whose points are highlighted.
+};
+
+struct WatchPanel {
+    std::vector<std::string> expressions;  ///< See core's watch.h.
+    std::map<std::string, PaintedPlot> plots;
+};
+
+/// A list of decisions that follows the cursor.
+struct LineList {
+    CursorWatch watch;
+    const void* answer = nullptr;  ///< Line that was drawn last.
+    int settling = 0;              ///< Frames without scrolling to the cursor.
+};
+
+struct LedgerPanel {
+    std::string typed;      ///< Text in the box.
+    std::string complaint;  ///< Error of the typed text.
+    Selection seen;         ///< Selection when the panel was drawn last.
+    bool wantsKeyboard = false;
+    LineList list;
+};
+
+/// The lists of the panel Query.
+enum class QueryList : std::uint8_t { Found, Closest };
+
+struct QueryPanel {
+    std::string typed;
+    bool typing = false;  ///< The line requests the keyboard focus.
+    bool wantsKeyboard = false;
+    QueryList shown = QueryList::Found;
+    LineList found;
+    LineList closest;
+};
+
+/// Context menu of a thing in the view or in a list.
+struct SubjectMenu {
+    Selection what;
+    std::optional<RingAddress> ring;  ///< Instead of a selection.
+    bool wanted = false;              ///< To be opened in this frame.
+    bool other = false;               ///< In the view of the other run (layout Compare).
+
+    void open(const Selection& subject) {
+        *this = {subject, std::nullopt, subject.kind != SelectionKind::None};
+    }
+    /// In the view of the other run, or of a finished mesh, which cannot be queried.
+    void openBeside(const Selection& subject) { *this = {subject, std::nullopt, true, true}; }
+    void open(const RingAddress& place) { *this = {Selection{}, place, true}; }
+};
+
+}  // namespace se::view

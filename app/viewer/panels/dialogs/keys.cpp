@@ -1,0 +1,192 @@
+// The sheet of all keys, and the dialog that changes them.
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "panel_state/ui_state.h"
+#include "panels/widgets/boxes.h"
+
+namespace se::view {
+
+namespace {
+
+// ---- The sheet ---------------------------------------------------------------------------------
+
+struct MouseLine {
+    const char* action;
+    const char* what;
+};
+
+constexpr std::array kMouse = {
+    MouseLine{"left drag", "Orbit"},
+    MouseLine{"right, middle or Shift+left drag", "Pan"},
+    MouseLine{"Ctrl+left drag", "Break on the enclosed points"},
+    MouseLine{"wheel", "Zoom to the pointer"},
+    MouseLine{"click", "Select a point, edge or triangle, or clear"},
+    MouseLine{"double click", "Center the orbit on a point"},
+    MouseLine{"drop a file", "Open points or a session"},
+};
+
+void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    wrappedText(keys);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    wrappedText(what);
+}
+
+bool beginKeys(const char* id, const PanelContext& context) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 8.5F * context.em);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+/// The ten keys of bookmarks are one row, unless one of them was changed.
+bool bookmarksAreOneRow(const KeyMap& keys) {
+    return std::none_of(commands().begin(), commands().end(), [&](const Command& command) {
+        return command.id.starts_with("notes.go.") && keys.isChanged(command);
+    });
+}
+
+void drawGroup(const PanelContext& context, std::string_view group) {
+    heading(context, std::string(group).c_str());
+    if (!beginKeys(std::string(group).c_str(), context)) return;
+    const bool oneRow = bookmarksAreOneRow(context.settings().keys);
+    for (const Command& command : commands()) {
+        const std::string keys = context.settings().keys.all(command);
+        if (command.group != group || keys.empty()) continue;
+        const bool bookmark = oneRow && command.id.starts_with("notes.go.");
+        if (!bookmark) keyRow(context, keys, std::string(command.title));
+        if (bookmark && command.id == "notes.go.1")
+            keyRow(context, "Ctrl+1 ... Ctrl+0", "Go to bookmark 1 ... 10");
+    }
+    ImGui::EndTable();
+    ImGui::Spacing();
+}
+
+void drawMouseGroup(const PanelContext& context) {
+    heading(context, "Mouse");
+    if (!beginKeys("mouse", context)) return;
+    for (const MouseLine& line : kMouse) keyRow(context, line.action, line.what);
+    ImGui::EndTable();
+}
+
+void drawColumn(const PanelContext& context, std::initializer_list<const char*> groups) {
+    ImGui::TableNextColumn();
+    for (const char* group : groups) drawGroup(context, group);
+}
+
+/// As many columns as fit, to minimize scrolling.
+void drawColumns(const PanelContext& context, int columns) {
+    if (!ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
+    if (columns == 3) {
+        drawColumn(context, {"Step", "Run"});
+        drawColumn(context, {"File", "Edit", "Layers", "Notes", "Help"});
+        drawColumn(context, {"View"});
+    } else {
+        drawColumn(context, {"Step", "Run", "File", "Edit", "Layers"});
+        drawColumn(context, {"View", "Notes", "Help"});
+    }
+    drawMouseGroup(context);
+    ImGui::EndTable();
+}
+
+// ---- The editor --------------------------------------------------------------------------------
+
+/// One action: its title, its keys (a click changes them), and a button to reset them.
+void drawRow(const PanelContext& context, const Command& command) {
+    UiState& ui = context.ui();
+    KeyMap& keys = ui.settings.keys;
+    const bool asked = ui.keyCapture.command() == command.id;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(std::string(command.title).c_str());
+    tooltip(std::string(command.id) + ": " + std::string(command.help));
+    ImGui::TableNextColumn();
+    const std::string shown = asked ? "press a key..." : keys.all(command);
+    ImGui::PushFont(context.fonts.mono);
+    const std::string label = (shown.empty() ? std::string("none") : shown) + "##key";
+    if (selectable(context, label, asked, "key " + std::string(command.id)))
+        ui.keyCapture.begin(command.id);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    if (!keys.isChanged(command)) return;
+    const std::string first(command.keys);
+    if (ImGui::SmallButton("reset")) keys.reset(command);
+    tooltip(first.empty() ? "Reset to no key" : "Reset to " + first);
+}
+
+void drawRows(const PanelContext& context) {
+    constexpr int kFlags =
+        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
+    if (!ImGui::BeginTable("##actions", 3, kFlags)) return;
+    // As shares: in its first frame the window has no size yet.
+    ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.55F);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.35F);
+    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthStretch, 0.1F);
+    std::string_view group;
+    for (const Command& command : commands()) {
+        if (command.id == "help.leave") continue;  // Esc cannot be changed.
+        if (command.group != group) {
+            group = command.group;
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", std::string(group).c_str());
+        }
+        ImGui::PushID(command.id.data());
+        drawRow(context, command);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+/// Of constant height: rows must not move under the pointer.
+void drawHead(const PanelContext& context) {
+    UiState& ui = context.ui();
+    const std::string& note = ui.keyCapture.note();
+    const float lines = ImGui::GetFrameHeight() + ImGui::GetTextLineHeightWithSpacing();
+    if (ImGui::BeginChild("##note", {-9.0F * context.em, lines}, false)) {
+        ImGui::AlignTextToFramePadding();
+        wrappedText(note.empty() ? "Click the keys of an action, then press the new one." : note);
+    }
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(ui.settings.keys.changes().empty());
+    if (ImGui::Button("Reset all keys")) ui.settings.keys.resetAll();
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void drawCheatSheet(const PanelContext& context) {
+    bool& open = context.ui().cheatSheet;
+    if (!open) return;
+    const float ems = placeDialog(context, {84.0F, 50.0F}).x / context.em;
+    if (beginDialog("Keys and mouse", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (ImGui::Button("Change keys...")) {
+            open = false;
+            context.ui().keyEditor = true;
+        }
+        drawColumns(context, ems > 66.0F ? 3 : ems > 40.0F ? 2 : 1);
+    }
+    ImGui::End();
+}
+
+void drawKeyEditor(const PanelContext& context) {
+    UiState& ui = context.ui();
+    if (!ui.keyEditor) {
+        ui.keyCapture.cancel();
+        return;
+    }
+    placeDialog(context, {40.0F, 40.0F});
+    if (beginDialog("Change keys", &ui.keyEditor)) {
+        drawHead(context);
+        drawRows(context);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view
