@@ -206,6 +206,16 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.footer([] { return sceneList() + "\n\n" + shapeList(); });
 }
 
+/// Which points become neighbors, if an option says so. True if one does.
+bool chooseReach(const RawOptions& raw, NeighborOptions& lists) {
+    if (raw.neighbors > 0) lists.reach = KNearest{raw.neighbors};
+    if (raw.radius > 0.0) lists.reach = WithinRadius{raw.radius};
+    if (raw.reach > 0.0) lists.reach = WithinSpacings{raw.reach};
+    const bool given = raw.neighbors > 0 || raw.radius > 0.0 || raw.reach > 0.0;
+    lists.recompute = lists.recompute || given;
+    return given;
+}
+
 /// Checks which walls to derive, and which points to grow. Throws as takeOver() does.
 void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
     if (raw.orient) o.input.normals = NormalSource::Oriented;
@@ -314,10 +324,7 @@ Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec
     } catch (const CLI::ParseError& e) {
         return Error{text + ": " + e.what() + "."};
     }
-    NeighborOptions& lists = o.input.neighbors;
-    if (raw.neighbors > 0) lists.reach = KNearest{raw.neighbors};
-    if (raw.radius > 0.0) lists.reach = WithinRadius{raw.radius};
-    if (raw.neighbors > 0 || raw.radius > 0.0) lists.recompute = true;
+    chooseReach(raw, o.input.neighbors);
     if (raw.box == "auto") o.input.walls = {WallChoice::From::Around, {}};
     o.input.source = base.source;
     return CompareWith::otherRun(std::move(o.input));
@@ -395,12 +402,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    const bool symmetric = o.input.neighbors.symmetric;
-    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, 0, true, symmetric};
-    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, 0, true, symmetric};
-    if (raw.reach > 0.0) o.input.neighbors = {WithinSpacings{raw.reach}, true, 0, true, symmetric};
     o.rulesGiven = app.count("--rules") > 0;
-    o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0 || raw.reach > 0.0;
+    o.reachGiven = chooseReach(raw, o.input.neighbors);
     o.theme = themeFromName(raw.theme);
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);

@@ -82,6 +82,9 @@ TEST_CASE("--with has the options of another run, or names a mesh") {
     // A set of rules replaces single rules.
     CHECK(run.with->run.choices == std::vector<RuleValue>{{"rim", 0.0}});
     CHECK(std::get<WithinRadius>(run.with->run.neighbors.reach).radius == 0.3);
+    const Options reach = chosen({"scene:torus", "--with", "--reach 2.5"});
+    CHECK(std::get<WithinSpacings>(reach.with->run.neighbors.reach).spacings == 2.5);
+    CHECK(reach.with->run.neighbors.recompute);
     const Options same = chosen({"scene:torus", "-k", "16", "--with", "--rule flip=on"});
     CHECK(std::get<KNearest>(same.with->run.neighbors.reach).k == 16);
     CHECK(same.with->run.rules == "paper");

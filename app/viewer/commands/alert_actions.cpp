@@ -1,7 +1,6 @@
 #include "alert_actions.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "command_actions.h"
 #include "jobs/questions.h"
@@ -13,8 +12,6 @@
 namespace se::view {
 
 namespace {
-
-auto rankOf(const Address& at) { return std::tuple(at.pivot, at.stage, at.n); }
 
 /// The points to frame: those of the triangles as well, of which an edge shows too little.
 std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
@@ -121,16 +118,16 @@ void nextAlert(CommandContext& context, int direction) {
     const auto order = alerts.inOrder();
     if (order.empty()) return session.messages().say("No failures found.");
     const auto created = [&](std::size_t i) {
-        return rankOf(alerts.failures()[i].moments.created.event.address);
+        return alerts.failures()[i].moments.created.event.address;
     };
     std::ptrdiff_t place = 0;
     if (const auto chosen = session.alerts().chosen()) {
         place = std::find(order.begin(), order.end(), *chosen) - order.begin() + direction;
     } else {
-        const auto here =
-            session.event() != nullptr ? rankOf(session.address()) : rankOf({0, Stage{}, 0});
-        const auto after = std::partition_point(order.begin(), order.end(),
-                                                [&](std::size_t i) { return created(i) <= here; });
+        const Address here =
+            session.event() != nullptr ? session.address() : Address{0, Stage{}, 0};
+        const auto after = std::partition_point(
+            order.begin(), order.end(), [&](std::size_t i) { return !isBefore(here, created(i)); });
         place = after - order.begin() - (direction > 0 ? 0 : 1);
         // At an alert: the cursor is past it already.
         if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)

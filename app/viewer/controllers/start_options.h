@@ -22,7 +22,7 @@ struct Options {
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     InputSpec input;  ///< An empty source: begin with the start page.
     bool rulesGiven = false;
-    bool reachGiven = false;             ///< --neighbors or --radius.
+    bool reachGiven = false;             ///< --neighbors, --radius or --reach.
     bool normalsGiven = false;           ///< --orient or --derive-normals.
     bool wallsGiven = false;             ///< --box, without --new.
     std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.

@@ -1,7 +1,8 @@
 #include "keys.h"
 
 #include <array>
-#include <charconv>
+
+#include "spiraling_edge/base/number_text.h"
 
 namespace se::view {
 
@@ -41,11 +42,8 @@ int keyNumber(std::string_view text) {
         if (named.name == text) return named.key;
     }
     if (text.size() > 1 && text.front() == 'F') {
-        int number = 0;
-        const auto [end, error] =
-            std::from_chars(text.data() + 1, text.data() + text.size(), number);
-        const bool whole = error == std::errc{} && end == text.data() + text.size();
-        return whole && number >= 1 && number <= 24 ? key::kF1 + number - 1 : 0;
+        const int number = numberIn<int>(text.substr(1)).value_or(0);
+        return number >= 1 && number <= 24 ? key::kF1 + number - 1 : 0;
     }
     return text.size() == 1 ? static_cast<unsigned char>(text.front()) : 0;
 }

@@ -1,10 +1,10 @@
 #include "alert_search.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
-#include <tuple>
 #include <utility>
+
+#include "spiraling_edge/base/number_text.h"
 
 namespace se::view {
 
@@ -53,11 +53,7 @@ void AlertSearch::sortOut() {
     inOrder_.resize(all.size());
     std::iota(inOrder_.begin(), inOrder_.end(), std::size_t{0});
     std::stable_sort(inOrder_.begin(), inOrder_.end(), [&](std::size_t a, std::size_t b) {
-        const auto created = [&](std::size_t i) {
-            const Address& at = all[i].moments.created.event.address;
-            return std::tuple(at.pivot, at.stage, at.n);
-        };
-        return created(a) < created(b);
+        return isBefore(all[a].moments.created.event.address, all[b].moments.created.event.address);
     });
 }
 
@@ -73,13 +69,9 @@ std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_vie
     if (name == "first")
         return alerts.inOrder().empty() ? std::nullopt : std::optional(alerts.inOrder().front());
     const std::size_t colon = name.find(':');
-    std::size_t number = 1;
-    if (colon != std::string_view::npos) {
-        const std::string_view digits = name.substr(colon + 1);
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (error != std::errc() || end != digits.data() + digits.size()) return {};
-    }
+    const bool numbered = colon != std::string_view::npos;
+    const std::size_t number =
+        numbered ? numberIn<std::size_t>(name.substr(colon + 1)).value_or(0) : 1;
     for (const AlertGroup& group : alerts.groups()) {
         if (group.kind->name != name.substr(0, colon)) continue;
         if (number < 1 || number > group.count) return {};

@@ -2,6 +2,7 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"
@@ -11,7 +12,7 @@ namespace se::view {
 
 namespace {
 
-std::optional<double> numberIn(const std::string& text) { return numberFromText(trimmed(text)); }
+std::optional<double> typedNumber(const std::string& text) { return numberFromText(trimmed(text)); }
 
 Result<SampleSpec> surfaceIn(const GrowthForm& form) {
     SampleSpec spec;
@@ -23,7 +24,7 @@ Result<SampleSpec> surfaceIn(const GrowthForm& form) {
                                           : spec.surface + " is not a volume: expected " + file};
     }
     if (!trimmed(form.isovalue).empty()) {
-        spec.isovalue = numberIn(form.isovalue);
+        spec.isovalue = typedNumber(form.isovalue);
         if (!spec.isovalue) return Error{"Isovalue: expected a number, or nothing."};
     }
     if (!form.cut) return spec;
@@ -53,20 +54,20 @@ Result<SampleSpec> GrowthForm::spec() const {
     if (!surface) return surface;
     SampleSpec spec = surface.value();
     if (bySpacing) {
-        spec.spacing = numberIn(spacing).value_or(0.0);
+        spec.spacing = typedNumber(spacing).value_or(0.0);
         if (!(spec.spacing > 0.0)) return Error{"Spacing: expected a number > 0."};
     } else {
-        const auto number = wholeFromText(trimmed(count));
+        const auto number = numberIn<std::uint64_t>(trimmed(count));
         if (!number || *number == 0 || *number > kMaxParticles) {
             return Error{"Points: expected a whole number from 1 to " +
                          std::to_string(kMaxParticles) + "."};
         }
         spec.count = static_cast<std::size_t>(*number);
     }
-    const auto chosenSeed = wholeFromText(trimmed(seed));
+    const auto chosenSeed = numberIn<std::uint64_t>(trimmed(seed));
     if (!chosenSeed) return Error{"Seed: expected a whole number."};
     spec.seed = *chosenSeed;
-    const auto bend = numberIn(curvature);
+    const auto bend = typedNumber(curvature);
     if (!bend || *bend < 0.0 || *bend > 100.0) {
         return Error{"Curvature: expected a number from 0 to 100."};
     }

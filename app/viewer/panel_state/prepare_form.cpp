@@ -8,6 +8,7 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/number_text.h"
 
 namespace se::view {
 
@@ -87,7 +88,7 @@ Status PrepareForm::setReach(NeighborOptions& neighbors) const {
     neighbors.symmetric = symmetric;
     neighbors.recompute = reach != Reach::File;
     if (reach == Reach::Nearest) {
-        const auto number = wholeFromText(count);
+        const auto number = numberIn<std::uint64_t>(count);
         if (!number || *number == 0 || *number > kMaxNeighbors) {
             return Error{"Nearest: expected a whole number from 1 to 1000."};
         }

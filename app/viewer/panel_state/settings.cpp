@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 template <typename T>
-T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
+T fieldIn(const json& object, const char* name, T low, T high, T otherwise) {
     const auto found = object.find(name);
     if (found == object.end() || !found->is_number()) return otherwise;
     const T value = found->template get<T>();
@@ -84,10 +84,10 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (!object.is_object()) return Error{"The settings are not a JSON object."};
     ViewSettings s;
     s.theme = themeFromName(wordIn(object, "theme")).value_or(s.theme);
-    s.uiScale = numberIn(object, "uiScale", 0.75, 3.0, s.uiScale);
-    s.width = numberIn(object, "width", 320, 16384, s.width);
-    s.height = numberIn(object, "height", 240, 16384, s.height);
-    s.playRate = numberIn(object, "playRate", Playback::kSlowest, Playback::kFastest, s.playRate);
+    s.uiScale = fieldIn(object, "uiScale", 0.75, 3.0, s.uiScale);
+    s.width = fieldIn(object, "width", 320, 16384, s.width);
+    s.height = fieldIn(object, "height", 240, 16384, s.height);
+    s.playRate = fieldIn(object, "playRate", Playback::kSlowest, Playback::kFastest, s.playRate);
     if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
         s.legend = legend->get<bool>();
     }

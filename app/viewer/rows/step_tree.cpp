@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <sstream>
 
 #include "run/picture.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/event.h"
@@ -55,9 +55,7 @@ StepFilter::StepFilter(std::string_view text) {
 StepFilter::Word StepFilter::read(std::string text) {
     Word word;
     word.refused = text == "x" || text == "\xC3\x97";
-    Index number = kNone;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error == std::errc{} && end == text.data() + text.size()) word.number = number;
+    word.number = numberIn<Index>(text).value_or(kNone);
     if (!word.refused && word.number == kNone) word.found = findingsOf(text);
     word.text = std::move(text);
     return word;

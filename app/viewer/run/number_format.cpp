@@ -81,13 +81,6 @@ std::optional<double> numberFromText(std::string_view text) {
                                                                 : std::nullopt;
 }
 
-std::optional<std::uint64_t> wholeFromText(std::string_view text) {
-    std::uint64_t value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
-    return whole ? std::optional(value) : std::nullopt;
-}
-
 std::string boxText(const WallBox& box, char between) {
     std::string text;
     for (const Vec3& corner : {box.low, box.high}) {

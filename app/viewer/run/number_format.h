@@ -17,8 +17,6 @@ namespace se::view {
 std::string exact(double value);
 /// Parses one finite number; the whole text must match.
 std::optional<double> numberFromText(std::string_view text);
-/// Parses digits; the whole text must match.
-std::optional<std::uint64_t> wholeFromText(std::string_view text);
 
 /// "x0,y0,z0,x1,y1,z1", with the character `between` instead of the commas.
 std::string boxText(const WallBox& box, char between);

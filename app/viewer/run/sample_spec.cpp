@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "number_format.h"
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/sampler.h"
@@ -20,7 +21,7 @@ namespace {
 /// Parses one `key=value`. Empty: there is no such key; false: the value is wrong.
 std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
     const auto number = numberFromText(value);
-    const auto whole = wholeFromText(value);
+    const auto whole = numberIn<std::uint64_t>(value);
     if (key == "n") {
         spec.count = static_cast<std::size_t>(whole.value_or(0));
         return whole && *whole > 0 && *whole <= kMaxParticles;

@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace se::view {
-
-bool isBefore(const Address& a, const Address& b) {
-    return std::tie(a.pivot, a.stage, a.n) < std::tie(b.pivot, b.stage, b.n);
-}
 
 namespace {
 

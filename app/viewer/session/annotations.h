@@ -18,9 +18,6 @@ struct Bookmark {
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
-/// Whether `a` comes first in the run.
-bool isBefore(const Address& a, const Address& b);
-
 /// Bookmarks in the order of the run, one per address at most.
 using Bookmarks = std::vector<Bookmark>;
 

@@ -1,13 +1,13 @@
 #include "moves.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "run/strings.h"
 #include "session.h"
+#include "spiraling_edge/base/number_text.h"
 
 namespace se::view {
 
@@ -18,13 +18,6 @@ constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr std::chrono::milliseconds kPatience{2};
 /// Limit of waiting moves, so that key repeat does not pile them up.
 constexpr std::size_t kMaxMoves = 64;
-
-std::optional<long> readNumber(std::string_view text) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 /// Moves the nearest position of `from` out, and `here` onto `to`.
 std::optional<std::string> step(std::vector<std::string>& from, std::vector<std::string>& to,
@@ -363,19 +356,20 @@ Status Moves::goToText(const std::string& given) {
                         "\" is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
     if (!session_.ready() || text.empty()) return unknown;
     if (text.front() == '+' || text.front() == '-') {
-        const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
+        const auto number =
+            numberIn<long>(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
         if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
         stepPivot(static_cast<int>(*number));
         return success();
     }
     if (text.back() == '%') {
-        const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
+        const auto share = numberIn<long>(std::string_view(text).substr(0, text.size() - 1));
         if (!share || *share < 0 || *share > 100) return unknown;
         goToShare(static_cast<double>(*share) / 100.0);
         return success();
     }
     if (text.front() == 'p') {
-        const auto point = readNumber(std::string_view(text).substr(1));
+        const auto point = numberIn<long>(std::string_view(text).substr(1));
         if (!point || *point < 0) return unknown;
         if (static_cast<std::size_t>(*point) >= session_.model().points.size()) {
             return Error{"There is no point " + std::to_string(*point) + "; the last one is " +

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
-#include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/inspected_run.h"
@@ -243,13 +242,10 @@ Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Para
 }
 
 std::size_t firstCreated(std::span<const RunFailure> failures) {
-    const auto created = [](const RunFailure& each) {
-        const Address& at = each.moments.created.event.address;
-        return std::tuple(at.pivot, at.stage, at.n);
-    };
     const auto first = std::min_element(
-        failures.begin(), failures.end(),
-        [&](const RunFailure& a, const RunFailure& b) { return created(a) < created(b); });
+        failures.begin(), failures.end(), [](const RunFailure& a, const RunFailure& b) {
+            return isBefore(a.moments.created.event.address, b.moments.created.event.address);
+        });
     return static_cast<std::size_t>(first - failures.begin());
 }
 

@@ -4,7 +4,6 @@
 #include "spiraling_edge/explain/origin_decisions.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "spiraling_edge/replay/scan_run.h"
 
@@ -118,15 +117,14 @@ std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& point
     std::map<Index, LedgerLine> found;
     TriangleDecisions decisions(points, params);
     if (!decisions.read(progress)) return {};
-    const auto key = [](const Address& at) { return std::tuple(at.pivot, at.stage, at.n); };
-    std::multimap<std::tuple<std::uint32_t, Stage, std::uint32_t>, Index> wanted;
+    std::multimap<Address, Index, decltype(&isBefore)> wanted(&isBefore);
     for (const Index each : triangles) {
         const Address origin = decisions.originOf(each);
-        if (origin.pivot != 0) wanted.emplace(key(origin), each);
+        if (origin.pivot != 0) wanted.emplace(origin, each);
     }
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            const auto [begin, end] = wanted.equal_range(key(event.address));
+            const auto [begin, end] = wanted.equal_range(event.address);
             for (auto at = begin; at != end; ++at)
                 found.emplace(at->second, lineOf(event, {points, params, pivot.point}));
         }

@@ -4,9 +4,9 @@
 #include "spiraling_edge/explain/ring_history.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/ring_lanes.h"
 #include "spiraling_edge/replay/scan_run.h"
@@ -38,10 +38,8 @@ Result<RingAddress> ringAddressFromString(std::string_view text) {
     const auto at = addressFromString(text.substr(0, sign));
     if (!at) return expected;
     if (sign == std::string_view::npos) return RingAddress{*at, 0};
-    const std::string_view number = text.substr(sign + 1);
-    Index place = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), place);
-    if (error != std::errc() || end != number.data() + number.size() || place == 0) return expected;
+    const Index place = numberIn<Index>(text.substr(sign + 1)).value_or(0);
+    if (place == 0) return expected;
     return RingAddress{*at, place};
 }
 

@@ -4,8 +4,8 @@
 #include "spiraling_edge/replay/decision_query.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/replay/live_check.h"
@@ -81,9 +81,7 @@ std::string_view beyond(std::string_view word, std::size_t points) {
         word.remove_prefix(std::min(word.find_first_of(kDigits), word.size()));
         if (word.empty()) return {};
         const std::string_view digits = word.substr(0, word.find_first_not_of(kDigits));
-        std::size_t number = 0;
-        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (read.ec != std::errc() || number >= points) return digits;
+        if (numberIn<std::size_t>(digits).value_or(points) >= points) return digits;
         word.remove_prefix(digits.size());
     }
 }

@@ -1,9 +1,9 @@
 /// The terms of a query line: one function for each, which reads its value, if the word is of its
 /// form, and makes a condition on a decision of it; and one row of the table for each.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/decision_query.h"
@@ -35,14 +35,6 @@ Read readTerm(std::string_view word, std::string_view prefix, const ValueIn& val
 template <typename Holds>
 Read readWord(std::string_view word, std::string_view term, const Holds& holds) {
     return word == term ? Condition(holds) : Condition();
-}
-
-template <typename Number>
-std::optional<Number> numberIn(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return number;
 }
 
 Read readStage(std::string_view word) {

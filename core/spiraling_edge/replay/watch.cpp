@@ -1,8 +1,8 @@
 #include "spiraling_edge/replay/watch.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se {
@@ -112,11 +112,8 @@ Result<WatchExpression> WatchExpression::parse(std::string_view text) {
         if (!ofPoint && text == term.form) return WatchExpression(term, kNone);
         const std::string_view head = term.form.substr(0, term.form.size() - 1);
         if (!ofPoint || !text.starts_with(head)) continue;
-        const std::string_view number = text.substr(head.size());
-        Index point = kNone;
-        const auto [end, error] =
-            std::from_chars(number.data(), number.data() + number.size(), point);
-        if (error != std::errc() || end != number.data() + number.size() || point == kNone)
+        const Index point = numberIn<Index>(text.substr(head.size())).value_or(kNone);
+        if (point == kNone)
             return Error{"\"" + std::string(text) + "\": expected the number of a point, such as " +
                          std::string(head) + "812."};
         return WatchExpression(term, point);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <tuple>
+
+#include "spiraling_edge/base/number_text.h"
 
 namespace se {
 namespace {
@@ -41,13 +43,6 @@ constexpr std::array<StageRow, kStageCount> kStageTable{{
 
 static_assert(isInOrder(kStageTable));
 
-std::optional<std::uint32_t> numberFrom(std::string_view text) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 /// Removes the part before the first dot from `text` and returns it.
 std::string_view takePart(std::string_view& text) {
     const std::size_t dot = std::min(text.find('.'), text.size());
@@ -73,6 +68,10 @@ std::optional<Stage> stageFromName(std::string_view name) {
     return found->id;
 }
 
+bool isBefore(const Address& a, const Address& b) {
+    return std::tie(a.pivot, a.stage, a.n) < std::tie(b.pivot, b.stage, b.n);
+}
+
 std::string toString(const Address& address) {
     std::string text = std::to_string(address.pivot);
     text += '.';
@@ -83,7 +82,7 @@ std::string toString(const Address& address) {
 
 std::optional<Address> addressFromString(std::string_view text) {
     if (text.empty() || text.back() == '.') return std::nullopt;
-    const auto pivot = numberFrom(takePart(text));
+    const auto pivot = numberIn<std::uint32_t>(takePart(text));
     if (!pivot) return std::nullopt;
     Address address{*pivot, Stage::Pivot, 0};
     if (text.empty()) return address;
@@ -91,7 +90,7 @@ std::optional<Address> addressFromString(std::string_view text) {
     if (!stage) return std::nullopt;
     address.stage = *stage;
     if (text.empty()) return address;
-    const auto n = numberFrom(text);
+    const auto n = numberIn<std::uint32_t>(text);
     if (!n) return std::nullopt;
     address.n = *n;
     return address;

@@ -87,6 +87,8 @@ struct Address {
     std::uint32_t n = 0;
     friend bool operator==(const Address&, const Address&) = default;
 };
+/// The order of a run.
+bool isBefore(const Address& a, const Address& b);
 std::string toString(const Address& address);
 /// Reads `137`, `137.sphere` or `137.sphere.3`; parts left out are stage Pivot and n = 0.
 std::optional<Address> addressFromString(std::string_view text);
