@@ -126,7 +126,7 @@ bool isOpening(const StepContext& context);
 void phaseRing(AnyContext auto& context);
 void phaseLink(AnyContext auto& context);
 void phaseAdvance(AnyContext auto& context);
-// robust/repair_phases.cpp: beyond the paper, after the last pivot
+// robust/repair.cpp: beyond the paper, after the last pivot
 /// Goes to the first phase after the last pivot whose rule is on, else to Finished.
 void beginRepairPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);

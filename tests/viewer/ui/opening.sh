@@ -24,20 +24,20 @@ type_text "$work/many.ply"; press Return; says phase loading
 says input scene:sphere
 says input many.ply; says points "$count"; says pivot 0
 stop
-window=$(field first_window_seconds) longest=$(field longest_opening_seconds)
+longest=$(field longest_opening_seconds)
 echo "$count points: at most $longest s from frame to frame while opening"
-awk "BEGIN { exit !($longest < 2) }" || fail "the window hangs for $longest s"
 
 for input in scene:torus "$work/many.ply"; do
     start "$input"; says phase ready
     echo "$input: window after $(field first_window_seconds) s, input after $(field first_frame_seconds) s," \
         "at most $(field longest_opening_seconds) s from frame to frame"
-    window=$(field first_window_seconds)
-    awk "BEGIN { exit !($window < 3) }" || fail "the window needs $window s"
     stop
 done
-# Measured in the same run: quitting is not the opening waited for.
+# Against the time of the opening in the same run, since a busy machine is slow in everything.
 opened=$(field first_frame_seconds)
+window=$(field first_window_seconds)
+awk "BEGIN { exit !($window < $opened / 4) }" || fail "the window needs $window of $opened s"
+awk "BEGIN { exit !($longest < $opened / 4) }" || fail "the window hangs for $longest of $opened s"
 echo "quitting took $quitting ms while opening takes $opened s"
 awk "BEGIN { exit !($quitting < 500 * $opened) }" || fail "quitting waits for the input"
 well
