@@ -30,6 +30,7 @@ constexpr double kIdleSeconds = 0.25;
 /// A text field has the keyboard focus only in the fourth frame after the request.
 constexpr int kSettleFrames = 5;
 constexpr double kFrameSeconds = 1.0 / 60.0;
+constexpr double kDoubleClickSeconds = 0.3;
 
 glm::vec2 cursorOf(GLFWwindow* window) {
     double x = 0.0;
@@ -120,12 +121,6 @@ void Window::listen() {
         of(window).pointer_ = {x, y};
         of(window).noteInput();
     });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
-        // From the events: a query to the display server would return the current position.
-        if (action == GLFW_PRESS)
-            of(window).press_ = of(window).pointer_.value_or(cursorOf(window));
-        of(window).noteInput();
-    });
     glfwSetScrollCallback(window_,
                           [](GLFWwindow* window, double, double) { of(window).noteInput(); });
     glfwSetFramebufferSizeCallback(window_,
@@ -134,8 +129,14 @@ void Window::listen() {
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window).noteInput(); });
 }
 
-void Window::listenToKeys() {
+void Window::listenToPresses() {
     glfwSetKeyCallback(window_, onKey);
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int mods) {
+        // From the events: a query to the display server would return the current position.
+        const glm::vec2 pointer = of(window).pointer_.value_or(cursorOf(window));
+        if (action == GLFW_PRESS) of(window).presses_.push_back({button, mods, pointer});
+        of(window).noteInput();
+    });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
         KeyPress typed;
         typed.sign = sign;
@@ -168,8 +169,20 @@ void Window::deliver() {
     }
     keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(now));
     if (!keys_.empty()) wake_ = kSettleFrames;
-    if (press_) application_->buttonPressed(*std::exchange(press_, std::nullopt));
+    deliverButton();
     if (!drops_.empty()) application_->drop(std::exchange(drops_, {}));
+}
+
+/// Dear ImGui sees the buttons once in a frame: the second press of a double click needs a frame of
+/// its own, after one with the button up.
+void Window::deliverButton() {
+    pressDelivered_ = !pressDelivered_ && !presses_.empty();
+    if (!presses_.empty()) wake_ = kSettleFrames;
+    if (!pressDelivered_) return;
+    const ButtonPress press = presses_.front();
+    presses_.erase(presses_.begin());
+    application_->buttonPressed(press.pointer);
+    ImGui_ImplGlfw_MouseButtonCallback(window_, press.button, GLFW_PRESS, press.mods);
 }
 
 void Window::drawFrame() {
@@ -179,6 +192,9 @@ void Window::drawFrame() {
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window_, &size.x, &size.y);
     if (size.x == 0 || size.y == 0) return;
+    // The two presses of a double click are up to four frames apart.
+    const double twoClicks = std::max(kDoubleClickSeconds, 4.0 * frameSeconds_);
+    ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(twoClicks);
     ImGui_ImplGlfw_NewFrame();
     application_->frame(size, seconds);
     if (const std::string title = application_->title(); title != title_) {
@@ -186,13 +202,15 @@ void Window::drawFrame() {
         glfwSetWindowTitle(window_, title_.c_str());
     }
     glfwSwapBuffers(window_);
+    frameSeconds_ = glfwGetTime() - now;
 }
 
 void Window::attach(Application& application) {
     application_ = &application;
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    // Instead of Dear ImGui's own callbacks: it gets its keys from deliver(), frame by frame.
-    listenToKeys();
+    // Instead of Dear ImGui's own callbacks: it gets keys and buttons from deliver(), frame by
+    // frame.
+    listenToPresses();
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     lastFrame_ = glfwGetTime();
 }
@@ -232,7 +250,8 @@ bool Window::turn() {
     if (unsettled_ > 0) --unsettled_;
     drawFrame();
     // A write error is reported on exit.
-    static_cast<void>(application_->writeState({inputs_, unsettled_ == 0 && keys_.empty()}));
+    static_cast<void>(
+        application_->writeState({inputs_, unsettled_ == 0 && keys_.empty() && presses_.empty()}));
     if (application_->takeFullScreenRequest()) toggleFullScreen();
     return true;
 }

@@ -17,6 +17,13 @@ namespace se::view {
 
 class Application;
 
+/// A mouse button came down.
+struct ButtonPress {
+    int button = 0;
+    int mods = 0;
+    glm::vec2 pointer{0.0F};
+};
+
 class Window {
   public:
     static Result<std::unique_ptr<Window>> create(glm::ivec2 size);
@@ -38,10 +45,11 @@ class Window {
   private:
     Window() = default;
     void listen();
-    void listenToKeys();
+    void listenToPresses();
     void waitForInput();
     void noteInput();
     void deliver();
+    void deliverButton();
     void drawFrame();
     void toggleFullScreen();
     static Window& of(GLFWwindow* window);
@@ -52,7 +60,9 @@ class Window {
     std::vector<KeyPress> keys_;          ///< In order of arrival.
     std::vector<std::string> drops_;
     std::optional<glm::vec2> pointer_;  ///< At the last event; empty before the first.
-    std::optional<glm::vec2> press_;    ///< Position of a button press since the last frame.
+    std::vector<ButtonPress> presses_;  ///< In order of arrival.
+    bool pressDelivered_ = false;       ///< In the last frame.
+    double frameSeconds_ = 0.0;         ///< Duration of drawing the last frame.
     std::string title_;
     std::uint64_t inputs_ = 0;  ///< Events since the start.
     int wake_ = 5;              ///< Frames still to draw: the layout settles over a few of them.
