@@ -11,7 +11,6 @@
 #include "panel_state/settings.h"
 #include "scene/picking.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/io/read_points.h"
 #include "window.h"
 
 namespace {

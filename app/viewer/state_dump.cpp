@@ -11,7 +11,6 @@
 #include "session/selection_facts.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {

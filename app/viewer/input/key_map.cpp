@@ -1,6 +1,5 @@
 #include "key_map.h"
 
-#include <algorithm>
 #include <set>
 
 #include "command.h"

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "run/picture.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {

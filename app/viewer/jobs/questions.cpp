@@ -4,7 +4,6 @@
 #include <charconv>
 #include <utility>
 
-#include "run/strings.h"
 
 namespace se::view {
 

@@ -1,13 +1,10 @@
 #include "number_format.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 #include "spiraling_edge/base/number_text.h"

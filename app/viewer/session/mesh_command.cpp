@@ -4,12 +4,10 @@
 // beside the mesh. tests/viewer/session/mesh_command_test.cpp compares the bytes.
 #include "mesh_command.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "run/number_format.h"
-#include "run/strings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"

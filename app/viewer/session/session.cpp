@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "annotations.h"
 #include "jobs/questions.h"
 
 namespace se::view {

@@ -10,7 +10,6 @@
 #include "run/strings.h"
 #include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/io/formats.h"

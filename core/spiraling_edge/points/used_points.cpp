@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <queue>
-#include <utility>
 
 #include "spiraling_edge/prepare/neighbor_search.h"
 

@@ -2,7 +2,6 @@
 /// Each bar has a query line that finds exactly its decisions.
 #include "spiraling_edge/replay/run_charts.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 

@@ -5,7 +5,6 @@
 #include "panel_state/file_browser_state.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
-#include "run/strings.h"
 #include "session/session.h"
 #include "spiraling_edge/io/write_mesh.h"
 

@@ -10,7 +10,6 @@
 #include "run/rule_set.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

@@ -5,9 +5,7 @@
 #include "panel_state/side_panels.h"
 #include "panels/widgets/boxes.h"
 #include "panels/widgets/camera_mouse.h"
-#include "run/status_list.h"
 #include "session/session.h"
-#include "view_parts.h"
 
 namespace se::view {
 

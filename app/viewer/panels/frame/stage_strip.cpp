@@ -6,7 +6,6 @@
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
 #include "strips.h"
 
 namespace se::view {

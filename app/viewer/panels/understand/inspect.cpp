@@ -8,7 +8,6 @@
 #include "session/selection_facts.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

@@ -5,7 +5,6 @@
 
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
-#include "run/status_list.h"
 #include "scene/draw_list.h"
 #include "scene/outcome.h"
 #include "session/session.h"

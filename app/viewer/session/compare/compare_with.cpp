@@ -1,6 +1,5 @@
 #include "compare_with.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "run/number_format.h"
