@@ -15,7 +15,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "verbs.h"
 

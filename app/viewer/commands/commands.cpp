@@ -8,7 +8,6 @@
 #include "ask_actions.h"
 #include "break_commands.h"
 #include "command_actions.h"
-#include "growth_commands.h"
 #include "panel_state/side_panels.h"
 #include "run/strings.h"
 #include "session/playback.h"

@@ -1,9 +1,10 @@
 /// All actions, in one table that feeds keys, menus, the cheat sheet and --list-actions.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
-#include "input/command.h"
+#include "input/key_map.h"
 
 namespace se::view {
 
@@ -11,6 +12,7 @@ class Camera;
 class Playback;
 class Session;
 struct UiState;
+enum class GrowthSource : std::uint8_t;
 
 /// Everything that a command may use.
 struct CommandContext {
@@ -33,5 +35,10 @@ void framePivot(CommandContext& context);
 
 /// Runs a command, from a key, a menu or the list of actions.
 void runCommand(const Command& command, CommandContext& context);
+
+/// Opens the page with the last form, of a shape or of a volume.
+void openGrowthPage(CommandContext& context, GrowthSource from);
+/// Carries out the meaning of `command` on that page. False: it has its usual meaning.
+bool runOnGrowthPage(const Command& command, CommandContext& context);
 
 }  // namespace se::view

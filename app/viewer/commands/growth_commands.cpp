@@ -1,4 +1,3 @@
-#include "growth_commands.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include "commands/alert_actions.h"
 #include "panel_state/side_panels.h"
-#include "run/gallery.h"
+#include "run/model.h"
 
 namespace se::view {
 

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "commands/command_actions.h"
-#include "commands/growth_commands.h"
-#include "run/gallery.h"
+#include "run/model.h"
 #include "session/playback.h"
 #include "spiraling_edge/sampling/volume.h"
 

@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "command.h"
 #include "run/strings.h"
 
 namespace se::view {

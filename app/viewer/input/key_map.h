@@ -1,8 +1,10 @@
-/// Keys of the commands: those of the table, except where the user chose others.
+/// A row of the table of commands, which stands in commands/, and the keys of commands: those of
+/// the table, except where the user chose others.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +13,22 @@
 
 namespace se::view {
 
-struct Command;
+struct CommandContext;
+
+struct Command {
+    std::string_view id;     ///< "step.pivot.next": menu path and stable name.
+    std::string_view group;  ///< Menu and section of the cheat sheet.
+    std::string_view title;
+    std::string_view keys;  ///< "F10 .": one or more, separated by spaces; may be empty.
+    std::string_view help;  ///< One sentence.
+    void (*run)(CommandContext& context);
+    /// Synonyms for the search of the palette, separated by spaces.
+    std::string_view synonyms = {};
+    bool repeats = false;  ///< Also while the key is held down.
+};
+
+std::span<const Command> commands();
+const Command* findCommand(std::string_view id);
 
 class KeyMap {
   public:

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 
 namespace se::view {

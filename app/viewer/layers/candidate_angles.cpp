@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "overlap.h"
+#include "disc.h"
 
 namespace se::view {
 

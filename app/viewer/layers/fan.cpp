@@ -1,6 +1,6 @@
 /// §6.4: the triangles of the fan, one by one, numbered and with their turn (Fig. 10), or the only
 /// one of first and last (Fig. 9).
-#include "overlap.h"
+#include "disc.h"
 #include "scene/selection_measures.h"
 
 namespace se::view {

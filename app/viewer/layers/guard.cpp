@@ -1,7 +1,7 @@
 /// Beyond the paper (docs/robust.md): the objection of a rule to the whole fan.
 #include <algorithm>
 
-#include "overlap.h"
+#include "disc.h"
 #include "scene/selection_measures.h"
 
 namespace se::view {

@@ -6,9 +6,12 @@
 #include <array>
 #include <bitset>
 #include <glm/geometric.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "run/model.h"
 #include "run/overview.h"
@@ -168,5 +171,19 @@ void toggleLayer(LayerModes& modes, LayerId id, std::optional<Stage> stage);
 
 /// Fills `out` with all layers that are on. The result depends on nothing else.
 void fillDrawList(const LayerInput& in, const LayerSwitches& on, DrawList& out);
+
+struct ReadLayers {
+    LayerModes modes{};
+    /// "layer \"hologram\"", "mode \"maybe\" of layer \"points\"".
+    std::vector<std::string> unknown;
+
+    /// A sentence about the skipped names; empty if there are none.
+    std::string complaint() const;
+};
+
+/// `object`: {"normals": "on"}. Earlier versions wrote true and false.
+ReadLayers layersFromJson(const nlohmann::json& object);
+/// All layers, whatever their mode.
+nlohmann::json layersToJson(const LayerModes& modes);
 
 }  // namespace se::view

@@ -1,7 +1,7 @@
 // The possible triangle and the finished triangles around its corners are projected into the plane
 // of a disc and intersected there as convex polygons (scene/clip.h). Every piece is lifted back
 // onto the possible triangle for drawing.
-#include "overlap.h"
+#include "disc.h"
 
 #include <algorithm>
 #include <array>

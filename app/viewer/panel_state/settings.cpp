@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "layers/layer_text.h"
+#include "layers/layer.h"
 #include "run/model.h"
 #include "run/number_format.h"
 #include "run/sample_spec.h"

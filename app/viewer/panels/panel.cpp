@@ -8,7 +8,6 @@
 #include "panel_state/growth_page.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
-#include "panels/widgets/tab_rows.h"
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"
 #include "session/session.h"

@@ -25,15 +25,6 @@ void clearFrame(glm::ivec2 size, const Color& color) {
 
 void finishGl() { glFinish(); }
 
-std::string glDescription() {
-    const auto text = [](GLenum name) {
-        const GLubyte* value = glGetString(name);
-        return value == nullptr ? std::string("?")
-                                : std::string(reinterpret_cast<const char*>(value));
-    };
-    return "OpenGL " + text(GL_VERSION) + " on " + text(GL_RENDERER);
-}
-
 Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size) {
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(size.x) *
                                      static_cast<std::size_t>(size.y) * 4);

@@ -19,8 +19,6 @@ Status loadGl(GlFunctionLoader loader);
 void clearFrame(glm::ivec2 size, const Color& color);
 /// Waits until all OpenGL commands are complete.
 void finishGl();
-/// Version and renderer of the current context, for --version and error reports.
-std::string glDescription();
 
 /// Reads `size` pixels of the bound framebuffer and writes them as PNG.
 Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size);

@@ -3,8 +3,11 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/replay/decision_query.h"
 
 namespace se::view {
 
@@ -19,5 +22,11 @@ std::string lineText(const LedgerLine& line);
 /// The answer and all lines; the decisive one has a mark.
 std::string ledgerText(const std::string& answer, std::span<const LedgerLine> lines,
                        std::size_t cause);
+
+/// The terms that complete the last word of a line; all of them after a space, or if it is none.
+std::vector<const QueryTerm*> termsFor(std::string_view line);
+/// The line with its last word replaced by the beginning of a term: "stage=sphere mar" and
+/// margin<X give "stage=sphere margin<".
+std::string completed(std::string_view line, const QueryTerm& term);
 
 }  // namespace se::view

@@ -4,12 +4,15 @@
 #include "model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <vector>
 
-#include "input_hash.h"
+#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
@@ -231,6 +234,58 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     const Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
     return loaded.value().model;
+}
+
+const FailureScene* galleryScene(std::string_view idOrSource) {
+    if (isScene(idOrSource)) idOrSource.remove_prefix(kScenePrefix.size());
+    const auto all = failureScenes();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const FailureScene& each) {
+        return each.scene.id == idOrSource;
+    });
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view openingAddress(std::string_view source) {
+    return isScene(source) ? addressOfScene(source.substr(kScenePrefix.size())) : "";
+}
+
+namespace {
+
+void addNumber(InputHash& hash, double number) {
+    const auto bits = bitsAs<std::uint64_t>(number);
+    std::array<char, 8> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
+    }
+    hash.add({bytes.data(), bytes.size()});
+}
+
+void addAll(InputHash& hash, const std::vector<Vec3>& vectors) {
+    for (const Vec3& v : vectors) {
+        for (int i = 0; i < 3; ++i) addNumber(hash, v[i]);
+    }
+}
+
+}  // namespace
+
+void InputHash::add(std::string_view bytes) {
+    constexpr std::uint64_t kPrime = 0x100000001b3U;
+    for (const char byte : bytes) {
+        state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
+    }
+}
+
+std::string InputHash::text() const {
+    char text[32];
+    std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(state_));
+    return text;
+}
+
+std::string hashOfPoints(const PointFile& points) {
+    InputHash hash;
+    addAll(hash, points.position);
+    addAll(hash, points.normal);
+    return hash.text();
 }
 
 }  // namespace se::view

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 
@@ -117,5 +120,26 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
 std::string fixesText(const Model& model);
 /// Computes all drawing data from `points`.
 void placeModel(Model& model);
+
+/// The scene of the failure gallery with that id, or of the source `scene:ID`; null if there is
+/// none.
+const FailureScene* galleryScene(std::string_view idOrSource);
+/// The address that the source `scene:ID` opens at: that of the decision it demonstrates. Empty for
+/// a scene that opens at its start, and for every other source.
+std::string_view openingAddress(std::string_view source);
+
+/// 64-bit FNV-1a, computed piecewise. It detects changes, not attacks.
+class InputHash {
+  public:
+    void add(std::string_view bytes);
+    /// "fnv1a64:" and 16 hexadecimal digits.
+    std::string text() const;
+
+  private:
+    std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+/// Hash of positions, then normals, as little endian doubles: for inputs without a file.
+std::string hashOfPoints(const PointFile& points);
 
 }  // namespace se::view

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spiraling_edge/replay/reading.h"
+
 namespace se::view {
 
 namespace {
@@ -87,6 +89,18 @@ Color viridis(float share) {
     const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(kPlaces.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(at), kPlaces.size() - 2);
     return mix(kPlaces[low], kPlaces[low + 1], at - static_cast<float>(low));
+}
+
+std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
+    if (std::holds_alternative<AlertEvidence>(event.evidence)) return palette.rejected;
+    const std::optional<Verdict> verdict = verdictOf(event);
+    if (!verdict) return std::nullopt;
+    // Where start or end is now.
+    if (*verdict == Verdict::Moved) return palette.test;
+    const Outcome outcome = rowOf(*verdict).outcome;
+    if (outcome == Outcome::Taken) return palette.used;
+    if (outcome == Outcome::Refused) return palette.rejected;
+    return outcome == Outcome::Unchanged ? palette.textDim : palette.test;
 }
 
 }  // namespace se::view

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "spiraling_edge/stepper/event.h"
+
 namespace se::view {
 
 /// sRGB, components in [0, 1].
@@ -65,5 +67,9 @@ Color viridis(float share);
 
 /// Contrast ratio by WCAG 2, from 1 to 21.
 double contrast(const Color& a, const Color& b);
+
+/// Kept, rejected, moved, or without effect; for an alert that of errors. Empty for an event that
+/// has no outcome, such as a new triangle or the next pivot: callers choose the color of those.
+std::optional<Color> outcomeColor(const Palette& palette, const Event& event);
 
 }  // namespace se::view

@@ -55,7 +55,6 @@ class Playback {
     void slower();
     /// One step every frame, however long a frame takes.
     bool unlimited() const { return unlimited_; }
-    void setUnlimited(bool unlimited) { unlimited_ = unlimited; }
 
     /// Steps due after `seconds` more have passed; 0 while paused. Never more than 8, so that a
     /// long frame does not lead to a longer one.

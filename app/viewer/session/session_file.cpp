@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "layers/layer_text.h"
+#include "layers/layer.h"
 #include "run/strings.h"
 #include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"

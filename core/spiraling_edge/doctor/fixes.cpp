@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "spiraling_edge/doctor/checks.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {

@@ -10,7 +10,7 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 

@@ -13,7 +13,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/point_grid.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
 namespace se {

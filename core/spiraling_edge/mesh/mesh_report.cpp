@@ -8,7 +8,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {

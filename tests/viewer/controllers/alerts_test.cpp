@@ -3,7 +3,7 @@
 #include "headless_app.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
-#include "run/gallery.h"
+#include "run/model.h"
 #include "run/strings.h"
 
 #include <doctest/doctest.h>

@@ -145,6 +145,6 @@ TEST_CASE("Marked points get a diamond each, over everything else") {
     DrawList out;
     addMarked(input, out);
     REQUIRE(out.sprites.size() == 3);
-    for (const Sprite& sprite : out.sprites) CHECK(sprite.style.shape == Shape::OpenDiamond);
+    for (const Sprite& sprite : out.sprites) CHECK(sprite.style.shape == view::Shape::OpenDiamond);
     CHECK(out.sprites[1].position == open.session.model().place[8]);
 }

@@ -1,6 +1,6 @@
 #include "jobs/loader.h"
 #include "open_session.h"
-#include "run/input_hash.h"
+#include "run/model.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 #include <doctest/doctest.h>

@@ -12,7 +12,6 @@
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
 #include "rows/line_text.h"
-#include "rows/query_words.h"
 #include "scene/camera.h"
 #include "scene/point_tint.h"
 #include "session/line_position.h"

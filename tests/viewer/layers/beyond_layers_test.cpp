@@ -78,7 +78,7 @@ const Line* lineOf(const DrawList& list, const glm::vec3& a, const glm::vec3& b)
     return found == list.lines.end() ? nullptr : &*found;
 }
 
-std::size_t count(const DrawList& list, Shape shape) {
+std::size_t count(const DrawList& list, view::Shape shape) {
     return static_cast<std::size_t>(
         std::count_if(list.sprites.begin(), list.sprites.end(),
                       [&](const Sprite& s) { return s.style.shape == shape; }));
@@ -123,7 +123,7 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
     const Index point = place->evidence<ReinsertEvidence>().point;
     const Picture& picture = place->session.picture();
     const DrawList list = place->drawn(addRepairs);
-    CHECK(count(list, Shape::RingedDisc) == 1);
+    CHECK(count(list, view::Shape::RingedDisc) == 1);
     CHECK(says(list, std::to_string(point)));
     // An event before it in the same step shows the old mesh.
     const PivotRecord& record = place->session.record();
@@ -154,7 +154,7 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
     const Picture& picture = place->session.picture();
     CHECK(picture.goneTriangles.size() == picture.newTriangles.size() + 2);
     const DrawList list = place->drawn(addRepairs);
-    CHECK(count(list, Shape::Cross) == 1);
+    CHECK(count(list, view::Shape::Cross) == 1);
     for (const Triangle& t : picture.goneTriangles) {
         for (const Index corner : {t.a, t.b, t.c}) {
             if (corner == point) continue;

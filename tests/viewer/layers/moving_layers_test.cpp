@@ -24,13 +24,13 @@ TEST_CASE("A seed highlights the skipped points, once; permanently in saved pict
         addSeed(in, list);
         return list;
     };
-    CHECK(count(at(Moment{}), Shape::Dot) == 0);
+    CHECK(count(at(Moment{}), view::Shape::Dot) == 0);
     CHECK_FALSE(says(at(Moment{}), "passed over"));
     const DrawList lit = at({Moment::Kind::Moving, 0.1, false});
-    CHECK(count(lit, Shape::Dot) == 30 + 2);
+    CHECK(count(lit, view::Shape::Dot) == 30 + 2);
     CHECK(says(lit, "30 DONE, passed over"));
-    CHECK(count(at(kPaper), Shape::Dot) == 30 + 2);
-    CHECK(count(at({Moment::Kind::Moving, 0.7, false}), Shape::Dot) == 0);
+    CHECK(count(at(kPaper), view::Shape::Dot) == 30 + 2);
+    CHECK(count(at({Moment::Kind::Moving, 0.7, false}), view::Shape::Dot) == 0);
 }
 
 TEST_CASE("The last fan fades as a new one appears") {
@@ -75,7 +75,7 @@ TEST_CASE("The old path of the ring fades, and joining points pop up in order") 
     CHECK(alphaOfOld(Moment{}) == doctest::Approx(0.5));
     CHECK(alphaOfOld(kPaper) == doctest::Approx(0.5));
     const auto joined = [&](const Moment& moment) {
-        return count(drawnAt(open, moment, addRingChange), Shape::RingedDisc);
+        return count(drawnAt(open, moment, addRingChange), view::Shape::RingedDisc);
     };
     const std::size_t all = joined(Moment{});
     CHECK(all >= 1);

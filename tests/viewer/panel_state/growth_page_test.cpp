@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "commands/growth_commands.h"
+#include "commands/commands.h"
 #include "headless_app.h"
 #include "panel_state/prepare_form.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "open_session.h"
-#include "scene/outcome.h"
+#include "scene/palette.h"
 
 using namespace se;
 using namespace se::view;

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "open_session.h"
-#include "run/input_hash.h"
+#include "run/model.h"
 
 using namespace se;
 using namespace se::view;

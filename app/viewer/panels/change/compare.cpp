@@ -6,7 +6,6 @@
 #include "jobs/questions.h"
 #include "panel_state/compare_page.h"
 #include "panel_state/what_if_offers.h"
-#include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
 #include "rules.h"

@@ -5,9 +5,6 @@
 #include <filesystem>
 
 #include "panel_state/ui_state.h"
-#include "panels/widgets/boxes.h"
-#include "panels/widgets/camera_mouse.h"
-#include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "scene/draw_list.h"

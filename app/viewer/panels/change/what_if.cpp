@@ -2,7 +2,6 @@
 #include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
-#include "panels/widgets/boxes.h"
 #include "panels/widgets/widgets.h"
 #include "run/rule_set.h"
 #include "session/layout_preset.h"

@@ -6,7 +6,6 @@
 #include "mesh_fields.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
-#include "panels/widgets/boxes.h"
 #include "panels/widgets/widgets.h"
 #include "session/mesh_command.h"
 #include "session/session.h"

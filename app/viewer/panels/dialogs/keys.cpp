@@ -4,7 +4,7 @@
 #include <initializer_list>
 
 #include "panel_state/ui_state.h"
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 
 namespace se::view {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "panel_state/ui_requests.h"
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 
 namespace se::view {
 

@@ -1,6 +1,5 @@
 #include "panel_state/ui_requests.h"
-#include "panels/widgets/boxes.h"
-#include "panels/widgets/prepare_fields.h"
+#include "panels/widgets/widgets.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -7,7 +7,7 @@
 #include "jobs/questions.h"
 #include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
-#include "rows/query_words.h"
+#include "rows/line_text.h"
 #include "run/strings.h"
 #include "scene/point_tint.h"
 #include "session/session.h"

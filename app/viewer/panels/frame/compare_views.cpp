@@ -3,8 +3,7 @@
 
 #include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
-#include "panels/widgets/boxes.h"
-#include "panels/widgets/camera_mouse.h"
+#include "panels/widgets/widgets.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "panel_state/settings.h"
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "view_parts.h"

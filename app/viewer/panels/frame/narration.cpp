@@ -6,7 +6,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"
-#include "scene/outcome.h"
+#include "scene/palette.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "panel_state/ui_state.h"
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 #include "session/session.h"
 
 namespace se::view {

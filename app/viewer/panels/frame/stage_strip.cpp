@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scene/draw_list.h"
-#include "scene/outcome.h"
+#include "scene/palette.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"

@@ -5,7 +5,7 @@
 #include "input/tab_order.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
-#include "run/gallery.h"
+#include "run/model.h"
 #include "session/session.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/write_mesh.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "panel_state/side_panels.h"
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 
 namespace se::view {
 

@@ -1,7 +1,7 @@
 /// The labels of the view.
 #include <algorithm>
 
-#include "panels/widgets/boxes.h"
+#include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "view_parts.h"

@@ -5,8 +5,8 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
-#include "run/gallery.h"
-#include "scene/outcome.h"
+#include "run/model.h"
+#include "scene/palette.h"
 #include "session/playback.h"
 #include "session/session.h"
 

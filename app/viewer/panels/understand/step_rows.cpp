@@ -6,7 +6,7 @@
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
-#include "scene/outcome.h"
+#include "scene/palette.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"

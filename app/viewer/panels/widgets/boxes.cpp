@@ -1,4 +1,4 @@
-#include "boxes.h"
+#include "panels/widgets/widgets.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

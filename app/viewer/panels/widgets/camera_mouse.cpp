@@ -1,4 +1,3 @@
-#include "camera_mouse.h"
 
 #include <algorithm>
 #include <array>

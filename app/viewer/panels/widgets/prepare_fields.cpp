@@ -1,4 +1,3 @@
-#include "prepare_fields.h"
 
 #include <imgui.h>
 

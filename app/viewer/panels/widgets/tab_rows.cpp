@@ -1,6 +1,5 @@
 // Names of tabs are never cut. If all rows fit into a share of the column's height, all names are
 // shown; otherwise as many as fit into fewer rows, and a button lists the rest.
-#include "tab_rows.h"
 
 #include <algorithm>
 #include <string>

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <imgui.h>
+#include <optional>
+#include <span>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "panel_state/prepare_form.h"
 #include "panels/panel.h"
 #include "run/strings.h"
 
@@ -121,5 +124,53 @@ std::string withS(std::size_t number, const char* word);
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
 std::string addressAndSection(const Session& session);
+
+// ---- boxes.cpp: dialogs, plates over the view, the view itself ----
+inline void fill(ImDrawList* list, const Rect& rect, const Color& color, float rounding = 0.0F) {
+    list->AddRectFilled(toVec2(rect.min), toVec2(rect.max()), toU32(color), rounding);
+}
+
+/// Places the next window in the middle of the screen: `ems` large, if it fits with a margin. Its
+/// size in pixels.
+glm::vec2 placeDialog(const PanelContext& context, glm::vec2 ems, glm::vec2 margin = {2.0F, 2.0F});
+/// Begins a dialog placed by placeDialog(). ImGui::End() must follow in any case.
+bool beginDialog(const char* title, bool* open, int extraFlags = 0);
+
+/// Begins a window without frame over the view: `top` em below its upper edge, otherwise in the
+/// middle; at most `width` em wide, otherwise as wide as its content. ImGui::End() must follow.
+bool beginOverView(const PanelContext& context, const char* name, std::optional<float> top,
+                   std::optional<float> width);
+
+/// Begins the window of a view; false if nothing of it is visible. ImGui::End() must follow.
+bool beginView(const PanelContext& context, const char* name);
+/// The item that takes the mouse in all of the view, but not where an earlier item is.
+void offerView(const PanelContext& context);
+/// The rendered picture of the view.
+void drawViewPicture(const PanelContext& context);
+
+// ---- camera_mouse.cpp: orbit, pan and zoom with the mouse, in any view ----
+/// Moves the camera by the mouse on the item drawn last, which must fill the view.
+void moveCameraByMouse(const PanelContext& context);
+/// A press of the button on the item drawn last that was no drag, when it ends. To be called after
+/// moveCameraByMouse().
+bool isClick(const PanelContext& context, ImGuiMouseButton button);
+/// The three axes, in the lower left corner of the view, or in another place with room beside
+/// `taken`; omitted if there is none.
+std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken);
+
+// ---- prepare_fields.cpp: what is derived from the points of an input ----
+/// True if Enter was pressed in one of them. Test scripts find the items as `prefix` and their
+/// names.
+bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix);
+
+/// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
+bool drawBoxFields(const PanelContext& context, BoxFields& fields);
+
+// ---- tab_rows.cpp: tabs in as many rows as their names need ----
+/// The tabs of a column, in order.
+using ColumnTabs = std::span<const SidePanel* const>;
+
+/// Draws the names; the panel whose tab is open.
+const SidePanel* drawTabRows(const PanelContext& context, ColumnTabs tabs);
 
 }  // namespace se::view

@@ -1,4 +1,4 @@
-#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/points/usable_points.h"
 
 #include <doctest/doctest.h>
 
