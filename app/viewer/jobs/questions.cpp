@@ -4,7 +4,6 @@
 #include <charconv>
 #include <utility>
 
-
 namespace se::view {
 
 void Questions::open(std::shared_ptr<const Model> model) {
