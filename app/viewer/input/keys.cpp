@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 

@@ -2,7 +2,7 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"

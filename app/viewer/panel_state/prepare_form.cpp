@@ -8,7 +8,7 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 
 #include "run/picture.h"
 #include "run/strings.h"
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/event.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "number_format.h"
-#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"

@@ -7,7 +7,7 @@
 
 #include "run/strings.h"
 #include "session.h"
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 

@@ -1,17 +1,12 @@
-/// Numbers as text, exact or rounded for display, and text as numbers.
+/// Numbers as text: exact, or rounded for display.
 #pragma once
 
 #include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
-#include <type_traits>
-
-#include "spiraling_edge/base/text_scan.h"
 
 namespace se {
 
@@ -52,17 +47,6 @@ inline std::string sixDigits(double value) {
     std::array<char, 32> out;
     std::snprintf(out.data(), out.size(), "%.6g", value == 0.0 ? 0.0 : value);
     return out.data();
-}
-
-/// All of `text` as one number; empty if it is none, or beyond the range of `Number`.
-template <typename Number>
-std::optional<Number> numberIn(std::string_view text) {
-    Number number{};
-    if constexpr (std::is_floating_point_v<Number>)
-        return io::parseDouble(text, number) ? std::optional(number) : std::nullopt;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    return whole ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace se

@@ -1,4 +1,4 @@
-/// Lines, fields and numbers of text files, shared by the readers. Nothing here depends on the
+/// Lines, fields and numbers of text, shared by the readers. Nothing here depends on the
 /// locale, and nothing reads past the text it was given.
 #pragma once
 
@@ -10,8 +10,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "spiraling_edge/base/result.h"
 
@@ -162,3 +164,20 @@ inline bool parseInteger(std::string_view field, std::int64_t& value) {
 }
 
 }  // namespace se::io
+
+namespace se {
+
+/// All of `text` as one number; empty if it is none, or beyond the range of `Number`.
+template <typename Number>
+std::optional<Number> numberIn(std::string_view text) {
+    Number number{};
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (!io::parseDouble(text, number)) return std::nullopt;
+    } else {
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    }
+    return number;
+}
+
+}  // namespace se

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/ring_lanes.h"
 #include "spiraling_edge/replay/scan_run.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/replay/live_check.h"

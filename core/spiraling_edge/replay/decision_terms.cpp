@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/decision_query.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se {

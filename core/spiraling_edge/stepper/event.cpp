@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se {
 namespace {
