@@ -206,7 +206,7 @@ class Shortlist {
             flippingMoveOf(decision.event, {points_, params_, decision.pivot, first, last});
         if (!move) return;
         decision.move = *move;
-        best_.emplace(key, std::move(decision));
+        best_.emplace(key, decision);
         if (best_.size() > count_) best_.erase(std::prev(best_.end()));
     }
 

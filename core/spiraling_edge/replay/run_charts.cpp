@@ -34,9 +34,13 @@ std::vector<ChartBar> barsOf(const Histogram& histogram, const std::string& term
     for (std::uint32_t i = first; i <= last; ++i) {
         const std::string from = std::to_string(i * width);
         const std::string to = std::to_string(i * width + width - 1);
-        const std::string query = "stage=pivot " + term + "=" + from;
-        bars.push_back(width > 1 ? ChartBar{from + "-" + to, 0, query + ".." + to}
-                                 : ChartBar{from, 0, query});
+        ChartBar bar{from, 0, "stage=pivot "};
+        bar.query.append(term).append("=").append(from);
+        if (width > 1) {
+            bar.label.append("-").append(to);
+            bar.query.append("..").append(to);
+        }
+        bars.push_back(bar);
     }
     for (const auto& [number, count] : histogram) bars[number / width - first].count += count;
     return bars;

@@ -59,12 +59,13 @@ constexpr RuleSetting choice(std::string_view name, std::string_view section,
                              std::string_view summary, std::string_view paper,
                              std::span<const std::string_view> options = kOnOff) {
     using M = Member<path...>;
-    constexpr bool isSwitch = std::is_same_v<typename M::Type, bool>;
+    constexpr bool kIsSwitch = std::is_same_v<typename M::Type, bool>;
     const double high = static_cast<double>(options.size()) - 1.0;
-    return {
-        name, section, false, summary, paper,  isSwitch ? SettingKind::Switch : SettingKind::Option,
-        0.0,  high,    "",    options, M::get, M::set,
-        false};
+    return {name,    section, false,
+            summary, paper,   kIsSwitch ? SettingKind::Switch : SettingKind::Option,
+            0.0,     high,    "",
+            options, M::get,  M::set,
+            false};
 }
 
 /// A number from `low` to `high`; a whole one if the member is.
@@ -73,9 +74,9 @@ constexpr RuleSetting number(std::string_view name, std::string_view section,
                              std::string_view summary, double low, double high,
                              std::string_view unit, std::string_view paper = "") {
     using M = Member<path...>;
-    constexpr bool isWhole = std::is_integral_v<typename M::Type>;
+    constexpr bool kIsWhole = std::is_integral_v<typename M::Type>;
     return {
-        name, section, false, summary, paper,  isWhole ? SettingKind::Whole : SettingKind::Number,
+        name, section, false, summary, paper,  kIsWhole ? SettingKind::Whole : SettingKind::Number,
         low,  high,    unit,  {},      M::get, M::set,
         false};
 }
