@@ -1,4 +1,4 @@
-/// What the user has chosen: an edge or a triangle, and highlighted points.
+/// The user's selection: an edge or a triangle, and highlighted points.
 #include "layer.h"
 
 namespace se::view {

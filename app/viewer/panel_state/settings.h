@@ -1,6 +1,6 @@
-/// What survives a restart, in two small JSON files: the settings, which the user may write, in the
-/// configuration folder; and the layout of the window and the recent files, which the program keeps
-/// by itself, in the state folder.
+/// State that survives a restart, in two small JSON files: the settings, which the user may write,
+/// in the configuration folder; and the layout of the window and the recent files, which the
+/// program keeps by itself, in the state folder.
 #pragma once
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -39,9 +40,10 @@ constexpr std::array<PhaseRow<Context>, static_cast<std::size_t>(Phase::Finished
      {Phase::RemoveFolded, phaseRemoveFolded}}};
 static_assert(isInOrder(kPhases<UnloggedContext>));
 
-/// Inline, since it only dispatches on the phase, 12 times per pivot.
+/// Inline, since it only dispatches on the phase, 12 times per pivot. Requires an unfinished run.
 template <AnyContext Context>
 [[gnu::always_inline]] inline void runPhase(Context& context) {
+    assert(!context.state.finished());
     kPhases<Context>[static_cast<std::size_t>(context.state.phase)].run(context);
 }
 

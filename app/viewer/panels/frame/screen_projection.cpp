@@ -1,6 +1,6 @@
-// What the overlays must not cover, in pixels: the marks, the points of the decisions, and a grid
-// with the amount of drawing. All of it is projected again in each frame, hence the limits on its
-// parts.
+// Places that the overlays must not cover, in pixels: the marks, the points of the decisions, and a
+// grid with the amount of drawing. All of it is projected again in each frame, hence the limits on
+// its parts.
 #include "view_parts.h"
 
 #include <algorithm>

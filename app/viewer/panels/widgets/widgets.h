@@ -2,10 +2,10 @@
 #pragma once
 
 #include <imgui.h>
-#include <optional>
-#include <span>
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
