@@ -1,3 +1,4 @@
+// The viewer's program: options, then a window, a picture or a measurement.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

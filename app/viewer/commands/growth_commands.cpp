@@ -1,3 +1,4 @@
+// Commands of the growing points: the groups about the run, which does not exist yet, are replaced.
 
 #include <algorithm>
 #include <array>

@@ -1,3 +1,5 @@
+// The circumsphere test of a candidate q (6.3): circle, radius and distance, and the angle that
+// would remain without q.
 #include "disc.h"
 #include "run/number_format.h"
 #include "run/rule_set.h"

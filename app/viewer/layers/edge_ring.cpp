@@ -1,3 +1,4 @@
+// The edge rings: the active one with arrow heads, those on the stack dashed, with their letters.
 #include <algorithm>
 #include <glm/geometric.hpp>
 

@@ -1,3 +1,4 @@
+// Labels of the points that matter at the cursor, one per point.
 #include <set>
 
 #include "layer.h"

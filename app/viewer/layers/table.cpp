@@ -1,3 +1,4 @@
+// The table of layers: name, title, stages in which a layer is on by itself, and its function.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>

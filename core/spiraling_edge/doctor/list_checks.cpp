@@ -1,3 +1,4 @@
+// Checks of the neighbor lists: one-sided, empty, too short or out of order.
 #include <algorithm>
 
 #include "spiraling_edge/doctor/checks.h"

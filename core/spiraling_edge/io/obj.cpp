@@ -1,3 +1,4 @@
+// OBJ: `v`, `vn` and `f`; all other statements are ignored.
 #include <algorithm>
 #include <array>
 

@@ -1,3 +1,4 @@
+// OFF: keyword, counts, one line per point, one line per face.
 #include "spiraling_edge/io/formats.h"
 
 namespace se::io {

@@ -1,3 +1,4 @@
+// PLY: a header of the point's columns, then rows, in text or binary.
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -1,3 +1,4 @@
+// The command palette: all commands, filtered by the typed words.
 #include <algorithm>
 
 #include "commands/palette_entries.h"

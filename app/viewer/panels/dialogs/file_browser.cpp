@@ -1,3 +1,4 @@
+// The file dialog: folders and files, the line of the name, and the options of what is saved.
 #include <algorithm>
 #include <filesystem>
 #include <vector>

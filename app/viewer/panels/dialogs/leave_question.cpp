@@ -1,3 +1,4 @@
+// The question before unsaved annotations are left: save, discard or cancel.
 #include <array>
 #include <utility>
 

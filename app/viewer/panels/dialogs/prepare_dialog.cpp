@@ -1,3 +1,4 @@
+// The dialog that reads the input again with other options of the preparation.
 #include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"

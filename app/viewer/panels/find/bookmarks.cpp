@@ -1,3 +1,4 @@
+// The Bookmarks panel: addresses with the user's notes.
 #include <imgui.h>
 
 #include <algorithm>

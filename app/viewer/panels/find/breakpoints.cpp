@@ -1,3 +1,4 @@
+// The Breakpoints panel: breakpoints, watches, and the line that adds one.
 #include <imgui.h>
 
 #include <algorithm>

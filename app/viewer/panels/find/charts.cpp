@@ -1,3 +1,4 @@
+// The Charts panel: bars that count decisions, each a link to its query.
 #include <algorithm>
 
 #include "commands/ask_actions.h"

@@ -1,3 +1,4 @@
+// The Doctor panel: findings about the input, each with its points and its fixes.
 #include <imgui.h>
 
 #include <filesystem>

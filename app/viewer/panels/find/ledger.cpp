@@ -1,3 +1,4 @@
+// The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
 #include "commands/ask_actions.h"
 #include "decision_rows.h"
 #include "input/key_routing.h"

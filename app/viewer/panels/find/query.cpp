@@ -1,3 +1,4 @@
+// The Query panel: a line of a query with completions, and the decisions that it finds.
 #include <glm/geometric.hpp>
 
 #include "commands/ask_actions.h"

@@ -1,3 +1,4 @@
+// The context menu of a point, edge or triangle: queries, what-ifs, breakpoints, watches.
 #include <algorithm>
 
 #include "commands/ask_actions.h"

@@ -1,3 +1,4 @@
+// The drawer below the view: the strips RUN, PIVOT and STAGE.
 #include <algorithm>
 
 #include "session/session.h"

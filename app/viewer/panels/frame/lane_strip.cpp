@@ -1,3 +1,4 @@
+// The lanes of the strip RUN: quantities of the run over all of its pivots.
 #include "strips.h"
 
 #include "scene/draw_list.h"

@@ -1,3 +1,4 @@
+// The menu bar, filled from the groups of the commands.
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"

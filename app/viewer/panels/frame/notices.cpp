@@ -1,3 +1,4 @@
+// Notices over the view: progress of long work, errors of the opening, the latest message.
 #include <algorithm>
 #include <array>
 #include <cmath>

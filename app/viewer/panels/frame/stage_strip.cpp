@@ -1,3 +1,4 @@
+// The strips PIVOT, the stages of the pivot at the cursor, and STAGE, the events of one of them.
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// The start page: recent files, and tiles of the scenes.
 #include <algorithm>
 #include <cmath>
 #include <utility>

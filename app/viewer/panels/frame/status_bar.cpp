@@ -1,3 +1,4 @@
+// The status bar: address, counts, and the most used keys.
 #include <algorithm>
 #include <vector>
 

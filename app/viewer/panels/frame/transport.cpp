@@ -1,3 +1,4 @@
+// The transport bar: step, play, speed, loop marks, and the box of the address.
 #include <algorithm>
 #include <array>
 #include <optional>

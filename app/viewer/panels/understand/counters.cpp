@@ -1,3 +1,4 @@
+// The counters: size of the run at the cursor, and facts about the input.
 #include <string>
 #include <variant>
 

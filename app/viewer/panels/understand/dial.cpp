@@ -1,3 +1,4 @@
+// The Dial panel: the sector of the pivot as a disc, and a second disc at decisions that have one.
 #include "rows/pivot_dial.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The Inspect panel: the numbers of the decision, then the selection.
 #include <cmath>
 
 #include "panels/panel.h"

@@ -1,3 +1,4 @@
+// The Layers panel: a row per layer, with a pin that holds it on or off.
 #include <array>
 
 #include "layers/layer.h"

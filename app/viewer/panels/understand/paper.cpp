@@ -1,3 +1,4 @@
+// The Paper panel: the paper's pseudo-code with the current line highlighted.
 #include "rows/paper_text.h"
 
 #include "commands/alert_actions.h"

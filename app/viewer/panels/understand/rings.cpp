@@ -1,3 +1,4 @@
+// The Rings panel: active and stacked rings, and one of them unrolled as a line.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

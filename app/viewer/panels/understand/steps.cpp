@@ -1,3 +1,4 @@
+// The Steps panel: pivots, stages and events as a tree.
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// Windows: dialogs, plates over the view, and the view itself.
 #include "panels/widgets/widgets.h"
 
 #include <algorithm>

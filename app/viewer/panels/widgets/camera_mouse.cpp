@@ -1,3 +1,4 @@
+// Mouse control of the camera, and clicks as opposed to drags.
 
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// The fields of the preparation: one form for the dialog and the panel.
 
 #include <imgui.h>
 
