@@ -286,7 +286,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"before", session_.showsBefore()},
              {"shown_state", session_.showsBefore() ? "before" : "after"},
              {"blinking", ui_.look.blinking()},
-             {"moving", painter_.moving()}};
+             {"moving", painter_.moving()},
+             {"motions", painter_.motions()}};
     out["prepare"] = ui_.prepare.open;
     dumpGrowth(out, ui_.growth);
     dumpMeshForm(out, ui_);

@@ -35,6 +35,8 @@ class ScenePainter {
     unsigned texture() const { return renderer_->texture(); }
     /// Something in the picture is animated.
     bool moving() const { return motion_.moving(); }
+    /// Number of animations so far.
+    std::size_t motions() const { return motion_.count(); }
     /// The list was made for a saved picture.
     bool onPaper() const { return filled_.moment.kind == Moment::Kind::Paper; }
 

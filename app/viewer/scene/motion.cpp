@@ -66,16 +66,15 @@ double motionSeconds(const Picture& picture) {
 
 const Moment& Motion::look(const Instant& place, double seconds, double now) {
     if (!(place == place_)) {
-        moment_.single = place.generation == place_.generation && place.pivot == place_.pivot &&
-                         place.cursor == place_.cursor + 1;
+        moment_.single = place == Instant{place_.generation, place_.pivot, place_.cursor + 1};
         place_ = place;
+        if (seconds > 0.0) ++count_;
         began_ = now;
         seconds_ = seconds;
     }
     seconds_ = std::min(seconds_, seconds);
     const double age = now - began_;
-    moment_ = age < seconds_ ? Moment{Moment::Kind::Moving, age, moment_.single} : Moment{};
-    return moment_;
+    return moment_ = age < seconds_ ? Moment{Moment::Kind::Moving, age, moment_.single} : Moment{};
 }
 
 void LookBack::begin(Mode mode, int key, double now) {

@@ -47,12 +47,15 @@ class Motion {
     /// animated.
     const Moment& look(const Instant& place, double seconds, double now);
     bool moving() const { return moment_.kind == Moment::Kind::Moving; }
+    /// Number of steps that were animated so far.
+    std::size_t count() const { return count_; }
 
   private:
     Instant place_;
     Moment moment_;
     double began_ = 0.0;
     double seconds_ = 0.0;
+    std::size_t count_ = 0;
 };
 
 /// A look at the state before the decision at the cursor, while a key is held: permanently,

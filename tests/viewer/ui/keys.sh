@@ -114,7 +114,8 @@ xdotool keyup shift; says blinking false; says shown_state before
 xdotool keyup grave; says shown_state after
 says triangles "$triangles"
 # A new fan moves for a moment, then the window rests.
-press Right; says address '30\.emit\.2'; says moving true; says moving false
+motions=$(field motions)
+press Right; says address '30\.emit\.2'; says motions $((motions + 1)); says moving false
 press t; says theme light
 press t; says theme dark
 press F1; says cheat_sheet true

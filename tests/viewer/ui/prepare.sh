@@ -56,5 +56,5 @@ press ctrl+shift+r; says prepare true
 click_on "prepare From the input##m"; click_on "prepare ok"; says prepare false; says cures '\[\]'
 stop
 # The pointer does not move for a number of frames.
-timeout 60 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
+timeout 600 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
 well

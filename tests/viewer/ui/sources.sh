@@ -12,7 +12,7 @@ sphere() {
 refused() {
     local wanted=$1 sentence=$2 code=0
     shift 2
-    timeout 60 "$viewer" "$@" --screenshot "$work/none.png" >"$work/out" 2>&1 </dev/null || code=$?
+    timeout 600 "$viewer" "$@" --screenshot "$work/none.png" >"$work/out" 2>&1 </dev/null || code=$?
     [ $code -eq "$wanted" ] || fail "$* ends with $code: $(cat "$work/out")"
     grep -qF -- "$sentence" "$work/out" || fail "$* says $(cat "$work/out")"
     [ ! -e "$work/none.png" ] || fail "$* leaves a picture"
