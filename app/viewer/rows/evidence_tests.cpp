@@ -126,7 +126,7 @@ constexpr std::array kConditions = {
 };
 
 /// After a failed condition the later ones are not tested.
-void addConditions(const LimitEvidence& e, bool unblocked, EvidenceRows& out) {
+void addConditions(const LimitEvidence& e, const Params& rules, EvidenceRows& out) {
     bool asked = true;
     const auto add = [&](const Condition& condition) {
         const bool failed = asked && e.verdict == condition.failure;
@@ -134,7 +134,8 @@ void addConditions(const LimitEvidence& e, bool unblocked, EvidenceRows& out) {
         asked = asked && !failed;
     };
     for (const Condition& condition : kConditions) add(condition);
-    if (unblocked) add({"way clear", Verdict::Blocked});
+    if (rules.readings.belowHalfTurn) add({"below 180", Verdict::HalfTurn});
+    if (rules.robust.unblocked) add({"way clear", Verdict::Blocked});
 }
 
 /// Whether the test went so far that the angle and the turn are known.
@@ -156,7 +157,7 @@ void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     } else {
         out.row("angle of " + side, from + ", stays; next " + degreesText(e.toDegrees));
     }
-    addConditions(e, in.model.params.robust.unblocked, out);
+    addConditions(e, in.model.params, out);
     if (!isMeasured(e.verdict)) return;
     out.row("turn",
             signedText(e.turn) + (e.turn > 0.0 ? " > 0: concave" : " \xE2\x89\xA4 0: convex"));

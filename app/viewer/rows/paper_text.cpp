@@ -46,7 +46,9 @@ struct LineOfPaper {
     }
     std::size_t operator()(const LimitEvidence& e) const {
         if (e.moves()) return 4;
-        return e.verdict == Verdict::NotConcave || e.verdict == Verdict::Blocked ? 3 : 2;
+        const bool placed = e.verdict == Verdict::NotConcave || e.verdict == Verdict::HalfTurn ||
+                            e.verdict == Verdict::Blocked;
+        return placed ? 3 : 2;
     }
     std::size_t operator()(const DropEvidence&) const { return stage == Stage::Convex ? 1 : 5; }
     std::size_t operator()(const ReciprocalEvidence&) const { return 2; }

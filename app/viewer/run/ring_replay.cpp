@@ -203,7 +203,26 @@ void RingReplay::on(const JoinEvidence& e) {
     rings_.exchangeSuccessors(x_, y_);
 }
 
+void RingReplay::closeWithin(const CloseEvidence& e) {
+    for (Index entry = rings_.firstEntryOf(e.a); entry != kNone;
+         entry = rings_[entry].nextOfPoint) {
+        const Index before = rings_.prev(entry);
+        const Index after = rings_.next(entry);
+        const bool finished = rings_.point(before) == e.b && rings_.point(after) == e.b &&
+                              before != after && !rings_.open(before) && !rings_.open(entry);
+        if (!finished || rings_.length(rings_.ringOf(entry)) != e.rest + 2) continue;
+        rings_.setOpen(before, rings_.open(after));
+        if (end_ == entry || end_ == after) end_ = rings_.next(after);
+        if (start_ == entry || start_ == after) start_ = before;
+        leaving_ = {after, entry};
+        linked_ = inserted_.size() + 1;  // Links come before this: the step after start is final.
+        return;
+    }
+    lost_ = true;
+}
+
 void RingReplay::on(const CloseEvidence& e) {
+    if (e.rest > 0) return closeWithin(e);
     const auto isMeant = [&](Index ring) {
         if (ring == kNone || rings_.length(ring) != (e.b == kNone ? 1U : 2U)) return false;
         const Index head = rings_.head(ring);

@@ -129,6 +129,12 @@ std::string text(const LimitEvidence& e) {
             return point + " is not among the pivot's neighbors" + stays;
         case Verdict::Outside:
             return sentence("{} at {} is outside the limits", point, deg(e.toDegrees)) + stays;
+        case Verdict::HalfTurn:
+            return sentence(
+                       "{} at {} is 180 degrees or more from there, and the triangle would be "
+                       "inverted",
+                       point, deg(e.toDegrees)) +
+                   stays;
         case Verdict::Blocked:
             return point + ": an UNUSED neighbor lies in the triangle's sphere" + stays;
         default:
@@ -235,6 +241,10 @@ std::string text(const JoinEvidence& e) {
 }
 std::string text(const CloseEvidence& e) {
     if (e.b == kNone) return sentence("A lone entry of point {} is left: closed.", e.a);
+    if (e.rest > 0) {
+        return sentence("Point {} lies between two entries of {}: one finished edge, closed.", e.a,
+                        e.b);
+    }
     return sentence("The ring of {} and {} is one finished edge: closed.", e.a, e.b);
 }
 std::string text(const AdvanceEvidence& e) {

@@ -45,7 +45,10 @@ void LaneTracker::take(const Event& event) {
                           [&](const RingEvidence& ring) { changeLength(ring.inserted); },
                           [&](const SplitEvidence& split) { splitRing(split); },
                           [&](const JoinEvidence& join) { joinRings(join); },
-                          [&](const CloseEvidence& close) { closeRing(close.b == kNone ? 1 : 2); },
+                          [&](const CloseEvidence& close) {
+                              if (close.rest > 0) return shorten(close.rest);
+                              closeRing(close.b == kNone ? 1 : 2);
+                          },
                           [&](const AdvanceEvidence& advance) {
                               const bool next = advance.popped && !active_ && !stack_.empty();
                               if (next) activate(stack_.size() - 1);
@@ -149,6 +152,15 @@ void LaneTracker::closeRing(Index entries) {
         endLane(LaneChangeKind::Closed, lane, lane);
     } else {
         endActive(LaneChangeKind::Closed);
+    }
+}
+
+void LaneTracker::shorten(Index rest) {
+    closing_ = 2;
+    if (active_ && active_->length == rest + 2) {
+        active_->length = rest;
+    } else if (const auto place = freshOfLength(rest + 2)) {
+        stack_[*place].length = rest;
     }
 }
 

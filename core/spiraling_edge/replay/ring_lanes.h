@@ -72,6 +72,8 @@ class LaneTracker {
     void splitRing(const SplitEvidence& split);
     void joinRings(const JoinEvidence& join);
     void closeRing(Index entries);
+    /// Two entries leave a longer ring.
+    void shorten(Index rest);
     /// Position on the stack of the ring of that length pushed by the current pivot.
     std::optional<std::size_t> freshOfLength(Index length) const;
     /// Removes a ring from the stack.

@@ -20,7 +20,7 @@ void add(PointFile& file, const Vec3& position, const Vec3& normal, unsigned fac
 double lengthSq(const Vec3& v) { return glm::dot(v, v); }
 
 PointFile fourEdgeHole() {
-    return withNeighborLists(sampleClosed(torus(), 160, 0.3375, 2), {KNearest{20}});
+    return withNeighborLists(sampleClosed(torus(), 100, 0.427, 341), {KNearest{20}});
 }
 
 PointFile sparseSpot() {
@@ -141,11 +141,11 @@ PointFile teeAtWall() {
 
 constexpr std::array kGallery{
     FailureScene{{"four-edge-hole", "A hole of four with a point behind it",
-                  "At pivot 81 the ring is a hole of four. Point 50, on the other side of what is "
+                  "At pivot 54 the ring is a hole of four. Point 63, on the other side of what is "
                   "finished, is its only candidate, and both triangles lie over finished ones.",
                   fourEdgeHole},
                  "intersecting_triangles",
-                 "81.sphere.1",
+                 "54.sphere.1",
                  "6.2",
                  "Note that the algorithm will not recognize a hole formed by more than three "
                  "points.",
@@ -196,10 +196,10 @@ constexpr std::array kGallery{
     FailureScene{
         {"noise", "Noise along the normal",
          "Heights vary as much as the spacing. What is left over at the end begins "
-         "components of its own: pivot 283 makes two triangles on the same three points.",
+         "components of its own: pivot 284 makes two triangles on the same three points.",
          noiseAlongNormal},
         "duplicate_triangles",
-        "283.emit.2",
+        "284.emit.2",
         "4",
         "These points represent such a tiny surface area that only a single point will fit "
         "in that space.",

@@ -99,6 +99,14 @@ PointFile figure7() { return smallTorus(1, 14); }
 PointFile figure9() { return smallTorus(11, 10); }
 PointFile figure12() { return smallTorus(5, 10); }
 
+// The two readings of §6.1 and §6.5 that only crooked rings need.
+PointFile halfTurn() {
+    return withNeighborLists(sampleClosed(torus(), 100, 0.427, 1009), {KNearest{12}});
+}
+PointFile finishedEdge() {
+    return withNeighborLists(sampleClosed(doubleTorus(), 200, 0.403, 1390), {KNearest{9}});
+}
+
 /// Begins with two points on one wall.
 PointFile figure14() {
     // Rim points come in groups of four, from the corners on: this begins on the wall y = -1.
@@ -161,6 +169,14 @@ constexpr std::array kScenes{
           "The first ring is two points on one wall: a third one on that wall keeps the sector "
           "inside the box.",
           figure14, "1.insert.1"},
+    Scene{"half-turn", "Section 6.1: no move across 180 degrees",
+          "At pivot 30 the ring is concave at end, but seen from the pivot the next point is more "
+          "than 180 degrees before it: the triangle would be inverted, and end stays.",
+          halfTurn, "30.limits.2"},
+    Scene{"finished-edge", "Section 6.5: a finished edge in a longer ring",
+          "At pivot 129 point 4 lies between two entries of 130: their edge has triangles on both "
+          "sides, so 4 and one entry of 130 leave the ring.",
+          finishedEdge, "129.ring.3"},
 };
 
 }  // namespace

@@ -109,6 +109,7 @@ enum class Verdict : std::uint8_t {
     NotAnEdge,   ///< The ring step is open.
     Outside,     ///< A candidate outside the new limits.
     OtherLimit,  ///< The next point is the other limit: a hole of three.
+    HalfTurn,    ///< The move would span 180 degrees or more (Readings::belowHalfTurn).
     Blocked,     ///< An UNUSED neighbor is in the way (RobustRules::unblocked).
     NowStart,    ///< A candidate that start moved to: not refused.
     NowEnd,      ///< A candidate that end moved to: not refused.
@@ -282,9 +283,10 @@ struct JoinEvidence {
     Index depthFromTop;  ///< Position of the other ring; kNone: it was the active one.
     Index length;        ///< Of the joined ring.
 };
-/// A ring of two finished steps was closed, see Readings::closeTwo.
+/// A finished edge, or a lone entry, was closed: see Readings::closeTwo.
 struct CloseEvidence {
-    Index a, b;  ///< b is kNone for a lone entry.
+    Index a, b;      ///< b is kNone for a lone entry.
+    Index rest = 0;  ///< Length of the ring that a and b left; 0: they were the whole ring.
 };
 struct AdvanceEvidence {
     Index to;             ///< kNone: no ring is left.

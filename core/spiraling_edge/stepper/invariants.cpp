@@ -127,6 +127,7 @@ std::string InvariantChecker::checkPivot(const State& s) const {
     if (s.triangles.size() - before != s.pivotTriangles) return "6: triangles are miscounted";
     for (std::size_t i = before; i < s.triangles.size(); ++i) {
         const Triangle& t = s.triangles[i];
+        if (t.a == t.b || t.b == t.c || t.c == t.a) return at("6: a corner twice", t.b);
         if (t.a != s.triangles[before].a) return at("6: a fan with two centers", t.a);
         if (i > before && t.b != s.triangles[i - 1].c) return at("6: a fan is torn", t.b);
     }

@@ -19,7 +19,7 @@ struct Angle {
     double degrees() const;
 };
 
-/// The angle of a full turn: the angle of last when first and last are the same entry (§6.1).
+/// The angle of a full turn: the angle of last when first and last are the same point (§6.1).
 inline constexpr Angle kFullTurn{1.0, 4.0};
 /// Keys of 180 degrees.
 inline constexpr double kHalfTurnKey = 2.0;
@@ -61,10 +61,12 @@ struct NeighborRing {
     Index pivot = kNone;  ///< Entry of p.
     Index first = kNone;  ///< Predecessor of the pivot.
     Index last = kNone;   ///< Successor of the pivot; equal to first on a ring of two.
+    bool fullTurn =
+        false;            ///< First and last are the same point: the sector is a full turn (§6.1).
     Index start = kNone;  ///< first, or an entry before it (Fig. 4).
     Index end = kNone;    ///< last, or an entry after it.
     Frame frame;
-    Angle lastAngle;   ///< The sector: angle of last, kFullTurn when first == last.
+    Angle lastAngle;   ///< The sector: angle of last, kFullTurn if `fullTurn`.
     Angle startAngle;  ///< 0 at first.
     Angle endAngle;
     /// The candidates as they come in the pivot's list, before they are sorted.
@@ -78,9 +80,6 @@ struct NeighborRing {
     std::vector<FanPoint> fan;
     /// The points of the fan alone.
     std::vector<Index> spokes;
-
-    /// First and last are the same entry: a fresh ring of two, the sector is a full turn.
-    bool fullTurn() const { return first == last; }
 };
 
 }  // namespace se

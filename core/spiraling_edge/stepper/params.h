@@ -22,11 +22,16 @@ struct Readings {
     /// §6.1, Fig. 4: start and end advance before other neighbors are tested, until nothing moves.
     /// Off: in list order of the neighbors, each tested once.
     bool limitsFirst = true;
+    /// §6.1, Fig. 4: start and end do not advance across 180 degrees or more at the pivot, since
+    /// the triangle would be inverted. Off: any angle between the limits will do.
+    bool belowHalfTurn = true;
     /// §6.2: a hole of three needs a third side that is an edge of the mesh, and a sector below 180
     /// degrees. Off: three entries on the ring are enough.
     bool realHole = true;
-    /// §6.5: a ring of two entries whose two steps are both mesh edges is one finished edge and is
-    /// closed. Off: it stays and counts as a fresh ring of two.
+    /// §6.5: two adjacent entries whose edge has a triangle on both sides are one finished edge and
+    /// are closed: a ring of two whose steps are both mesh edges, and within a longer ring an entry
+    /// between two entries of one point. Off: they stay, and the sector is a full turn (§6.1,
+    /// "when the first and last points are the same").
     bool closeTwo = true;
     /// §7: steps that are no mesh edges (a fresh ring of two; beside a point inserted by 7.1 or
     /// 7.2) are marked open, and no rule treats them as edges. Off: every step counts as an edge.

@@ -166,6 +166,10 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "limitsfirst", "6.1", "start and end advance before other neighbors are looked at",
         "If as the algorithm adds in q, it finds that q is already on the "
         "edge ring ..."),
+    reading<&Readings::belowHalfTurn>(
+        "halfturn", "6.1", "start and end do not advance across 180 degrees or more at the pivot",
+        "There are situations that arise that require the algorithm to change the starting and/or "
+        "ending angle that it established using first and last."),
     rule<&PaperRules::concave>(
         "concave", "6.1", "start and end advance only where the edge ring is concave",
         "... q is adjacent to the point pointed to by start, and the edge ring is concave at this "
@@ -214,7 +218,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
         "triangles. In this case, the neighbor ring will be discarded.",
         kTwoPoints),
-    reading<&Readings::closeTwo>("closetwo", "6.5", "a ring of two finished edges is closed",
+    reading<&Readings::closeTwo>("closetwo", "6.5",
+                                 "an edge with triangles on both sides leaves the ring",
                                  "Each time the edge ring becomes empty, a disconnected surface "
                                  "component has finished triangulation."),
     rule<&PaperRules::instance>(

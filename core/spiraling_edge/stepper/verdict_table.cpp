@@ -23,6 +23,7 @@ constexpr std::array<VerdictRow, kVerdictCount> kVerdictTable{{
     {Verdict::NotAnEdge, "no edge", Outcome::Unchanged, kNoWhatIf},
     {Verdict::Outside, "outside", Outcome::Refused, kNoWhatIf},
     {Verdict::OtherLimit, "other end", Outcome::Unchanged, kNoWhatIf},
+    {Verdict::HalfTurn, "across 180", Outcome::Unchanged, kKeep},
     {Verdict::Blocked, "blocked", Outcome::Unchanged, kKeep},
     {Verdict::NowStart, "now start", Outcome::None, kNoWhatIf},
     {Verdict::NowEnd, "now end", Outcome::None, kNoWhatIf},

@@ -91,3 +91,8 @@ TEST_CASE("golden: the limits of Figure 4, the split and the join of Figures 11 
     checkGolden("figure-4", logOf(prepared(findScene("figure-4")->build()), {8}));
     checkGolden("figure-12", logOf(prepared(findScene("figure-12")->build()), {35, 74}));
 }
+
+TEST_CASE("golden: no move across 180 degrees, and a finished edge in a longer ring") {
+    checkGolden("half-turn", logOf(prepared(findScene("half-turn")->build()), {30}));
+    checkGolden("finished-edge", logOf(prepared(findScene("finished-edge")->build()), {129}));
+}

@@ -169,6 +169,19 @@ TEST_CASE("figure scenes show their figures at the pivots they name") {
                                   [](const auto& e) { return !e.corner && e.third != kNone; }));
 }
 
+TEST_CASE("6.1, 6.5 scenes of the readings: end stays, and a finished edge leaves a longer ring") {
+    CHECK(happens<LimitEvidence>(watch("half-turn"), 30, [](const auto& e) {
+        return e.side == Side::End && e.verdict == Verdict::HalfTurn;
+    }));
+    const PointSet points = prepared(findScene("half-turn")->build());
+    CHECK(findFaults(points, runAll(points, paper()).state.mesh()).empty());
+    const Params across = paperBut(&Readings::belowHalfTurn);
+    CHECK_FALSE(findFaults(points, runAll(points, across).state.mesh()).empty());
+    CHECK(happens<CloseEvidence>(watch("finished-edge"), 129, [](const auto& e) {
+        return e.a == 4 && e.b == 130 && e.rest > 0;
+    }));
+}
+
 TEST_CASE("scenes name the decision that they are about, and their run has it") {
     CHECK(addressOfScene("sphere").empty());
     CHECK(addressOfScene("no such scene").empty());

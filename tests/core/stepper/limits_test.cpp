@@ -80,6 +80,27 @@ TEST_CASE("6.1 start does not advance to a point beyond last, nor end to one bef
     CHECK(other.verdictOn<LimitEvidence>(5) == Verdict::Outside);
 }
 
+TEST_CASE("6.1 start and end do not advance across 180 degrees or more at the pivot") {
+    // 5 is 200 degrees from first, seen at p; only because the normal at first tilts away does the
+    // ring look concave there. The triangle 0, 1, 5 would be inverted.
+    const std::vector<Vec3> position{Vec3(0),     polar(0),  polar(300),
+                                     {-9, -9, 0}, {9, 9, 0}, polar(200)};
+    Rig rig(position);
+    rig.normal(1, {0, 0, -1}).list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
+    CHECK(rig.startPoint() == 1);
+    CHECK(rig.verdictOn<LimitEvidence>(5) == Verdict::HalfTurn);
+    Rig any(position, paperBut(&Readings::belowHalfTurn));
+    any.normal(1, {0, 0, -1}).list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
+    CHECK(any.startPoint() == 5);
+    // The same at end: 5 is 200 degrees before last.
+    const std::vector<Vec3> other{Vec3(0),     polar(0),  polar(300),
+                                  {-9, -9, 0}, {9, 9, 0}, polar(100)};
+    Rig end(other);
+    end.normal(2, {0, 0, -1}).list(0, {1, 2, 5}).ring({0, 2, 5, 4, 3, 1}).runTo(Phase::Convex);
+    CHECK(end.endPoint() == 2);
+    CHECK(end.verdictOn<LimitEvidence>(5) == Verdict::HalfTurn);
+}
+
 TEST_CASE("6.1 start and end advance while the ring is concave") {
     const std::vector<Vec3> deep{{0, 0, 0}, {1, 0.1, 0},   {-1, 0.2, 0},  {-9, 9, 0},
                                  {9, 9, 0}, {1.3, 0.6, 0}, {1.2, 1.2, 0}, {0, 1.2, 0}};

@@ -28,16 +28,17 @@ TEST_CASE("printed is the paper word for word: every switch off, no filter") {
     CHECK(printed.maxGapCosine == -0.5);
 }
 
-TEST_CASE("paper has the five readings of the paper on, and nothing beyond it") {
+TEST_CASE("paper has the six readings of the paper on, and nothing beyond it") {
     const Readings rules = paramsByName("paper")->readings;
     CHECK(rules.freeSector);
     CHECK(rules.limitsFirst);
+    CHECK(rules.belowHalfTurn);
     CHECK(rules.realHole);
     CHECK(rules.closeTwo);
     CHECK(rules.openSteps);
     int on = 0;
     for (const RuleSwitch& rule : ruleSwitches()) on += beyondThePaper(rule) ? 0 : 1;
-    CHECK(on == 5);
+    CHECK(on == 6);
     CHECK(paramsByName("paper")->maxGapCosine == -0.5);  // 120 degrees
 }
 

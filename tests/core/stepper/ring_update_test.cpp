@@ -128,6 +128,53 @@ TEST_CASE("6.5 a ring of two finished edges is closed: it is one edge inside the
     CHECK(closed.status(2) == kDone);
 }
 
+namespace {
+
+/// Before the pivot 0: a bay of 0, 5, 2 and 1, whose point 2 is also where the bay meets the rest
+/// of the ring. Two triangles fill the bay, and 1 lies between the two entries of 2.
+std::vector<Vec3> bayWithMouthPoint() {
+    return {{0, 0, 0}, {-1, 1, 0}, {0, 2.2, 0}, {-2, 5, 0}, {2, 5, 0}, {1, 1, 0}};
+}
+const Points kBayOfFour{0, 1, 2, 3, 4, 2, 5};
+
+}  // namespace
+
+TEST_CASE("6.1, 6.5 an entry between two entries of one point is a finished edge, and is closed") {
+    Rig rig(bayWithMouthPoint());
+    rig.listAll().ring(kBayOfFour).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 5, 2}, {0, 2, 1}});
+    CHECK(rig.activeRing() == Points{3, 4, 2});  // 1 and one entry of 2 are gone; 3 is next.
+    CHECK(rig.status(1) == kDone);
+    CHECK(rig.status(2) == 1);
+    const std::vector<CloseEvidence> closed = rig.all<CloseEvidence>();
+    REQUIRE(closed.size() == 1);
+    CHECK(closed[0].a == 1);
+    CHECK(closed[0].b == 2);
+    CHECK(closed[0].rest == 3);
+}
+
+TEST_CASE(
+    "6.5 a finished edge stays on the ring with one of its steps open, or with closetwo off") {
+    for (const bool open : {false, true}) {
+        Rig rig(bayWithMouthPoint(), open ? paper() : paperBut(&Readings::closeTwo));
+        rig.listAll().ring(kBayOfFour);
+        if (open) rig.open(1);
+        rig.pivot();
+        CHECK(rig.activeRing() == Points{1, 2, 3, 4, 2});
+    }
+}
+
+TEST_CASE("6.1 the sector is a full turn where first and last are one point on two entries") {
+    // Without the reading that closes such an edge: the paper's sentence, word for word.
+    Rig rig({{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {5, -1, 0}, polar(120), polar(240)},
+            paperBut(&Readings::closeTwo));
+    rig.list(0, {1, 4, 5}).ring({0, 1, 2, 3, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 4}, {0, 4, 5}, {0, 5, 1}});
+    Rig alone({{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {5, -1, 0}}, paperBut(&Readings::closeTwo));
+    alone.list(0, {1}).ring({0, 1, 2, 3, 1}).pivot();
+    CHECK(alone.triangles().empty());
+}
+
 TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
     Rig rig({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
     rig.listAll().ring({0, 2, 1}).open(2).pivot();

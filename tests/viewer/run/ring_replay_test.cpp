@@ -75,8 +75,9 @@ Followed follow(const char* scene, const char* rules, std::uint32_t last) {
 TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") {
     Followed all;
     for (const char* rules : {"paper", "robust"}) {
-        for (const char* scene : {"scene:sphere", "scene:torus", "scene:genus-2", "scene:sheet",
-                                  "scene:figure-12", "scene:figure-14", "scene:linked-tori"}) {
+        for (const char* scene :
+             {"scene:sphere", "scene:torus", "scene:genus-2", "scene:sheet", "scene:figure-12",
+              "scene:figure-14", "scene:linked-tori", "scene:finished-edge"}) {
             const Followed seen = follow(scene, rules, 1200);
             all.pivots += seen.pivots;
             all.splits += seen.splits;

@@ -31,12 +31,12 @@ start scene:figure-4 --goto 3; says pivot 3; stop
 
 # A scene that fails opens on its decision, with its alert.
 size=1600x980 start scene:four-edge-hole
-says alert_search done; says address 81.sphere.1; says alert "intersecting_triangles:[0-9]+"
+says alert_search done; says address 54.sphere.1; says alert "intersecting_triangles:[0-9]+"
 says open_tab Paper
 click_on "tab Alerts"; says open_tab Alerts
 # The moments of the alert, by the mouse; each has its reason below its address.
-reach "alert created"; click_on "alert created"; says address 81.emit.[12]; says noticed "[1-9]"
-reach "alert unavoidable"; click_on "alert unavoidable"; says address 81.sphere.1
+reach "alert created"; click_on "alert created"; says address 54.emit.[12]; says noticed "[1-9]"
+reach "alert unavoidable"; click_on "alert unavoidable"; says address 54.sphere.1
 reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
 # Another alert: the cursor goes to where it was created, and it is selected and framed.
 picture before

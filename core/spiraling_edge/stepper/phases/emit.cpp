@@ -19,7 +19,7 @@ bool isDiscarded(const AnyContext auto& context) {
         case TwoPointRule::None:
             break;
     }
-    return n.fullTurn();
+    return n.fullTurn;
 }
 
 /// Calls `entry`, with its side, for the entries among the spokes of the fan and `candidate` for
@@ -55,7 +55,7 @@ void phaseTwoPoint(AnyContext auto& context) {
     if (!n.candidates.empty() || n.start != n.first || n.end != n.last) return;
     const bool overlaps = isDiscarded(context);
     // The full turn has no triangle that a what-if could keep.
-    const auto forced = n.fullTurn() ? std::nullopt : whatIfOverride(context, Stage::TwoPoint, p);
+    const auto forced = n.fullTurn ? std::nullopt : whatIfOverride(context, Stage::TwoPoint, p);
     note(context, Stage::TwoPoint, [&] {
         return TwoPointEvidence{
             n.lastAngle.degrees(),
@@ -95,6 +95,7 @@ void phaseEmit(AnyContext auto& context) {
     const std::vector<Index>& spokes = s.pivot.spokes;
     const std::size_t before = s.triangles.size();
     for (std::size_t i = 0; i + 1 < spokes.size(); ++i) {
+        assert(spokes[i] != p && spokes[i + 1] != p && spokes[i] != spokes[i + 1]);
         s.triangles.push_back({p, spokes[i], spokes[i + 1]});
     }
     s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);

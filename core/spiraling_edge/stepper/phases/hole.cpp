@@ -33,7 +33,7 @@ void phaseHole(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Sphere;
-    if (n.candidates.empty() || n.fullTurn()) return;
+    if (n.candidates.empty() || n.fullTurn) return;
     const Index edges = edgesOfHole(context);
     if (edges == 0) return;
     const HolePlane plane = makeHolePlane(

@@ -39,6 +39,14 @@ bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, cons
     });
 }
 
+/// Choice, see Readings::belowHalfTurn: true if a move of start or end to this angle would make a
+/// triangle of 180 degrees or more at the pivot.
+bool spansHalfTurn(const StepContext& context, Side side, const Angle& to) {
+    const NeighborRing& n = context.state.pivot;
+    const double span = side == Side::Start ? to.key - n.startAngle.key : n.endAngle.key - to.key;
+    return span >= kHalfTurnKey - context.params.sameAngle;
+}
+
 /// The result of a test of the point beyond start or end.
 struct LimitTest {
     Verdict verdict;
@@ -74,6 +82,8 @@ LimitTest testLimit(const StepContext& context, Side side) {
         test.verdict = Verdict::Outside;
     } else if (!mayMove) {
         test.verdict = Verdict::NotConcave;
+    } else if (context.params.readings.belowHalfTurn && spansHalfTurn(context, side, test.angle)) {
+        test.verdict = Verdict::HalfTurn;
     } else if (context.params.robust.unblocked && isBlocked(context, side, test.angle, position)) {
         test.verdict = Verdict::Blocked;
     }
@@ -104,7 +114,7 @@ bool moveLimit(Context& context, Side side) {
     const LimitTest test = testLimit<kLogging<Context>>(context, side);
     // A what-if can override only these verdicts.
     const bool open = test.verdict == Verdict::Moved || test.verdict == Verdict::NotConcave ||
-                      test.verdict == Verdict::Blocked;
+                      test.verdict == Verdict::HalfTurn || test.verdict == Verdict::Blocked;
     const auto forced = open ? whatIfOverride(context, Stage::Limits, s.rings.point(test.to))
                              : std::optional<bool>{};
     const bool moves = forced.value_or(test.verdict == Verdict::Moved);
@@ -175,7 +185,7 @@ void phaseLimits(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
-    if (n.fullTurn() || !paperRules(context).limits) return;
+    if (n.fullTurn || !paperRules(context).limits) return;
     moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
@@ -201,7 +211,7 @@ void phaseConvex(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = Phase::Reciprocal;
-    if (n.fullTurn() || !paperRules(context).convex) return;
+    if (n.fullTurn || !paperRules(context).convex) return;
     const Index beyondStart = beyond(s, Side::Start);
     const Index beyondEnd = beyond(s, Side::End);
     // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry.
@@ -254,8 +264,8 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
         const ReciprocalTest test = testReciprocal(
             context.points.position[candidate.point], clockwise ? -normal : normal,
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
-            before == after, s.pivot.frame.origin, context.params.sameAngle,
-            context.params.robust.tangent);
+            rings.point(before) == rings.point(after), s.pivot.frame.origin,
+            context.params.sameAngle, context.params.robust.tangent);
         const bool complete = context.params.robust.wallsDone && completeAlongWalls(context, e);
         const bool holds = test.inside && !complete;
         note(context, Stage::Reciprocal, [&] {

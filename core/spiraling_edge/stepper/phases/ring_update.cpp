@@ -80,7 +80,7 @@ Index nextEntry(const AnyContext auto& context) {
 }
 
 /// Closes a ring of two finished steps, or of a lone entry: Choice, see Readings::closeTwo.
-void closeIfFinished(AnyContext auto& context, Index ring) {
+void closeRingIfFinished(AnyContext auto& context, Index ring) {
     State& s = context.state;
     const Index length = s.rings.length(ring);
     const Index a = s.rings.head(ring);
@@ -95,6 +95,46 @@ void closeIfFinished(AnyContext auto& context, Index ring) {
     ++s.counters.closedRings;
     release(context, a, Stage::Ring);
     if (!lone) release(context, b, Stage::Ring);
+}
+
+/// Closes the finished edge at an entry between two entries of one point, within a longer ring;
+/// then those at the places that meet: Choice, see Readings::closeTwo. It is an exchange of
+/// successors of the two entries, which splits off a ring of two that is finished.
+void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
+    State& s = context.state;
+    if (!context.params.readings.closeTwo || !s.rings.alive(entry)) return;
+    const Index before = s.rings.prev(entry);
+    const Index after = s.rings.next(entry);
+    if (s.rings.point(before) != s.rings.point(after) || before == after) return;
+    if (context.openStep(before) || context.openStep(entry)) return;
+    const Index beyond = s.rings.next(after);
+    const Index rest = s.rings.length(s.rings.ringOf(entry)) - 2;
+    note(context, Stage::Ring, [&] {
+        return CloseEvidence{s.rings.point(entry), s.rings.point(after), rest};
+    });
+    s.rings.setOpen(before, s.rings.open(after));
+    if (s.pivot.end == entry || s.pivot.end == after) s.pivot.end = beyond;
+    if (s.pivot.start == entry || s.pivot.start == after) s.pivot.start = before;
+    release(context, entry, Stage::Ring);
+    release(context, after, Stage::Ring);
+    closeRingIfFinished(context, s.rings.ringOf(before));
+    closeEdgeIfFinished(context, before);
+    closeEdgeIfFinished(context, beyond);
+}
+
+/// Closes the finished edges within longer rings that this pivot may have made: at start and end,
+/// and where entries were linked.
+void closeFinishedEdges(AnyContext auto& context) {
+    State& s = context.state;
+    closeEdgeIfFinished(context, s.pivot.start);
+    closeEdgeIfFinished(context, s.pivot.end);
+    for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
+        if (s.instances[i] == kNone) continue;
+        for (const Index e : {s.insertedEntries[i], s.instances[i]}) {
+            closeEdgeIfFinished(context, e);
+            if (s.rings.alive(e)) closeEdgeIfFinished(context, s.rings.next(e));
+        }
+    }
 }
 
 /// §6.5: true if the part with x is pushed. The other holds end, unless PaperRules::active chooses
@@ -153,8 +193,8 @@ void link(AnyContext auto& context, Index x, Index y) {
     }
     s.counters.maxStackDepth =
         std::max(s.counters.maxStackDepth, static_cast<std::uint32_t>(s.rings.stack().size()));
-    if (s.rings.alive(x)) closeIfFinished(context, s.rings.ringOf(x));
-    if (s.rings.alive(y)) closeIfFinished(context, s.rings.ringOf(y));
+    if (s.rings.alive(x)) closeRingIfFinished(context, s.rings.ringOf(x));
+    if (s.rings.alive(y)) closeRingIfFinished(context, s.rings.ringOf(y));
 }
 
 }  // namespace
@@ -166,7 +206,8 @@ void phaseLink(AnyContext auto& context) {
         const Index y = s.instances[i];
         if (s.rings.alive(x) && s.rings.alive(y)) link(context, x, y);
     }
-    if (s.rings.active() != kNone) closeIfFinished(context, s.rings.active());
+    if (s.rings.active() != kNone) closeRingIfFinished(context, s.rings.active());
+    closeFinishedEdges(context);
     if (s.rings.active() != kNone) {
         s.counters.maxRingLength =
             std::max(s.counters.maxRingLength, s.rings.length(s.rings.active()));

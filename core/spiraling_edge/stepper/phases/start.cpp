@@ -50,6 +50,7 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
 /// The frame of an entry, and the angle of the entry after it.
 struct Sector {
     Frame frame;
+    bool fullTurn;
     Angle last;
 };
 
@@ -60,8 +61,9 @@ Sector sectorAt(const StepContext& context, Index entry) {
     Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
                             context.positionAt(first), context.params.robust.tangent);
     if (context.clockwise()) frame.n = -frame.n;
-    return {frame,
-            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
+    const bool fullTurn = context.state.rings.point(first) == context.state.rings.point(last);
+    return {frame, fullTurn,
+            fullTurn ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
 }
 
 /// Logs the pivot before §7 may insert a third point next to it.
@@ -104,6 +106,7 @@ void setPivot(StepContext& context, Index entry) {
     n.first = n.start = rings.prev(entry);
     n.last = n.end = rings.next(entry);
     const Sector sector = sectorAt(context, entry);
+    n.fullTurn = sector.fullTurn;
     n.frame = sector.frame;
     n.startAngle = Angle{};
     n.lastAngle = n.endAngle = sector.last;

@@ -112,7 +112,7 @@ Ear bestEar(StepContext& context) {
         const Index before = s.rings.prev(entry);
         if (s.rings.open(before) || s.rings.open(entry)) continue;
         setEar(context, entry);
-        if (manifoldRefuses(context)) continue;
+        if (s.pivot.fullTurn || manifoldRefuses(context)) continue;
         const double cosine = leastAngleCosine(
             context.points,
             {s.rings.point(entry), s.rings.point(before), s.rings.point(s.rings.next(entry))});

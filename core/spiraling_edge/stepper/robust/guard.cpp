@@ -91,7 +91,7 @@ Objection pillow(const StepContext& context) {
     const State& s = context.state;
     const Fan& fan = s.pivot.fan;
     const Index p = s.rings.point(s.pivot.pivot);
-    if (s.pivot.fullTurn() && fan.size() == 3) return {Verdict::Pillow, 0, true};
+    if (s.pivot.fullTurn && fan.size() == 3) return {Verdict::Pillow, 0, true};
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         if (fan[i].entry == kNone || fan[i + 1].entry == kNone) continue;
         const HalfEdge h = s.edges.find(fan[i + 1].point, fan[i].point);
