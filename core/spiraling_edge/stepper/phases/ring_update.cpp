@@ -97,16 +97,23 @@ void closeRingIfFinished(AnyContext auto& context, Index ring) {
     if (!lone) release(context, b, Stage::Ring);
 }
 
-/// Closes the finished edge at an entry between two entries of one point, within a longer ring;
-/// then those at the places that meet: Choice, see Readings::closeTwo. It is an exchange of
-/// successors of the two entries, which splits off a ring of two that is finished.
+/// True if the neighbors of a live entry on its ring are entries of one point. Inline, since almost
+/// no entry is one.
+[[gnu::always_inline]] inline bool isBetweenEntriesOfOnePoint(const EdgeRings& rings, Index entry) {
+    return rings.alive(entry) && rings.point(rings.prev(entry)) == rings.point(rings.next(entry));
+}
+
+/// Closes the finished edge at such an entry, within a longer ring; then those where the ring
+/// meets: Choice, see Readings::closeTwo. It is an exchange of successors of the two entries, which
+/// splits off a ring of two that is finished.
 void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
     State& s = context.state;
-    if (!context.params.readings.closeTwo || !s.rings.alive(entry)) return;
+    if (!isBetweenEntriesOfOnePoint(s.rings, entry)) return;
     const Index before = s.rings.prev(entry);
     const Index after = s.rings.next(entry);
-    if (s.rings.point(before) != s.rings.point(after) || before == after) return;
-    if (context.openStep(before) || context.openStep(entry)) return;
+    const bool finished = before != after && context.params.readings.closeTwo &&
+                          !context.openStep(before) && !context.openStep(entry);
+    if (!finished) return;
     const Index beyond = s.rings.next(after);
     const Index rest = s.rings.length(s.rings.ringOf(entry)) - 2;
     note(context, Stage::Ring, [&] {
@@ -122,12 +129,9 @@ void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
     closeEdgeIfFinished(context, beyond);
 }
 
-/// Closes the finished edges within longer rings that this pivot may have made: at start and end,
-/// and where entries were linked.
-void closeFinishedEdges(AnyContext auto& context) {
+/// Closes the finished edges within longer rings where entries of this pivot were linked.
+void closeEdgesAtLinks(AnyContext auto& context) {
     State& s = context.state;
-    closeEdgeIfFinished(context, s.pivot.start);
-    closeEdgeIfFinished(context, s.pivot.end);
     for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
         if (s.instances[i] == kNone) continue;
         for (const Index e : {s.insertedEntries[i], s.instances[i]}) {
@@ -201,13 +205,19 @@ void link(AnyContext auto& context, Index x, Index y) {
 
 void phaseLink(AnyContext auto& context) {
     State& s = context.state;
+    bool linked = false;
     for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
         const Index x = s.insertedEntries[i];
         const Index y = s.instances[i];
-        if (s.rings.alive(x) && s.rings.alive(y)) link(context, x, y);
+        if (!s.rings.alive(x) || !s.rings.alive(y)) continue;
+        link(context, x, y);
+        linked = true;
     }
     if (s.rings.active() != kNone) closeRingIfFinished(context, s.rings.active());
-    closeFinishedEdges(context);
+    for (const Index e : {s.pivot.start, s.pivot.end}) {
+        if (isBetweenEntriesOfOnePoint(s.rings, e)) closeEdgeIfFinished(context, e);
+    }
+    if (linked) closeEdgesAtLinks(context);
     if (s.rings.active() != kNone) {
         s.counters.maxRingLength =
             std::max(s.counters.maxRingLength, s.rings.length(s.rings.active()));
