@@ -29,6 +29,8 @@ namespace {
 constexpr double kIdleSeconds = 0.25;
 /// A text field has the keyboard focus only in the fourth frame after the request.
 constexpr int kSettleFrames = 5;
+/// What the pointer is over, and its tooltip, are drawn in the second frame.
+constexpr int kHoverFrames = 2;
 constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr double kDoubleClickSeconds = 0.3;
 
@@ -94,13 +96,14 @@ Window& Window::of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-void Window::noteInput() {
+void Window::noteInput(int frames) {
     ++inputs_;
-    unsettled_ = wake_ = kSettleFrames;
+    wake_ = std::max(wake_, frames);
+    unsettled_ = std::max(unsettled_, frames);
 }
 
 void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
-    of(window).noteInput();
+    of(window).noteInput(kSettleFrames);
     const int known = mods & (kShift | kCtrl | kAlt);
     of(window).keys_.push_back({{layoutKey(key, scancode), known},
                                 action == GLFW_REPEAT,
@@ -115,18 +118,20 @@ void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         of(window).drops_.assign(paths, paths + count);
-        of(window).noteInput();
+        of(window).noteInput(kSettleFrames);
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         of(window).pointer_ = {x, y};
-        of(window).noteInput();
+        of(window).noteInput(kHoverFrames);
     });
-    glfwSetScrollCallback(window_,
-                          [](GLFWwindow* window, double, double) { of(window).noteInput(); });
-    glfwSetFramebufferSizeCallback(window_,
-                                   [](GLFWwindow* window, int, int) { of(window).noteInput(); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).noteInput(); });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window).noteInput(); });
+    glfwSetScrollCallback(
+        window_, [](GLFWwindow* window, double, double) { of(window).noteInput(kSettleFrames); });
+    glfwSetFramebufferSizeCallback(
+        window_, [](GLFWwindow* window, int, int) { of(window).noteInput(kSettleFrames); });
+    glfwSetWindowRefreshCallback(window_,
+                                 [](GLFWwindow* window) { of(window).noteInput(kSettleFrames); });
+    glfwSetWindowFocusCallback(
+        window_, [](GLFWwindow* window, int) { of(window).noteInput(kSettleFrames); });
 }
 
 void Window::listenToPresses() {
@@ -135,13 +140,13 @@ void Window::listenToPresses() {
         // From the events: a query to the display server would return the current position.
         const glm::vec2 pointer = of(window).pointer_.value_or(cursorOf(window));
         if (action == GLFW_PRESS) of(window).presses_.push_back({button, mods, pointer});
-        of(window).noteInput();
+        of(window).noteInput(kSettleFrames);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
         KeyPress typed;
         typed.sign = sign;
         of(window).keys_.push_back(typed);
-        of(window).noteInput();
+        of(window).noteInput(kSettleFrames);
     });
 }
 

@@ -47,7 +47,7 @@ class Window {
     void listen();
     void listenToPresses();
     void waitForInput();
-    void noteInput();
+    void noteInput(int frames);
     void deliver();
     void deliverButton();
     void drawFrame();
