@@ -103,7 +103,7 @@ void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 void addRows(const CloseEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     e.b == kNone ? out.row("lone entry", pointsText({e.a}))
                  : out.row(e.rest > 0 ? "within a ring" : "ring of two", pointsText({e.a, e.b}));
-    if (e.rest > 0) out.row("ring left", counted(e.rest, "point", "points"));
+    if (e.rest > 0) out.row("remaining ring", counted(e.rest, "point", "points"));
     out.row("so", "it is a finished edge: closed");
 }
 

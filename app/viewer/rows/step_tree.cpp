@@ -5,6 +5,7 @@
 #include "step_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <sstream>
 
@@ -223,6 +224,7 @@ std::size_t StepTree::rowCount() const {
 }
 
 StepRow StepTree::row(std::size_t row) const {
+    assert(row < rowCount());
     if (filtered()) return filteredRow(row);
     const auto after =
         std::upper_bound(open_.begin(), open_.end(), row,

@@ -152,7 +152,8 @@ void RingReplay::on(const RingEvidence& e) {
     rings_.erase(leaving_.back());
     leaving_.pop_back();
     // From start to end the ring now follows the rim of the new fan.
-    if (leaving_.empty() && rings_.alive(start_) && linked_ == 0) rings_.setOpen(start_, false);
+    if (leaving_.empty() && rings_.alive(start_) && linked_ == 0 && !finished_)
+        rings_.setOpen(start_, false);
 }
 
 bool RingReplay::nextLink(Index point) {
@@ -204,21 +205,26 @@ void RingReplay::on(const JoinEvidence& e) {
 }
 
 void RingReplay::closeWithin(const CloseEvidence& e) {
-    for (Index entry = rings_.firstEntryOf(e.a); entry != kNone;
-         entry = rings_[entry].nextOfPoint) {
-        const Index before = rings_.prev(entry);
-        const Index after = rings_.next(entry);
-        const bool finished = rings_.point(before) == e.b && rings_.point(after) == e.b &&
-                              before != after && !rings_.open(before) && !rings_.open(entry);
-        if (!finished || rings_.length(rings_.ringOf(entry)) != e.rest + 2) continue;
-        rings_.setOpen(before, rings_.open(after));
-        if (end_ == entry || end_ == after) end_ = rings_.next(after);
-        if (start_ == entry || start_ == after) start_ = before;
-        leaving_ = {after, entry};
-        linked_ = inserted_.size() + 1;  // Links come before this: the step after start is final.
-        return;
-    }
-    lost_ = true;
+    const std::vector<Index>& stack = rings_.stack();
+    lost_ = e.depthFromTop != kNone && e.depthFromTop >= stack.size();
+    if (lost_) return;
+    const Index ring =
+        e.depthFromTop == kNone ? rings_.active() : stack[stack.size() - 1 - e.depthFromTop];
+    const std::vector<Index> entries = entriesOf(ring);
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](Index entry) {
+        return rings_.point(entry) == e.a && rings_.point(rings_.prev(entry)) == e.b &&
+               rings_.point(rings_.next(entry)) == e.b;
+    });
+    lost_ = found == entries.end() || entries.size() != e.rest + 2;
+    if (lost_) return;
+    const Index before = rings_.prev(*found);
+    const Index after = rings_.next(*found);
+    rings_.setOpen(before, rings_.open(after));
+    if (end_ == *found || end_ == after) end_ = rings_.next(after);
+    if (start_ == *found || start_ == after) start_ = before;
+    leaving_ = {after, *found};
+    x_ = before;       // Its ring may close next.
+    finished_ = true;  // The step after start is final.
 }
 
 void RingReplay::on(const CloseEvidence& e) {

@@ -84,6 +84,7 @@ class RingReplay {
     bool updating_ = false;             ///< §6.5 has begun.
     std::vector<Index> leaving_;        ///< The next one last.
     std::vector<Index> inserted_;
+    bool finished_ = false;   ///< A finished edge was closed: no link comes after.
     std::size_t linked_ = 0;  ///< Number of inserted entries that were checked for other instances.
     Index x_ = kNone;
     Index y_ = kNone;

@@ -130,10 +130,8 @@ std::string text(const LimitEvidence& e) {
         case Verdict::Outside:
             return sentence("{} at {} is outside the limits", point, deg(e.toDegrees)) + stays;
         case Verdict::HalfTurn:
-            return sentence(
-                       "{} at {} is 180 degrees or more from there, and the triangle would be "
-                       "inverted",
-                       point, deg(e.toDegrees)) +
+            return sentence("{} at {}: the triangle would span 180 degrees or more and be inverted",
+                            point, deg(e.toDegrees)) +
                    stays;
         case Verdict::Blocked:
             return point + ": an UNUSED neighbor lies in the triangle's sphere" + stays;
@@ -148,7 +146,7 @@ std::string text(const DropEvidence& e) {
     if (e.verdict == Verdict::Outside)
         return sentence("Candidate {} at {} is outside the moved {}: removed.", e.point,
                         deg(e.degrees), side);
-    return sentence("Candidate {} is next on the ring behind a convex {}: removed.", e.point, side);
+    return sentence("Candidate {} is next on the ring after a convex {}: removed.", e.point, side);
 }
 std::string text(const ReciprocalEvidence& e) {
     return sentence(

@@ -46,7 +46,7 @@ void LaneTracker::take(const Event& event) {
                           [&](const SplitEvidence& split) { splitRing(split); },
                           [&](const JoinEvidence& join) { joinRings(join); },
                           [&](const CloseEvidence& close) {
-                              if (close.rest > 0) return shorten(close.rest);
+                              if (close.rest > 0) return shorten(close);
                               closeRing(close.b == kNone ? 1 : 2);
                           },
                           [&](const AdvanceEvidence& advance) {
@@ -155,12 +155,12 @@ void LaneTracker::closeRing(Index entries) {
     }
 }
 
-void LaneTracker::shorten(Index rest) {
+void LaneTracker::shorten(const CloseEvidence& close) {
     closing_ = 2;
-    if (active_ && active_->length == rest + 2) {
-        active_->length = rest;
-    } else if (const auto place = freshOfLength(rest + 2)) {
-        stack_[*place].length = rest;
+    if (close.depthFromTop == kNone) {
+        if (active_) active_->length = close.rest;
+    } else if (close.depthFromTop < stack_.size()) {
+        stack_[stack_.size() - 1 - close.depthFromTop].length = close.rest;
     }
 }
 

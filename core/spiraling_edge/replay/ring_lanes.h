@@ -73,7 +73,7 @@ class LaneTracker {
     void joinRings(const JoinEvidence& join);
     void closeRing(Index entries);
     /// Two entries leave a longer ring.
-    void shorten(Index rest);
+    void shorten(const CloseEvidence& close);
     /// Position on the stack of the ring of that length pushed by the current pivot.
     std::optional<std::size_t> freshOfLength(Index length) const;
     /// Removes a ring from the stack.

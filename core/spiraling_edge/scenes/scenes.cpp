@@ -99,7 +99,7 @@ PointFile figure7() { return smallTorus(1, 14); }
 PointFile figure9() { return smallTorus(11, 10); }
 PointFile figure12() { return smallTorus(5, 10); }
 
-// The two readings of §6.1 and §6.5 that only crooked rings need.
+// Two readings of §6.1 and §6.5 that matter only on irregular rings.
 PointFile halfTurn() {
     return withNeighborLists(sampleClosed(torus(), 100, 0.427, 1009), {KNearest{12}});
 }

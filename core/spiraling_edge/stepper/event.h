@@ -287,6 +287,7 @@ struct JoinEvidence {
 struct CloseEvidence {
     Index a, b;      ///< b is kNone for a lone entry.
     Index rest = 0;  ///< Length of the ring that a and b left; 0: they were the whole ring.
+    Index depthFromTop = kNone;  ///< With `rest`: position of that ring; kNone: the active one.
 };
 struct AdvanceEvidence {
     Index to;             ///< kNone: no ring is left.

@@ -23,7 +23,7 @@ struct Readings {
     /// Off: in list order of the neighbors, each tested once.
     bool limitsFirst = true;
     /// §6.1, Fig. 4: start and end do not advance across 180 degrees or more at the pivot, since
-    /// the triangle would be inverted. Off: any angle between the limits will do.
+    /// the triangle would be inverted. Off: every angle between the limits is allowed.
     bool belowHalfTurn = true;
     /// §6.2: a hole of three needs a third side that is an edge of the mesh, and a sector below 180
     /// degrees. Off: three entries on the ring are enough.

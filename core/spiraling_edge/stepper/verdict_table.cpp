@@ -27,7 +27,7 @@ constexpr std::array<VerdictRow, kVerdictCount> kVerdictTable{{
     {Verdict::Blocked, "blocked", Outcome::Unchanged, kKeep},
     {Verdict::NowStart, "now start", Outcome::None, kNoWhatIf},
     {Verdict::NowEnd, "now end", Outcome::None, kNoWhatIf},
-    {Verdict::BeyondConvex, "behind convex end", Outcome::Refused, kKeep},
+    {Verdict::BeyondConvex, "after convex end", Outcome::Refused, kKeep},
     {Verdict::NotReciprocal, "not reciprocal", Outcome::Refused, kKeep},
     {Verdict::WallComplete, "complete along its walls", Outcome::Refused, kKeep},
     {Verdict::FarSide, "far side", Outcome::Refused, kKeep},

@@ -175,6 +175,15 @@ TEST_CASE("6.1 the sector is a full turn where first and last are one point on t
     CHECK(alone.triangles().empty());
 }
 
+TEST_CASE("6.5 a single point inserted between two entries of one point is a finished edge") {
+    // The step from the pivot is open, so that its sector is a full turn although both are 1.
+    Rig rig({{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {5, -1, 0}, polar(120)});
+    rig.list(0, {1, 4}).ring({0, 1, 2, 3, 1}).open(0).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 4}, {0, 4, 1}});
+    CHECK(rig.status(4) == kDone);
+    CHECK(rig.activeRing() == Points{2, 3, 1});
+}
+
 TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
     Rig rig({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
     rig.listAll().ring({0, 2, 1}).open(2).pivot();

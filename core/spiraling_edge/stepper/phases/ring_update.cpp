@@ -97,15 +97,15 @@ void closeRingIfFinished(AnyContext auto& context, Index ring) {
     if (!lone) release(context, b, Stage::Ring);
 }
 
-/// True if the neighbors of a live entry on its ring are entries of one point. Inline, since almost
-/// no entry is one.
+/// True if the entry is alive and its two ring neighbors are entries of one point. Inline: rarely
+/// true.
 [[gnu::always_inline]] inline bool isBetweenEntriesOfOnePoint(const EdgeRings& rings, Index entry) {
     return rings.alive(entry) && rings.point(rings.prev(entry)) == rings.point(rings.next(entry));
 }
 
-/// Closes the finished edge at such an entry, within a longer ring; then those where the ring
-/// meets: Choice, see Readings::closeTwo. It is an exchange of successors of the two entries, which
-/// splits off a ring of two that is finished.
+/// Closes the finished edge at an entry between two entries of one point, within a longer ring,
+/// then those that become adjacent by it (Choice, see Readings::closeTwo). Equivalent to an
+/// exchange of successors that splits off a finished ring of two.
 void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
     State& s = context.state;
     if (!isBetweenEntriesOfOnePoint(s.rings, entry)) return;
@@ -117,7 +117,8 @@ void closeEdgeIfFinished(AnyContext auto& context, Index entry) {
     const Index beyond = s.rings.next(after);
     const Index rest = s.rings.length(s.rings.ringOf(entry)) - 2;
     note(context, Stage::Ring, [&] {
-        return CloseEvidence{s.rings.point(entry), s.rings.point(after), rest};
+        return CloseEvidence{s.rings.point(entry), s.rings.point(after), rest,
+                             s.rings.depthFromTop(s.rings.ringOf(entry))};
     });
     s.rings.setOpen(before, s.rings.open(after));
     if (s.pivot.end == entry || s.pivot.end == after) s.pivot.end = beyond;
@@ -215,8 +216,11 @@ void phaseLink(AnyContext auto& context) {
     }
     if (s.rings.active() != kNone) closeRingIfFinished(context, s.rings.active());
     for (const Index e : {s.pivot.start, s.pivot.end}) {
+        // Here too, since the call would cost 1 percent of a run.
         if (isBetweenEntriesOfOnePoint(s.rings, e)) closeEdgeIfFinished(context, e);
     }
+    // A single candidate between two entries of one point.
+    if (s.insertedEntries.size() == 1) closeEdgeIfFinished(context, s.insertedEntries.front());
     if (linked) closeEdgesAtLinks(context);
     if (s.rings.active() != kNone) {
         s.counters.maxRingLength =
