@@ -9,7 +9,7 @@ echo "|---|---|---|---|"
 for file in $(find "$@" -maxdepth 1 -type f | sort); do
     code=0
     said=$("$program" doctor "$file" 2>&1) || code=$?
-    # found SEVERITY: "30 points with ..." behind the name of the check.
+    # found SEVERITY: "30 points with ..." after the name of the check.
     found() { sed -nE "s/^  $1 +([a-z_]+): ([0-9]+ [a-z]+|the file|).*/\1 (\2)/p" <<<"$said"; }
     list() { paste -sd, | sed 's/,/, /g; s/ (the file)//g'; }
     accused=$({ found error; found warning; } | list)

@@ -32,7 +32,7 @@ class Application {
     Application(const Options& options, const ViewSettings& settings);
     ~Application();
 
-    /// Requires a current OpenGL context. `contentScale` is the scale of the monitor.
+    /// Call with a current OpenGL context. `contentScale` is the scale of the monitor.
     Status start(float contentScale);
 
     // From the window.

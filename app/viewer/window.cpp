@@ -29,7 +29,7 @@ namespace {
 constexpr double kIdleSeconds = 0.25;
 /// A text field has the keyboard focus only in the fourth frame after the request.
 constexpr int kSettleFrames = 5;
-/// What the pointer is over, and its tooltip, are drawn in the second frame.
+/// The item under the pointer, and its tooltip, are drawn in the second frame.
 constexpr int kHoverFrames = 2;
 constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr double kDoubleClickSeconds = 0.3;

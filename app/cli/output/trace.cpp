@@ -2,6 +2,8 @@
 // that gets its name only on commit(), so that a run that ends early leaves no partial trace.
 #include "trace.h"
 
+#include <cassert>
+
 #include "exit_code.h"
 #include "output.h"
 #include "spiraling_edge/replay/event_text.h"
@@ -23,6 +25,7 @@ TraceWriter::TraceWriter(const std::string& path) : active_(!path.empty()) {
 }
 
 void TraceWriter::write(const std::vector<Event>& events) {
+    assert(active());
     constexpr std::size_t kBlock = 1U << 16U;
     for (const Event& event : events) {
         buffer_ += toString(event.address);

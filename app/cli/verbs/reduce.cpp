@@ -1,5 +1,5 @@
 // spiraling-edge reduce: a minimal set of points that still fails, with a session and a test of
-// it. The search is core's reduceInput(); this file tells it whether a subset still fails, by
+// it. The search is core's reduceInput(); this file decides whether a subset still fails, by
 // preparing, running and inspecting it. Its effort is counted in elementary tests instead of
 // seconds, so that the result does not depend on the machine.
 #include "spiraling_edge/explain/reduce.h"

@@ -1,6 +1,7 @@
 #include "alert_actions.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "command_actions.h"
 #include "jobs/questions.h"
@@ -95,6 +96,7 @@ std::string watchNote(std::size_t points, std::size_t noticed) {
 
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment) {
     Session& session = context.session;
+    assert(alert < session.alerts().search().failures().size());
     context.playback.pause();
     session.alerts().choose(alert);
     const RunFailure& chosen = *session.alerts().shown();

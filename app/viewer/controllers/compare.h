@@ -29,7 +29,7 @@ class CompareController {
 
     /// Colors of the difference in the view of the open run; null: none.
     const DifferenceLook* look();
-    /// Makes the list of the second view. Requires a current OpenGL context.
+    /// Makes the list of the second view. Call with a current OpenGL context.
     void fill(bool onPaper);
     void draw(glm::ivec2 size, float em);
     /// True if the second view has something to show.

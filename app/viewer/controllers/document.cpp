@@ -1,9 +1,10 @@
 // Opening takes several frames, and cursor, camera, selection and notices can be set only after
 // it. They wait in Arrival until arrive(); a failed or cancelled opening discards them.
-// Annotations are kept per input (Notebook), so that they return when the input is opened again.
+// Annotations are kept per input (records_), so that they return when the input is opened again.
 #include "document.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdio>
 #include <utility>
 
@@ -32,6 +33,7 @@ void putBack(const Annotations& annotations, UiState& ui) {
 SessionFile captureSession(const CommandContext& context) {
     const Session& session = context.session;
     SessionFile file;
+    assert(session.ready());
     file.input = session.input().spec();
     file.inputHash = session.model().hash;
     file.place.address = session.event() != nullptr ? toString(session.address()) : "";

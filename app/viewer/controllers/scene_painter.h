@@ -15,7 +15,7 @@ namespace se::view {
 
 class ScenePainter {
   public:
-    /// Requires a current OpenGL context. An empty folder: the built-in shaders.
+    /// Call with a current OpenGL context. An empty folder: the built-in shaders.
     Status start(const std::filesystem::path& shaders);
 
     /// Uploads new data and makes the draw list, if something changed since

@@ -1,5 +1,6 @@
 #include "go_to_box.h"
 
+#include <cassert>
 #include <utility>
 
 #include "key_routing.h"
@@ -24,6 +25,7 @@ void GoToBox::clear() {
 }
 
 void GoToBox::type(unsigned sign) {
+    assert(active());
     if (sign <= ' ' || sign >= 127) return;
     if (marked_) clear();
     if (text_.size() < kLongest) text_.insert(caret_++, 1, static_cast<char>(sign));
@@ -60,6 +62,7 @@ void GoToBox::letter(int key) {
 }
 
 bool GoToBox::press(const KeyChord& chord) {
+    assert(active());
     if (!editsText(chord)) return false;
     if ((chord.mods & (kCtrl | kAlt)) == kCtrl && chord.key < key::kEscape) {
         letter(chord.key);

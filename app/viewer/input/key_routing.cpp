@@ -3,6 +3,7 @@
 // and a frame takes as many from the front of the queue as remain distinguishable in their order.
 #include "key_routing.h"
 
+#include <cassert>
 #include <set>
 #include <string_view>
 
@@ -68,6 +69,7 @@ std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting) {
 }
 
 bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i) {
+    assert(i < presses.size());
     return presses[i].sign != 0 && i > 0 && presses[i - 1].sign == 0 && !presses[i - 1].released;
 }
 

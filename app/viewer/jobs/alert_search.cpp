@@ -1,6 +1,7 @@
 #include "alert_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
@@ -31,6 +32,7 @@ void AlertSearch::stop() {
 }
 
 void AlertSearch::resume() {
+    assert(!busy());
     stopped_ = started_ = false;
     start();
 }
@@ -107,6 +109,7 @@ void RunAlerts::choose(std::optional<std::size_t> alert) {
 }
 
 void RunAlerts::seekRemedies() {
+    assert(shown() != nullptr);
     remediesOf_ = chosen_;
     remedies_.start([model = model_, failure = shown()->failure](const Progress& progress) {
         return findRemedies(model->points, model->params, failure, progress);

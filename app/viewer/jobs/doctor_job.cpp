@@ -1,6 +1,7 @@
 #include "doctor_job.h"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -35,6 +36,7 @@ std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std:
 }
 
 MarkedSphere sphereAround(const Model& model, std::span<const Index> points) {
+    assert(!points.empty());
     glm::vec3 low = model.place[points.front()];
     glm::vec3 high = low;
     MarkedSphere place;

@@ -1,6 +1,7 @@
 #include "questions.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <utility>
 
@@ -30,6 +31,7 @@ bool Questions::busy() const {
 }
 
 void Questions::askWhy(const Selection& what) {
+    assert(what.kind != SelectionKind::None);
     subject_ = what;
     subjectName_ = selectionText(what);
     ledger_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {

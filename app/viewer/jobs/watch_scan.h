@@ -17,7 +17,7 @@ namespace se::view {
 
 /// A watched number, pivot by pivot.
 struct WatchSeries {
-    std::vector<double> values;  ///< [pivot], from 0, the start; as far as computed.
+    std::vector<double> values;  ///< [pivot], from 0, the start; computed so far.
     bool complete = false;
 };
 

@@ -15,7 +15,8 @@ namespace se::view {
 
 class Renderer {
   public:
-    /// Compiles the shaders; from `shaderFolder` unless it is empty. Requires a current context.
+    /// Compiles the shaders; from `shaderFolder` unless it is empty. Call with a current OpenGL
+    /// context.
     static Result<std::unique_ptr<Renderer>> create(const std::filesystem::path& shaderFolder);
 
     /// Uploads positions and normals. Discards all triangles.

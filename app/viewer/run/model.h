@@ -73,7 +73,7 @@ PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
 struct Model {
     std::string name;   ///< File name, scene id or "torus, 4 000 points", for title and menu.
-    std::string hash;   ///< Of the input, see input_hash.h.
+    std::string hash;   ///< Of the input, see hashOfPoints().
     std::string watch;  ///< One sentence of a scene; empty for files.
     PointSet points;
     Params params;

@@ -1,5 +1,5 @@
-/// How a run decides: its rules, and the decisions that the user overrides. Part of an input's
-/// specification; a change re-runs the input.
+/// The rules and overrides of a run: its rules, and the decisions that the user overrides. Part of
+/// an input's specification; a change re-runs the input.
 #pragma once
 
 #include <string>
@@ -29,9 +29,9 @@ Result<Params> paramsOf(const InputSpec& spec);
 
 /// `rules` with one rule set, for the Rules panel and for callers that suggest a remedy:
 /// `ui.requests.rules = withRule(rulesOf(session.input().spec()), "fill", 1.0)`. A value equal to
-/// that of the set is no longer a choice. Requires that there is such a rule.
+/// that of the set is no longer a choice; an unknown name changes nothing.
 RuleSet withRule(const RuleSet& rules, std::string_view name, double value);
-/// The value of a rule: the choice, or the value of its set. Requires that there is such a rule.
+/// The value of a rule: the choice, or the value of its set.
 double valueOf(const RuleSet& rules, const RuleSetting& setting);
 /// The value of a rule in its set alone.
 double usualValueOf(const RuleSet& rules, const RuleSetting& setting);

@@ -1,6 +1,7 @@
 #include "line_position.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace se::view {
 
@@ -11,6 +12,7 @@ std::optional<std::size_t> LinePosition::step(int direction, std::size_t count) 
 }
 
 LinePosition positionAmong(std::span<const LedgerLine> lines, const Session& session) {
+    assert(session.ready());
     const PivotRecord& record = session.record();
     // Within a pivot the stages do not always come in one order, so its events are searched.
     const auto isBefore = [&](const LedgerLine& line) {

@@ -4,6 +4,7 @@
 // beside the mesh. tests/viewer/session/mesh_command_test.cpp compares the bytes.
 #include "mesh_command.h"
 
+#include <cassert>
 #include <filesystem>
 #include <utility>
 
@@ -169,6 +170,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
 }
 
 MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
+    assert(session.ready());
     const InputSpec& spec = session.input().spec();
     for (std::size_t i = 0; i < spec.whatIf.size(); ++i) {
         if (session.input().whatIfProblem(i).empty()) continue;
@@ -181,6 +183,7 @@ MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
 }
 
 std::string meshStem(const Session& session) {
+    assert(session.ready());
     const std::string& source = session.input().spec().source.empty()
                                     ? session.model().name
                                     : session.input().spec().source;

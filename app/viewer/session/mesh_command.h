@@ -16,8 +16,8 @@ struct MeshCommand {
     std::string note;  ///< A sentence: steps of the line before the run, or why there is none.
 };
 
-/// The line for an input; intermediate files are written to the folder of the mesh. Requires
-/// that every what-if of `spec` has an effect.
+/// The line for an input whose what-ifs all have an effect; intermediate files are written to the
+/// folder of the mesh.
 MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target);
 /// The line for the open input. Requires session.ready().
 MeshCommand meshCommand(const Session& session, const MeshTarget& target);

@@ -1,6 +1,7 @@
 #include "selection_facts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "scene/selection_measures.h"
@@ -60,6 +61,7 @@ void addTriangle(const Session& session, const Selection& triangle, SelectionFac
 }  // namespace
 
 SelectionFacts factsOf(const Session& session, const Selection& selection) {
+    assert(session.ready());
     SelectionFacts facts;
     facts.present = selection.kind == SelectionKind::Point;
     if (selection.kind == SelectionKind::Edge) addEdge(session, selection, facts);

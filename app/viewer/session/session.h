@@ -43,7 +43,7 @@ class Session {
     void open(InputSpec spec);
     /// Runs the open input again, with other rules or what-ifs, in a thread. messages() reports
     /// the new cursor position and the reason for it; the selection stays. If the change is
-    /// refused, the reason is reported and all stays as it is. Requires ready().
+    /// refused, the reason is reported and all stays as it is. Ignored unless ready().
     void rerun(const RuleSet& rules, Resume resume = Resume::SamePosition);
     /// Returns at once to the input that was open before, or to none.
     void cancelOpening();
@@ -111,7 +111,7 @@ class Session {
     Moves& moves() { return moves_; }
     const Moves& moves() const { return moves_; }
 
-    // What the user looks for in the run.
+    // Searches in the run.
     RunAlerts& alerts() { return alerts_; }
     const RunAlerts& alerts() const { return alerts_; }
     /// Hits of the breakpoints.

@@ -39,7 +39,7 @@ struct SessionFile {
 /// Decided by extension, otherwise by the first character: no point file begins with a brace.
 bool looksLikeSession(const std::filesystem::path& path);
 
-/// Parses a session in `folder`; errors call it `name`. Errors tell what was expected; nothing is
+/// Parses a session in `folder`; errors call it `name`. Errors name what was expected; nothing is
 /// guessed.
 Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
                                     const std::filesystem::path& folder);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -182,6 +183,7 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
 }
 
 double medianOf(std::vector<double>& values) {
+    assert(!values.empty());
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;

@@ -143,8 +143,8 @@ class CauseInverter {
         return fork;
     }
 
-    /// Continues with the turns of `result`. True if the last of them only postponed the decision:
-    /// then `asked` is its repetition, and that turn is added.
+    /// Continues with the inversions of `result`. True if the last of them only postponed the
+    /// decision: then `asked` is its repetition, and its inversion is added.
     bool invertOnce(const MeshFailure& failure, LedgerLine& asked, CauseInversion& result) const {
         Params forked = params_;
         forked.whatIf.insert(forked.whatIf.end(), result.inverses.begin(), result.inverses.end());

@@ -308,8 +308,9 @@ std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::sp
     const char* const who = mismatch.aDecides ? "A " : "B ";
     const char* const other = mismatch.aDecides ? "B" : "A";
     const bool oneAsks = isTest(asked) && mismatch.aDecides != mismatch.bDecides;
-    std::string text = oneAsks ? place + who + actionText(asked) + ", " + other + " does not ask."
-                               : place + "A " + actionText(inA) + ", B " + actionText(inB) + ".";
+    std::string text = oneAsks
+                           ? place + who + actionText(asked) + ", " + other + " does not test it."
+                           : place + "A " + actionText(inA) + ", B " + actionText(inB) + ".";
     if (mismatch.onlyInA != kNone)
         text += " Only A lists " + pointName(mismatch.onlyInA) + " here.";
     if (mismatch.onlyInB != kNone)

@@ -90,7 +90,7 @@ poll() {
     return 1
 }
 settled_after() { [ "$(field input_events)" -ge "$1" ] && [ "$(field settled)" = true ]; }
-# act EVENTS COMMAND...: what the user does, which makes so many events at least; waits until the
+# act EVENTS COMMAND...: what the user does, which makes at least EVENTS events; waits until the
 # program has handled and drawn them.
 act() {
     local events=$(($(field input_events) + $1))

@@ -14,7 +14,7 @@ namespace {
 
 void ask(const PanelContext& context, const RuleSet& rules) { context.requests().rules = rules; }
 
-/// Adds a what-if, or says why the fields are none.
+/// Adds a what-if, or reports why the fields form none.
 void askOrSay(const PanelContext& context, const RuleSet& rules, const Result<WhatIf>& what) {
     if (what) return ask(context, withWhatIf(rules, what.value()));
     context.session().messages().say(what.error().message);

@@ -120,7 +120,7 @@ Shape markOf(const Event& event) {
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
-/// Number made by the pivots first to last, as far as the run is known.
+/// Number made by the pivots first to last, in the part of the run known so far.
 std::size_t trianglesBetween(const RunOverview& run, std::uint32_t first, std::size_t last) {
     last = std::min(last, run.triangles.size());
     if (first == 0 || first > last) return 0;

@@ -6,6 +6,7 @@
 #include "comparison.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace se::view {
@@ -24,6 +25,7 @@ std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot) 
 }
 
 std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
+    assert(!b.empty());
     const std::size_t last = b.size() - 1;
     if (cursor >= a.size() || cursor + 1 == a.size()) return last;
     const Address& here = a[cursor].address;
