@@ -1,4 +1,4 @@
-// Mesh triangles in three stretches: finished ones, the last fan, and those of the mending passes.
+// Mesh triangles in three stretches: finished ones, the last fan, and those of the repair passes.
 #include <algorithm>
 
 #include "layer.h"

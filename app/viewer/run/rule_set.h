@@ -1,5 +1,5 @@
-/// The rules and overrides of a run: its rules, and the decisions that the user overrides. Part of
-/// an input's specification; a change re-runs the input.
+/// The rules of a run, and the decisions that the user overrides. Part of an input's specification;
+/// a change re-runs the input.
 #pragma once
 
 #include <string>

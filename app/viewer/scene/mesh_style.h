@@ -36,7 +36,7 @@ MeshStyle following(MeshStyle style);
 /// Inputs of the mesh colors.
 struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
-    std::size_t creationEnd = 1;      ///< Triangles of the whole run, known so far.
+    std::size_t creationEnd = 1;      ///< Triangles of the run known so far.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
     /// Components of the repaired mesh, where it is shown.
     std::vector<ComponentStretch> repaired = {};

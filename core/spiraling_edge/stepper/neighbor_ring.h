@@ -61,8 +61,8 @@ struct NeighborRing {
     Index pivot = kNone;  ///< Entry of p.
     Index first = kNone;  ///< Predecessor of the pivot.
     Index last = kNone;   ///< Successor of the pivot; equal to first on a ring of two.
-    bool fullTurn =
-        false;            ///< First and last are the same point: the sector is a full turn (§6.1).
+    /// First and last are the same point: the sector is a full turn (§6.1).
+    bool fullTurn = false;
     Index start = kNone;  ///< first, or an entry before it (Fig. 4).
     Index end = kNone;    ///< last, or an entry after it.
     Frame frame;
