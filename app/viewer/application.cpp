@@ -215,7 +215,7 @@ void Application::drawUserInterface(const PanelRects& rects) {
     }
 }
 
-void Application::frame(glm::ivec2 size, double seconds) {
+bool Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
     ui_.clock += seconds;
     // Ignore breakpoints and watches while a text field is active.
@@ -251,10 +251,16 @@ void Application::frame(glm::ivec2 size, double seconds) {
     }
     drawUserInterface(rects);
     const auto built = std::chrono::steady_clock::now();
-    painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
-    compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
-    clearFrame(size, palette().panel);
-    imgui_->endFrame();
+    const bool view = painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
+    const bool otherView = compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
+    const bool panels = imgui_->endFrame();
+    // A picture is read from what this frame draws.
+    const bool anyway = std::exchange(redraw_, false) || ui_.requests.screenshot;
+    const bool changed = view || otherView || panels || anyway;
+    if (changed) {
+        clearFrame(size, palette().panel);
+        imgui_->draw();
+    }
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
     noteTimes(built);
     if (options_.narrate) narrate();
@@ -284,6 +290,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
         ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
+    return changed;
 }
 
 void Application::noteTimes(std::chrono::steady_clock::time_point built) {

@@ -52,7 +52,10 @@ class Application {
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
-    void frame(glm::ivec2 size, double seconds);
+    /// False: it equals the frame before, which stays.
+    bool frame(glm::ivec2 size, double seconds);
+    /// The next frame is drawn even if it equals the one before: the window lost its content.
+    void redraw() { redraw_ = true; }
     /// The visible state of the program, as JSON: for tests.
     std::string stateDump(const InputProgress& input) const;
     /// Writes stateDump() to the file of --state-dump, if there is one and the state has changed.
@@ -128,6 +131,7 @@ class Application {
     std::string homeOf_;             ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;  ///< Address of the last sentence on stdout.
+    bool redraw_ = false;
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

@@ -128,8 +128,10 @@ void Window::listen() {
         window_, [](GLFWwindow* window, double, double) { of(window).noteInput(kSettleFrames); });
     glfwSetFramebufferSizeCallback(
         window_, [](GLFWwindow* window, int, int) { of(window).noteInput(kSettleFrames); });
-    glfwSetWindowRefreshCallback(window_,
-                                 [](GLFWwindow* window) { of(window).noteInput(kSettleFrames); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
+        if (of(window).application_ != nullptr) of(window).application_->redraw();
+        of(window).noteInput(kSettleFrames);
+    });
     glfwSetWindowFocusCallback(
         window_, [](GLFWwindow* window, int) { of(window).noteInput(kSettleFrames); });
 }
@@ -201,12 +203,12 @@ void Window::drawFrame() {
     const double twoClicks = std::max(kDoubleClickSeconds, 4.0 * frameSeconds_);
     ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(twoClicks);
     ImGui_ImplGlfw_NewFrame();
-    application_->frame(size, seconds);
+    const bool changed = application_->frame(size, seconds);
     if (const std::string title = application_->title(); title != title_) {
         title_ = title;
         glfwSetWindowTitle(window_, title_.c_str());
     }
-    glfwSwapBuffers(window_);
+    if (changed) glfwSwapBuffers(window_);
     frameSeconds_ = glfwGetTime() - now;
 }
 

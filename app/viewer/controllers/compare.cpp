@@ -117,12 +117,12 @@ void CompareController::fill(bool onPaper) {
     shown_ = true;
 }
 
-void CompareController::draw(glm::ivec2 size, float em) {
-    if (!shown_) return;
+bool CompareController::draw(glm::ivec2 size, float em) {
+    if (!shown_) return false;
     Session* other = comparison_.other();
     const CommandContext context{other != nullptr ? *other : c_.session, c_.playback, c_.camera,
                                  c_.ui};
-    painter_->draw(context, size, em);
+    return painter_->draw(context, size, em);
 }
 
 /// Points have the same numbers in both.

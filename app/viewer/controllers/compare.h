@@ -31,7 +31,7 @@ class CompareController {
     const DifferenceLook* look();
     /// Makes the list of the second view. Call with a current OpenGL context.
     void fill(bool onPaper);
-    void draw(glm::ivec2 size, float em);
+    bool draw(glm::ivec2 size, float em);
     /// True if the second view has something to show.
     bool shows() const { return shown_; }
     const DrawList& list() const { return painter_->list(); }

@@ -197,8 +197,8 @@ void ScenePainter::fillParticles(SamplingController& sampling, Theme theme) {
     ++fills_;
 }
 
-void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
-    if (size.x < 1 || size.y < 1) return;
+bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
+    if (size.x < 1 || size.y < 1) return false;
     const Session& session = context.session;
     const Theme theme = context.ui.settings.theme;
     const Drawn key{session.revision(),
@@ -209,11 +209,12 @@ void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
                     theme,
                     em,
                     fills_};
-    if (key == drawn_) return;
+    if (key == drawn_) return false;
     drawn_ = key;
     if (model_ && !particles_) renderer_->setTinted(*model_, list());
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     renderer_->draw(list(), context.camera.matrices(aspect), size, em, paletteOf(theme).background);
+    return true;
 }
 
 }  // namespace se::view

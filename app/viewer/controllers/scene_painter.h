@@ -28,8 +28,8 @@ class ScenePainter {
                    const DifferenceLook* look);
     /// Fills the list with new points, until fill() is called again.
     void fillParticles(SamplingController& sampling, Theme theme);
-    /// Draws the list, if it, the camera or the size changed since the last time.
-    void draw(const CommandContext& context, glm::ivec2 size, float em);
+    /// Draws the list, if it, the camera or the size changed since the last time. False if not.
+    bool draw(const CommandContext& context, glm::ivec2 size, float em);
 
     const DrawList& list() const { return particles_ ? particleList_ : drawList_; }
     unsigned texture() const { return renderer_->texture(); }

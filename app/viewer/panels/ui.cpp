@@ -149,6 +149,29 @@ Fonts loadFonts(float em) {
     return fonts;
 }
 
+template <class T>
+void append(std::string& bytes, const T* values, int count) {
+    bytes.append(reinterpret_cast<const char*>(values),
+                 sizeof(T) * static_cast<std::size_t>(count));
+}
+
+/// Size, vertices, indices and commands, as bytes to compare.
+std::string contentOf(const ImDrawData& data) {
+    std::string bytes;
+    append(bytes, &data.DisplaySize, 1);
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        append(bytes, list.VtxBuffer.Data, list.VtxBuffer.Size);
+        append(bytes, list.IdxBuffer.Data, list.IdxBuffer.Size);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            append(bytes, &command.ClipRect, 1);
+            append(bytes, &command.TextureId, 1);
+            append(bytes, &command.ElemCount, 1);
+        }
+    }
+    return bytes;
+}
+
 }  // namespace
 
 Ui::Ui() {
@@ -186,9 +209,14 @@ void Ui::beginFrame() {
     ImGui::NewFrame();
 }
 
-void Ui::endFrame() {
+bool Ui::endFrame() {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    std::string content = contentOf(*ImGui::GetDrawData());
+    const bool changed = content != content_;
+    content_ = std::move(content);
+    return changed;
 }
+
+void Ui::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
 
 }  // namespace se::view

@@ -1,6 +1,8 @@
 /// Lifetime, style and fonts of Dear ImGui.
 #pragma once
 
+#include <string>
+
 #include "scene/palette.h"
 
 struct ImFont;
@@ -31,9 +33,13 @@ class Ui {
     float em() const { return em_; }
 
     void beginFrame();
-    void endFrame();
+    /// Ends the frame without drawing it. False if it equals the frame before.
+    bool endFrame();
+    /// Draws the ended frame.
+    void draw() const;
 
   private:
+    std::string content_;  ///< Of the last frame: all that drawing it depends on.
     Fonts fonts_;
     float scale_ = 0.0F;
     float em_ = 16.0F;

@@ -90,8 +90,8 @@ poll() {
     return 1
 }
 settled_after() { [ "$(field input_events)" -ge "$1" ] && [ "$(field settled)" = true ]; }
-# act EVENTS COMMAND...: what the user does, which makes at least EVENTS events; waits until the
-# program has handled and drawn them.
+# act EVENTS COMMAND...: what the user does, which makes at least EVENTS events (press and release
+# are two); waits until the program has handled and drawn them.
 act() {
     local events=$(($(field input_events) + $1))
     shift
@@ -100,9 +100,9 @@ act() {
 }
 press() {
     local chord
-    for chord in "$@"; do act 1 xdotool key --clearmodifiers "$chord"; done
+    for chord in "$@"; do act 2 xdotool key --clearmodifiers "$chord"; done
 }
-type_text() { act ${#1} xdotool type --delay 25 -- "$1"; }
+type_text() { act $((2 * ${#1})) xdotool type --delay 25 -- "$1"; }
 go_to() { press ctrl+g; type_text "$1"; press Return; }
 pointer() { xdotool getmouselocation | cut -d' ' -f1,2; }
 move_to() {
@@ -113,7 +113,7 @@ move_to() {
 }
 click() {
     move_to "$1" "$2"
-    act 1 xdotool click "${3:-1}"
+    act 2 xdotool click "${3:-1}"
     # In the view it selects once no second click can follow.
     poll matches click_waits false
 }

@@ -41,6 +41,26 @@ says address "20\.advance\.1"
 case "$(title)" in "20.advance.1"*) ;; *) fail "the title is '$(title)'" ;; esac
 picture window
 [ "$(differing window offscreen 12%)" -lt 35000 ] || fail "the picture off screen is another"
+# Equal frames are not drawn again, but for a part that another window has covered.
+if [ -n "$xlib_python" ]; then
+    cover() {
+        "$xlib_python" - <<'END' || fail "the window cannot be covered"
+from Xlib.display import Display
+display = Display()
+screen = display.screen()
+cover = screen.root.create_window(0, 0, 1700, 1000, 0, screen.root_depth, override_redirect=True,
+                                  background_pixel=screen.white_pixel)
+cover.map()
+display.sync()
+cover.destroy()
+display.sync()
+END
+    }
+    says moving false; picture before
+    act 1 cover
+    picture uncovered
+    [ "$(differing before uncovered)" -lt 100 ] || fail "a part that was covered is not drawn again"
+fi
 go_to 40.sphere.2
 says address "40\.sphere\.2"
 grep -q "^40\.sphere\.2.*q = .* removed\.$" "$work/program.log" || fail "--narrate prints no sentence"
