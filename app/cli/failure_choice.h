@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "spiraling_edge/explain/failure_moments.h"
 #include "spiraling_edge/stepper/params.h"

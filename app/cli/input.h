@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se::cli {
 

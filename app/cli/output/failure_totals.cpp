@@ -1,7 +1,5 @@
 #include "failure_totals.h"
 
-#include <algorithm>
-
 #include "sentences.h"
 
 namespace se::cli {

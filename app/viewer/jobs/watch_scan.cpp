@@ -1,7 +1,6 @@
 #include "watch_scan.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace se::view {
 

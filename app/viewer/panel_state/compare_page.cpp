@@ -1,6 +1,5 @@
 #include "compare_page.h"
 
-#include "session/compare/compare_with.h"
 #include "what_if_offers.h"
 
 namespace se::view {

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "layers/layer.h"
 #include "run/model.h"
 #include "run/number_format.h"
 #include "run/sample_spec.h"

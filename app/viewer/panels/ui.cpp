@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <string>
 
 #include "font_paths.h"
 #include "panels/widgets/widgets.h"

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
-#include <string>
 
 #include "scene/palette.h"
 #include "spiraling_edge/base/result.h"

@@ -1,7 +1,6 @@
 /// Rows of Inspect where a ring begins (§4), at the walls (§7), and for the tests of §6.1 to §6.4.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "evidence_parts.h"
 #include "spiraling_edge/stepper/rules.h"

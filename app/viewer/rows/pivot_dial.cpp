@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "run/strings.h"
 #include "spiraling_edge/replay/reading.h"

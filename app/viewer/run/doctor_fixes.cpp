@@ -2,7 +2,6 @@
 #include "strings.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "spiraling_edge/io/write_mesh.h"

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <vector>
 
 #include "spiraling_edge/base/number_text.h"

@@ -2,12 +2,10 @@
 /// locale. A number that rounds to zero has no sign: never "-0".
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/stepper/event.h"
 

@@ -5,7 +5,6 @@
 #include "overview.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "picture.h"

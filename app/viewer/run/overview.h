@@ -4,7 +4,6 @@
 #include <array>
 #include <bitset>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/prepare/prepare.h"
 

@@ -2,7 +2,6 @@
 /// examines every point once, and only those triangles that a line of sight may meet.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
-#include <utility>
 
 #include "spiraling_edge/base/result.h"
 

@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <string>
-#include <utility>
 
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"

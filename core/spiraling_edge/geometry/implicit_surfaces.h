@@ -2,7 +2,7 @@
 /// All but the gyroid use only + - * / and sqrt: equal on every machine.
 #pragma once
 
-#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/base/types.h"
 
 namespace se {
 

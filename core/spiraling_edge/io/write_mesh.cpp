@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"

@@ -12,7 +12,6 @@
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
-#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {

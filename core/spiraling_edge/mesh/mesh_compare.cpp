@@ -4,11 +4,9 @@
 #include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"

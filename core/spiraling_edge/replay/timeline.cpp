@@ -4,7 +4,6 @@
 /// the changes to the nearest keyframe and at most one spacing of pivots.
 #include "spiraling_edge/replay/timeline.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace se {

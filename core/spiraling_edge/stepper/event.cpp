@@ -1,7 +1,6 @@
 #include "spiraling_edge/stepper/event.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "spiraling_edge/base/text_scan.h"

@@ -1,6 +1,5 @@
 // The strips PIVOT, the stages of the pivot at the cursor, and STAGE, the events of one of them.
 #include <algorithm>
-#include <cmath>
 
 #include "scene/draw_list.h"
 #include "scene/palette.h"

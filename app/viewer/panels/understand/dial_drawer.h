@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <vector>
 
 #include "layout/dial.h"
 #include "layout/overlays.h"
