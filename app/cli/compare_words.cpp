@@ -26,7 +26,7 @@ constexpr std::array kOverrides{
 };
 
 /// Number of words from `i` on that belong to neither run, wherever they occur.
-std::size_t wordsOfBoth(const Arguments& words, std::size_t i) {
+std::size_t wordsForBothRuns(const Arguments& words, std::size_t i) {
     const std::string& word = words[i];
     if (word == "--json" || word == "-q" || word == "--quiet" || word.starts_with("--most="))
         return 1;
@@ -51,23 +51,23 @@ bool overrides(const GivenOption& mine, const GivenOption& theirs) {
 }  // namespace
 
 ComparedWords splitAtWith(const Arguments& words) {
-    ComparedWords parted;
+    ComparedWords split;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--with") {
-            parted.hasWith = true;
+            split.hasWith = true;
             continue;
         }
-        std::size_t count = parted.hasWith ? wordsOfBoth(words, i) : 1;
-        for (; count > 1; --count) parted.a.push_back(words[i++]);
+        std::size_t count = split.hasWith ? wordsForBothRuns(words, i) : 1;
+        for (; count > 1; --count) split.a.push_back(words[i++]);
         if (count == 1) {
-            parted.a.push_back(words[i]);
+            split.a.push_back(words[i]);
             continue;
         }
-        parted.with.push_back(words[i]);
+        split.with.push_back(words[i]);
     }
     // A word among others is one value, spaces included, such as the value of --what-if.
-    if (parted.with.size() == 1) parted.with = splitAtBlanks(parted.with.front());
-    return parted;
+    if (split.with.size() == 1) split.with = splitAtBlanks(split.with.front());
+    return split;
 }
 
 ParsedInput::ParsedInput(const Arguments& words) : app_("", "spiraling-edge compare") {

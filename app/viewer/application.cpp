@@ -4,7 +4,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
@@ -169,13 +168,13 @@ void Application::placeCamera(const PanelRects& rects) {
                               session_.event() != nullptr && !session_.moves().busy() &&
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
-    const FrameWish wish = std::exchange(ui_.requests.frame, FrameWish::None);
+    const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
     const bool pivot = session_.picture().pivot != kNone;
-    if (wish != FrameWish::None)
-        wish == FrameWish::Pivot&& pivot ? framePivot(commands_) : frameFocus(commands_);
+    if (request != FrameRequest::None)
+        request == FrameRequest::Pivot&& pivot ? framePivot(commands_) : frameFocus(commands_);
     if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
-    closeUp(session_, camera_, rects.view.size / imgui_->em());
+    framePivotNeighborhood(session_, camera_, rects.view.size / imgui_->em());
 }
 
 void Application::drawUserInterface(const PanelRects& rects) {
@@ -275,8 +274,8 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     ui_.unsaved = document_.unsaved();
     const std::string copied = std::exchange(ui_.requests.copyText, {});
     if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
-    if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
-    if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
+    if (std::exchange(ui_.requests.copyAddress, false)) copyAddress();
+    if (std::exchange(ui_.requests.pasteAddress, false)) pasteAddress();
     // A picture requested while this frame was drawn is taken from the next one.
     if (ui_.requests.screenshot && (painter_.onPaper() || !session_.ready())) {
         ui_.requests.screenshot = false;

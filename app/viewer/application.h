@@ -100,8 +100,8 @@ class Application {
     void placeCamera(const PanelRects& rects);
     void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
-    void copyPlace();
-    void pastePlace();
+    void copyAddress();
+    void pasteAddress();
     void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }
 

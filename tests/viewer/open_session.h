@@ -18,6 +18,14 @@ inline std::filesystem::path ownPlace(const std::string& name) {
            ("spiraling-edge-" + std::to_string(::getpid()) + "-" + name);
 }
 
+/// As loadInput(), without the file.
+inline Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec,
+                                                      LoadProgress& progress) {
+    const Result<Loaded> loaded = loadInput(spec, progress);
+    if (!loaded) return loaded.error();
+    return loaded.value().model;
+}
+
 inline std::shared_ptr<const Model> sphereModel() {
     LoadProgress progress;
     const auto loaded = loadModel({"scene:sphere", {}, "paper"}, progress);

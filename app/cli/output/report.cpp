@@ -86,7 +86,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     Json list = Json::array();
     for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMaxFaults); ++i) {
         const Fault& fault = (*outcome.faults)[i];
-        const Vec3& at = outcome.faultPlaces[i];
+        const Vec3& at = outcome.faultPositions[i];
         Json row = {{"class", faultName(fault.kind)}, {"triangle", fault.triangle}};
         row["other"] = fault.other == kNone ? Json() : Json(fault.other);
         row["at"] = {at.x, at.y, at.z};

@@ -40,7 +40,7 @@ struct RunOutcome {
     bool crossings = true;  ///< False: crossing triangles were not searched.
     bool allFaults = true;  ///< False: there may be more intersections, see searchFaults().
     /// Position of each fault: the middle of its triangle.
-    std::vector<Vec3> faultPlaces;
+    std::vector<Vec3> faultPositions;
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;

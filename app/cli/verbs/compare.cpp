@@ -95,22 +95,22 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
 }  // namespace
 
 ExitCode compareVerb(const Arguments& words) {
-    const ComparedWords parted = splitAtWith(words);
+    const ComparedWords split = splitAtWith(words);
     CompareArguments arguments;
     CLI::App app("Compares two runs on the same points, or a run and the mesh of another program.",
                  "spiraling-edge compare");
     arguments.addTo(app);
-    if (const auto code = parseArguments(app, parted.a)) return *code;
-    if (parted.hasWith == !arguments.mesh.empty())
+    if (const auto code = parseArguments(app, split.a)) return *code;
+    if (split.hasWith == !arguments.mesh.empty())
         throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
-    const ParsedInput other(optionsOfB(arguments.input, parted.with));
+    const ParsedInput other(optionsOfB(arguments.input, split.with));
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const Comparison found =
-        parted.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
+        split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
     if (!arguments.quiet) {
         writeOutput(
             "-", arguments.json ? comparisonJson(found) : comparisonText(found, arguments.limit));

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <span>
 
 #include "input.h"
@@ -188,7 +187,7 @@ void lookForFaults(const PointSet& points, RunOutcome& outcome) {
     outcome.allFaults = search.complete;
     for (const Fault& fault : *outcome.faults) {
         const Triangle& t = mesh[fault.triangle];
-        outcome.faultPlaces.push_back(
+        outcome.faultPositions.push_back(
             (points.position[t.a] + points.position[t.b] + points.position[t.c]) / 3.0);
     }
 }

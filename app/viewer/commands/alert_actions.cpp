@@ -162,10 +162,10 @@ bool openOnFirstAlert(CommandContext& context) {
         session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
     if (order.empty() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
     // The notice about the input stays.
-    const std::string said = session.messages().notice();
+    const std::string notice = session.messages().notice();
     showAlert(context, order.front(), AlertMoment::Created);
     const std::size_t count = order.size();
-    session.messages().say(said + (said.empty() ? "" : " ") +
+    session.messages().say(notice + (notice.empty() ? "" : " ") +
                            (count == 1 ? "One alert: it was created here. Home goes to the start."
                                        : "The first of " + std::to_string(count) +
                                              " alerts; F8 goes to the next, Home to the start."));

@@ -50,7 +50,7 @@ void openGrowthPage(CommandContext& context, GrowthSource from) {
     page.form.from = from;
     page.open = true;
     page.complaint.clear();
-    page.said.clear();
+    page.message.clear();
     context.ui.requests.closePopups = true;
     const bool nothingChosen = from == GrowthSource::Volume && page.form.volume.empty();
     if (another && !nothingChosen) page.asked = GrowthAsk::Begin;

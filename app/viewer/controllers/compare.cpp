@@ -183,7 +183,7 @@ void CompareController::goTo(const std::optional<RunDifference>& difference, con
     const auto addressOf = [](const DifferenceSide& side) {
         return side.line ? std::optional(side.line->event.address) : std::nullopt;
     };
-    c_.ui.requests.frame = FrameWish::Pivot;
+    c_.ui.requests.frame = FrameRequest::Pivot;
     comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
 }
 

@@ -30,7 +30,7 @@ void lookDown(const glm::vec3& normal, Camera& camera) {
 
 }  // namespace
 
-void closeUp(const Session& session, Camera& camera, glm::vec2 size) {
+void framePivotNeighborhood(const Session& session, Camera& camera, glm::vec2 size) {
     if (!session.ready() || session.picture().pivot == kNone) return;
     const Model& model = session.shown();
     const Index pivot = session.picture().pivot;

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "session/session.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 
@@ -96,7 +95,7 @@ void SamplingController::begin(const SampleSpec& spec) {
 
 void SamplingController::start() {
     GrowthPage& page = c_.ui.growth;
-    page.said.clear();
+    page.message.clear();
     const Result<SampleSpec> spec = page.form.spec();
     page.complaint = spec ? std::string{} : spec.error().message;
     if (spec) growth_.start(spec.value());
@@ -199,7 +198,7 @@ void SamplingController::save(const std::string& path) {
     const Status written = writeMesh(path, *points, {}, {.normals = true});
     const std::string text = written ? "Saved " + path + "." : written.error().message;
     if (!page.open) return c_.session.messages().say(text);
-    page.said = written ? text : std::string{};
+    page.message = written ? text : std::string{};
     page.complaint = written ? std::string{} : text;
 }
 

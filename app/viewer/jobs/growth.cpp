@@ -13,7 +13,6 @@
 #include <mutex>
 #include <utility>
 
-#include "spiraling_edge/sampling/sampler.h"
 #include "thread.h"
 
 namespace se::view {
@@ -114,7 +113,7 @@ void Growth::cancel() {
     cancelled_.push_back(std::move(job_));
 }
 
-void Growth::tell(int steps, bool slowly) {
+void Growth::setTarget(int steps, bool slowly) {
     if (!job_ || phase_ == GrowthPhase::Done || phase_ == GrowthPhase::Failed) return;
     const std::scoped_lock lock(job_->mutex);
     job_->due = steps;
@@ -122,17 +121,17 @@ void Growth::tell(int steps, bool slowly) {
     job_->changed.notify_all();
 }
 
-void Growth::play() { tell(kAll, true); }
-void Growth::pause() { tell(0, false); }
+void Growth::play() { setTarget(kAll, true); }
+void Growth::pause() { setTarget(0, false); }
 void Growth::step() {
     int due = 0;
     if (job_) {
         const std::scoped_lock lock(job_->mutex);
         due = job_->due == kAll ? 0 : job_->due;
     }
-    tell(due + 1, false);
+    setTarget(due + 1, false);
 }
-void Growth::finish() { tell(kAll, false); }
+void Growth::finish() { setTarget(kAll, false); }
 
 double Growth::found() const { return job_ ? job_->found.load() : 0.0; }
 

@@ -73,7 +73,7 @@ class Growth {
   private:
     struct Job;
     class Worker;
-    void tell(int steps, bool slowly);
+    void setTarget(int steps, bool slowly);
     void dropEnded();
 
     GrowthPhase phase_ = GrowthPhase::Idle;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "spiraling_edge/replay/event_text.h"
 
@@ -114,11 +113,11 @@ void HitSearch::work(const Model& model, const std::vector<Line>& lines,
     std::vector<DecisionQuery> queries;
     queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
-    std::vector<std::size_t> told(lines.size(), 0);
+    std::vector<std::size_t> logged(lines.size(), 0);
     const auto found = [&](std::size_t line, const se::Hit& hit, const Decision& decision) {
-        const bool tells = lines[line].listed && told[line] < kMaxLogged;
-        if (tells) ++told[line];
-        results.add({line, hit, tells ? describe(decision.event) : std::string()});
+        const bool logs = lines[line].listed && logged[line] < kMaxLogged;
+        if (logs) ++logged[line];
+        results.add({line, hit, logs ? describe(decision.event) : std::string()});
     };
     scanHits(model.points, model.params, queries, found,
              [&](double share) { return results.report(share); });

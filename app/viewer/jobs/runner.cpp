@@ -44,9 +44,9 @@ void Runner::ask(const Request& request) {
     changed_.notify_all();
 }
 
-bool Runner::waitFor(std::chrono::milliseconds patience) {
+bool Runner::waitFor(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, patience, [&] { return answer_ && answer_->final; });
+    return changed_.wait_for(lock, timeout, [&] { return answer_ && answer_->final; });
 }
 
 std::optional<RunnerAnswer> Runner::take() {

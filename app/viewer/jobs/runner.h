@@ -39,8 +39,8 @@ class Runner {
     void requestPoint(Index point, std::uint32_t pivot);
     /// Ends the open request at its current pivot; its final answer still arrives.
     void cancel() { cancelled_ = true; }
-    /// Waits up to `patience` for the final answer. True if it has arrived.
-    bool waitFor(std::chrono::milliseconds patience);
+    /// Waits up to `timeout` for the final answer. True if it has arrived.
+    bool waitFor(std::chrono::milliseconds timeout);
     /// Results since the last call.
     std::optional<RunnerAnswer> take();
     /// Complaint of the answer that take() has not taken yet, if there is one.

@@ -24,7 +24,7 @@ void addFreedRing(const LayerInput& in, const ShownFreedRing& ring, bool named, 
     }
     if (!named) return;
     std::string text = "ring of " + std::to_string(points.size()) + " freed";
-    if (!ring.told) text = "a ring of " + std::to_string(points.size()) + " is freed";
+    if (!ring.evidence) text = "a ring of " + std::to_string(points.size()) + " is freed";
     if (ring.alert == AlertKind::Hole) text += ": a hole stays open";
     if (ring.alert == AlertKind::LostSeed) text += ": its seed got no triangle";
     out.label(in.at(points.front()), text, color, true);

@@ -55,7 +55,7 @@ void addGrid(const Wall& wall, const Color& color, DrawList& out) {
 
 /// A point on the edge of the wall that is closest to `at`, a little toward the middle; if that
 /// is far away, on the way there.
-glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at) {
+glm::vec3 labelPosition(const LayerInput& in, const Wall& wall, const glm::vec3& at) {
     const float step = 2.2F * in.model.spacing;
     std::array<float, 2> place{};
     std::array<float, 2> length{};
@@ -92,7 +92,7 @@ void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out)
     out.sheet(corners, color.withAlpha(0.14F));
     addGrid(wall, color.withAlpha(0.35F), out);
     out.loop(corners, color.withAlpha(0.8F), 0.08F, Depth::XRay);
-    out.label(labelPlace(in, wall, in.at(in.picture.pivot)),
+    out.label(labelPosition(in, wall, in.at(in.picture.pivot)),
               std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)], color, true);
 }
 

@@ -70,15 +70,15 @@ class Placer {
         taken_.assign(room.taken.begin(), room.taken.end());
     }
 
-    std::optional<PlacedLabel> place(const LabelWish& wish) {
-        if (!room_.area.contains(wish.at)) return std::nullopt;
-        const std::size_t reach = kReach[static_cast<std::size_t>(wish.rank)];
+    std::optional<PlacedLabel> place(const WantedLabel& label) {
+        if (!room_.area.contains(label.at)) return std::nullopt;
+        const std::size_t reach = kReach[static_cast<std::size_t>(label.rank)];
         std::optional<PlacedLabel> best;
         float least = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < reach && kFar[i] * kPerEm < least; ++i) {
             for (const Way& way : kWays) {
-                const Rect plate = plateAt(wish.at, wish.plate, way.to, kFar[i] * room_.em);
-                const float price = priceOf(wish, way, kFar[i], plate);
+                const Rect plate = plateAt(label.at, label.plate, way.to, kFar[i] * room_.em);
+                const float price = priceOf(label, way, kFar[i], plate);
                 if (price >= least || !isFree(plate)) continue;
                 least = price;
                 best = PlacedLabel{0, plate, kFar[i] > kLeaderFrom};
@@ -89,8 +89,8 @@ class Placer {
     }
 
   private:
-    float priceOf(const LabelWish& wish, const Way& way, float far, const Rect& plate) const {
-        const glm::vec2 outward = wish.at - room_.middle;
+    float priceOf(const WantedLabel& label, const Way& way, float far, const Rect& plate) const {
+        const glm::vec2 outward = label.at - room_.middle;
         const float length = glm::length(outward);
         // At the pivot itself every direction leads outward.
         const float turn = length > 0.5F * room_.em ? glm::dot(outward / length, way.to) : 1.0F;
@@ -128,15 +128,15 @@ bool overlap(const Rect& rect, const LabelMark& mark) {
     return glm::distance(nearestIn(rect, mark.at), mark.at) < mark.radius;
 }
 
-std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelWish> wishes) {
+std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const WantedLabel> labels) {
     Placer placer(room);
     std::vector<PlacedLabel> placed;
     for (const LabelRank rank : {LabelRank::Essential, LabelRank::Strong, LabelRank::Minor}) {
-        for (std::size_t i = 0; i < wishes.size(); ++i) {
-            if (wishes[i].rank != rank) continue;
-            std::optional<PlacedLabel> found = placer.place(wishes[i]);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (labels[i].rank != rank) continue;
+            std::optional<PlacedLabel> found = placer.place(labels[i]);
             if (!found) continue;
-            found->wish = i;
+            found->label = i;
             placed.push_back(*found);
         }
     }

@@ -69,9 +69,9 @@ Columns columnsFor(LayoutPreset layoutPreset, float width, bool narrow) {
     return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
 }
 
-bool isFolded(float emsHigh, DrawerWish wish) {
-    if (emsHigh < kDrawerFrom || wish == DrawerWish::Folded) return true;
-    return wish == DrawerWish::Auto && emsHigh < kLowBelow;
+bool isFolded(float emsHigh, DrawerChoice choice) {
+    if (emsHigh < kDrawerFrom || choice == DrawerChoice::Folded) return true;
+    return choice == DrawerChoice::Auto && emsHigh < kLowBelow;
 }
 
 /// Divides the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
@@ -132,17 +132,18 @@ PanelRects computePageRects(glm::vec2 size, float em) {
     return l;
 }
 
-PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset, DrawerWish wish) {
+PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset,
+                             DrawerChoice choice) {
     const glm::vec2 ems = size / em;
     const bool present = layoutPreset == LayoutPreset::Present;
     const bool debug = layoutPreset == LayoutPreset::Debug;
     const bool compare = layoutPreset == LayoutPreset::Compare;
-    if (compare && wish == DrawerWish::Auto) wish = DrawerWish::Folded;
+    if (compare && choice == DrawerChoice::Auto) choice = DrawerChoice::Folded;
     PanelRects l;
     l.layoutPreset = layoutPreset;
     l.caption = debug || compare ? 1.0F : kLargeCaption;
     l.narrow = debug && ems.x < kNarrowBelow;
-    l.drawerFolded = present || isFolded(ems.y, wish);
+    l.drawerFolded = present || isFolded(ems.y, choice);
     const auto px = [em](float length) { return std::round(length * em); };
     const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow);
     const float left = px(columns.left);
@@ -152,7 +153,7 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float shown = size.x - left - right;
     const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
     l.addressLine = present ? px(kAddressLine) : 0.0F;
-    const float wished = l.addressLine + px((wide      ? kNarration
+    const float wanted = l.addressLine + px((wide      ? kNarration
                                              : compare ? kNarrationHalf
                                                        : kNarrationNarrow) *
                                             l.caption);
@@ -168,7 +169,7 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float bottom = size.y - status - drawer;
     const float middle = std::max(0.0F, bottom - y);
     const float narration =
-        std::min(wished, std::max(l.addressLine + px(kNarration),
+        std::min(wanted, std::max(l.addressLine + px(kNarration),
                                   std::round((compare ? kMaxHalf : kMaxNarration) * middle)));
     l.left = {{0.0F, y}, {left, middle}};
     l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);

@@ -19,7 +19,7 @@ struct Rect {
 };
 
 /// The drawer with the strips under the view. Auto: folded in a low window.
-enum class DrawerWish : std::uint8_t { Auto, Folded, Open };
+enum class DrawerChoice : std::uint8_t { Auto, Folded, Open };
 
 struct PanelRects {
     Rect menu;
@@ -61,6 +61,6 @@ PanelRects computePageRects(glm::vec2 size, float em);
 /// Compare has two views, beside or above each other, whichever gives them more room.
 PanelRects computePanelRects(glm::vec2 size, float em,
                              LayoutPreset layoutPreset = LayoutPreset::Debug,
-                             DrawerWish drawer = DrawerWish::Auto);
+                             DrawerChoice drawer = DrawerChoice::Auto);
 
 }  // namespace se::view

@@ -63,7 +63,7 @@ struct GrowthPage {
     GrowthPhase phase = GrowthPhase::Idle;
     double found = 0.0;     ///< Share done of the search for the surface.
     std::string complaint;  ///< Error of the form, the surface or the file.
-    std::string said;       ///< Last success message.
+    std::string message;    ///< Last success message.
     SampleSpec made;        ///< Specification of these points; unused while there are none.
     GrowthNumbers numbers;  ///< Zero while there are none.
 

@@ -80,7 +80,7 @@ class CursorWatch {
 };
 
 struct Navigation {
-    DrawerWish drawer = DrawerWish::Auto;
+    DrawerChoice drawer = DrawerChoice::Auto;
     bool drawerFolded = false;  ///< As last laid out.
     StripWindow strip;
     PaintedLanes lanes;
@@ -95,7 +95,7 @@ struct Navigation {
     long ringShift = 0;  ///< Offset of the ring strip, in points.
 
     /// Folds the drawer if it is open, otherwise opens it, regardless of the height of the window.
-    void toggleDrawer() { drawer = drawerFolded ? DrawerWish::Open : DrawerWish::Folded; }
+    void toggleDrawer() { drawer = drawerFolded ? DrawerChoice::Open : DrawerChoice::Folded; }
 };
 
 struct AlertsPanel {

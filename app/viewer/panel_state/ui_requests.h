@@ -15,7 +15,7 @@
 namespace se::view {
 
 /// Target of the camera once the cursor has arrived.
-enum class FrameWish : std::uint8_t { None, Focus, Pivot };
+enum class FrameRequest : std::uint8_t { None, Focus, Pivot };
 
 /// Requests of a command or panel, carried out by the application in the same frame.
 struct UiRequests {
@@ -25,11 +25,11 @@ struct UiRequests {
     bool fullScreen = false;
     bool closePopups = false;
     int walk = 0;  ///< Keyboard focus to the next panel (+1), or to the previous one (-1).
-    bool copyPlace = false;
-    bool pastePlace = false;
+    bool copyAddress = false;
+    bool pasteAddress = false;
     bool frameAlert = false;  ///< The camera goes to the chosen alert.
     bool saveSession = false;
-    FrameWish frame = FrameWish::None;
+    FrameRequest frame = FrameRequest::None;
     bool undo = false;
     bool redo = false;
     std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.

@@ -173,7 +173,7 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     if (!in.picture.freed) return;
     const ShownFreedRing& ring = *in.picture.freed;
     out.row("freed ring", counted(ring.path.points.size(), "point", "points"));
-    if (ring.told) out.row("interior", std::to_string(ring.told->interior));
+    if (ring.evidence) out.row("interior", std::to_string(ring.evidence->interior));
 }
 
 // Rules beyond the paper (docs/robust.md).

@@ -102,8 +102,8 @@ class LanePainter {
     void endPiece(std::uint32_t number, double at) {
         Open& lane = open_[number];
         // Among lanes in the shared row the active one can be drawn: there is one at a time.
-        const bool told = lane.active || !isGathered(number);
-        if (lane.live && told) bar(rowOf(number), lane.active, lane.since, at);
+        const bool hasBar = lane.active || !isGathered(number);
+        if (lane.live && hasBar) bar(rowOf(number), lane.active, lane.since, at);
         lane.live = false;
     }
 

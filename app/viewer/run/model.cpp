@@ -10,13 +10,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <vector>
 
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/read_points.h"
-#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 
@@ -228,12 +225,6 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     auto examined = std::make_shared<const PointFile>(std::move(file.value()));
     if (!given) given = examined;
     return Loaded{std::move(model), std::move(examined), std::move(given)};
-}
-
-Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {
-    const Result<Loaded> loaded = loadInput(spec, progress);
-    if (!loaded) return loaded.error();
-    return loaded.value().model;
 }
 
 const FailureScene* galleryScene(std::string_view idOrSource) {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "doctor_fixes.h"
@@ -113,8 +112,6 @@ struct Loaded {
 };
 /// Reads or builds the points, prepares and validates them. Fails with a sentence for the user.
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
-/// As loadInput(), without the file.
-Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
 
 /// Effects of the fixes, as one piece of a sentence; empty if there were none.
 std::string fixesText(const Model& model);

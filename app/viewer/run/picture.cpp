@@ -135,7 +135,8 @@ void noteFreed(Picture& picture, const Event& event, const RingReplay& replay) {
             picture.freed = ShownFreedRing{rings.front(), {}, {}};
     }
     if (!picture.freed) return;
-    if (const auto* told = std::get_if<FreeEvidence>(&event.evidence)) picture.freed->told = *told;
+    if (const auto* free = std::get_if<FreeEvidence>(&event.evidence))
+        picture.freed->evidence = *free;
     if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
         picture.freed->alert = alert->kind;
     }

@@ -24,8 +24,8 @@ struct CandidateMark {
 /// A ring that was freed after a full circuit without a triangle (§7), as it was before.
 struct ShownFreedRing {
     RingPath path;
-    std::optional<FreeEvidence> told;  ///< Empty while its points leave one by one.
-    std::optional<AlertKind> alert;    ///< Problem of the ring, if any.
+    std::optional<FreeEvidence> evidence;  ///< Empty while its points leave one by one.
+    std::optional<AlertKind> alert;        ///< Problem of the ring, if any.
 };
 
 struct Picture {

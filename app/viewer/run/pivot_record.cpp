@@ -13,7 +13,6 @@ RunState withoutTriangles(const State& state, StatusList& last) {
     RunState copy{last,
                   state.rings.withoutPoints(),
                   state.triangles.size(),
-                  state.alerts.size(),
                   state.counters,
                   state.finished(),
                   nullptr};

@@ -14,7 +14,6 @@ struct RunState {
     StatusList status;
     EdgeRings rings;  ///< As EdgeRings::withoutPoints() gives them: their size goes with the rings.
     std::size_t triangleCount = 0;
-    std::size_t alertCount = 0;
     Counters counters;
     bool finished = false;
     /// Beyond the paper: the mesh that the steps after the last pivot edit; null before them.

@@ -3,7 +3,6 @@
 #include <array>
 
 #include <algorithm>
-#include <cmath>
 
 #include "spiraling_edge/replay/reading.h"
 
@@ -53,15 +52,6 @@ constexpr Palette kLight = {
     .accentText = fromHex(0xFFFFFF),
 };
 
-double linear(float component) {
-    const double c = component;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const Color& c) {
-    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
-}
-
 }  // namespace
 
 std::optional<Theme> themeFromName(std::string_view name) {
@@ -73,12 +63,6 @@ std::optional<Theme> themeFromName(std::string_view name) {
 std::string_view themeName(Theme theme) { return theme == Theme::Dark ? "dark" : "light"; }
 
 const Palette& paletteOf(Theme theme) { return theme == Theme::Dark ? kDark : kLight; }
-
-double contrast(const Color& a, const Color& b) {
-    const double la = luminance(a);
-    const double lb = luminance(b);
-    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
-}
 
 Color viridis(float share) {
     // matplotlib's map at nine positions.

@@ -65,9 +65,6 @@ const Palette& paletteOf(Theme theme);
 /// so that it can be read without colors.
 Color viridis(float share);
 
-/// Contrast ratio by WCAG 2, from 1 to 21.
-double contrast(const Color& a, const Color& b);
-
 /// Kept, rejected, moved, or without effect; for an alert that of errors. Empty for an event that
 /// has no outcome, such as a new triangle or the next pivot: callers choose the color of those.
 std::optional<Color> outcomeColor(const Palette& palette, const Event& event);

@@ -31,7 +31,6 @@ class History {
     /// Goes back from `here`; empty if there is no position before it.
     std::optional<std::string> back(std::string here);
     std::optional<std::string> forward(std::string here);
-    bool canGoForward() const { return !after_.empty(); }
 
   private:
     static constexpr std::size_t kMax = 200;

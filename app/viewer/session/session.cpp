@@ -60,14 +60,14 @@ void Session::adopt(Opened opened) {
     ++generation_;
     ++revision_;
     overviewJob_ = std::make_unique<OverviewJob>(model_);
-    const std::string said = messages_.notice();
+    const std::string notice = messages_.notice();
     messages_.say(model_->fixed ? "Repaired: " + fixesText(*model_) + "." : model_->watch);
     messages_.forgetMiss();
     // The loader has requested the start of the run, and has waited for the answer.
     moves_.open(std::move(opened.runner), opened.place);
     if (!opened.place) return;
-    const bool undone = said.starts_with("Undone:") || said.starts_with("Redone:");
-    messages_.say((undone ? said + " " : "") + describe(*opened.place, address()));
+    const bool undone = notice.starts_with("Undone:") || notice.starts_with("Redone:");
+    messages_.say((undone ? notice + " " : "") + describe(*opened.place, address()));
 }
 
 bool Session::poll() {

@@ -23,7 +23,7 @@ bool isGone(const CauseInversion& inversion) { return inversion.outcome < Invers
 
 }  // namespace
 
-TEST_CASE("proof: turning the decision called unavoidable makes the failure go away") {
+TEST_CASE("cause inversion: turning the decision called unavoidable makes the failure go away") {
     std::size_t all = 0;
     std::size_t gone = 0;
     std::size_t stays = 0;
@@ -55,7 +55,7 @@ TEST_CASE("proof: turning the decision called unavoidable makes the failure go a
     CHECK(stays * 50 < all);
 }
 
-TEST_CASE("proof: the hole of four takes the point behind it at every test") {
+TEST_CASE("cause inversion: the hole of four takes the point beyond it at every test") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     for (const RunFailure& each : failures) {
@@ -67,7 +67,7 @@ TEST_CASE("proof: the hole of four takes the point behind it at every test") {
     }
 }
 
-TEST_CASE("proof: with a decision that is not the cause the failure stays") {
+TEST_CASE("cause inversion: with a decision that is not the cause the failure stays") {
     const PointSet points = prepared(findScene("noise")->build());
     std::vector<RunFailure> failures = failuresIn(points);
     const auto flipped = std::find_if(failures.begin(), failures.end(), [](const auto& each) {
@@ -89,7 +89,7 @@ TEST_CASE("proof: with a decision that is not the cause the failure stays") {
     CHECK_FALSE(inversions.value()[0].reason.empty());
 }
 
-TEST_CASE("proof: where two triangles cross, the earlier one may be wrong") {
+TEST_CASE("cause inversion: where two triangles cross, the earlier one may be wrong") {
     const PointSet points = prepared(findScene("close-sheets")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto chosen = sampleOfEach(failures, 20);
@@ -114,7 +114,7 @@ TEST_CASE("proof: where two triangles cross, the earlier one may be wrong") {
     CHECK(looked > 0);
 }
 
-TEST_CASE("proof: a point outside all sectors cannot be kept, and there is a reason") {
+TEST_CASE("cause inversion: a point outside all sectors cannot be kept, and there is a reason") {
     const PointSet points = prepared(findScene("flipped-patch")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto inversions = invertCauses(points, paper(), failures, sampleOfEach(failures, 100));
@@ -126,7 +126,7 @@ TEST_CASE("proof: a point outside all sectors cannot be kept, and there is a rea
     }
 }
 
-TEST_CASE("proof: a sample is spread over each class") {
+TEST_CASE("cause inversion: a sample is spread over each class") {
     const PointSet points = prepared(findScene("sharp-crease")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto few = sampleOfEach(failures, 3);
@@ -142,7 +142,7 @@ TEST_CASE("proof: a sample is spread over each class") {
     }
 }
 
-TEST_CASE("proof: cancelled") {
+TEST_CASE("cause inversion: cancelled") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     CHECK_FALSE(invertCauses(points, paper(), failures, sampleOfEach(failures, 1), [](double) {

@@ -245,7 +245,7 @@ TEST_CASE("delay: a triangle against one normal waits for a second circuit, agai
     CHECK(run({1, 0, 0.01}, {0, 0, -1}, paperBut(&RobustRules::noFold)) == 0);
 }
 
-TEST_CASE("delay: patience ends with the next triangle") {
+TEST_CASE("delay: the allowance ends with the next triangle") {
     Rig rig(overHalf({{0, 1, 0}}), paperBut(&RobustRules::delay));
     rig.normal(5, {1, 0, 0.1}).list(0, {5}).ring(kRing);
     for (int i = 0; i < 5; ++i) rig.pivot();

@@ -26,7 +26,7 @@ std::vector<std::string> keysOf(const Command& command) {
     return keys;
 }
 
-struct CommandDesk {
+struct CommandApp {
     test::OpenSession open;
     Playback playback;
     Camera camera;
@@ -88,7 +88,7 @@ TEST_CASE("Texts that are no keys are refused") {
 }
 
 TEST_CASE("The conventional keys have their usual effect") {
-    CommandDesk app;
+    CommandApp app;
     app.press("F10");
     app.press(".");
     CHECK(app.open.place() == "2.advance.1");
@@ -106,7 +106,7 @@ TEST_CASE("The conventional keys have their usual effect") {
 }
 
 TEST_CASE("Stepping by hand pauses playing") {
-    CommandDesk app;
+    CommandApp app;
     app.press("Space");
     CHECK(app.playback.playing());
     app.press("F11");
@@ -114,7 +114,7 @@ TEST_CASE("Stepping by hand pauses playing") {
 }
 
 TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
-    CommandDesk app;
+    CommandApp app;
     app.press("F1");
     CHECK(app.ui.cheatSheet);
     app.open.session.select(3);
@@ -134,7 +134,7 @@ TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
 }
 
 TEST_CASE("Layer keys switch their layer") {
-    CommandDesk app;
+    CommandApp app;
     const auto shown = [&] { return shownLayers(app.ui.settings.layers, std::nullopt); };
     const LayerSwitches before = shown();
     for (const char* key : {"N", "L", "E", "S", "G", "K"}) app.press(key);
@@ -144,7 +144,7 @@ TEST_CASE("Layer keys switch their layer") {
 }
 
 TEST_CASE("Framing moves the camera to the selection or the pivot; stepping does not") {
-    CommandDesk app;
+    CommandApp app;
     const Camera before = app.camera;
     app.press("F10");
     CHECK(app.camera == before);
@@ -209,7 +209,7 @@ TEST_CASE("The palette finds by synonyms") {
 }
 
 TEST_CASE("The palette shows panels, and opens scenes and figures") {
-    CommandDesk app;
+    CommandApp app;
     const auto choosing = [&](const char* words, PaletteEntry::Kind kind) {
         const auto all = found(words);
         REQUIRE_FALSE(all.empty());
@@ -235,7 +235,7 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
 }
 
 TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {
-    CommandDesk app;
+    CommandApp app;
     app.press("Ctrl+P");
     CHECK(app.ui.palette.open);
     app.press("Esc");

@@ -17,11 +17,11 @@ using namespace se::view::test;
 namespace {
 
 /// A program without a window that opens a source like the command line.
-struct AlertDesk : HeadlessApp {
+struct AlertApp : HeadlessApp {
     AlertController alerts{context, document};
 
-    explicit AlertDesk(const std::string& source, const std::string& alert = {},
-                       const std::string& goTo = {})
+    explicit AlertApp(const std::string& source, const std::string& alert = {},
+                      const std::string& goTo = {})
         : HeadlessApp("alerts") {
         Options options;
         options.input.source = source;
@@ -117,7 +117,7 @@ TEST_CASE("An alert is named by its class and its number in it") {
 }
 
 TEST_CASE("A click goes to the moment, selects its subject, and each moment is in the run") {
-    AlertDesk app("scene:four-edge-hole");
+    AlertApp app("scene:four-edge-hole");
     const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE(alerts.done());
     for (std::size_t i = 0; i < alerts.failures().size(); ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
 }
 
 TEST_CASE("The next alert is the next in the order of the run, from the cursor or the last one") {
-    AlertDesk app("scene:noise", {}, "0");
+    AlertApp app("scene:noise", {}, "0");
     const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE(alerts.failures().size() > 2);
     app.session.alerts().choose({});
@@ -161,7 +161,7 @@ TEST_CASE("The next alert is the next in the order of the run, from the cursor o
 
 TEST_CASE("An input opens on its first alert, if no position was named, and only once") {
     const FailingFile file;
-    AlertDesk app(file.path.string());
+    AlertApp app(file.path.string());
     const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE_FALSE(alerts.failures().empty());
     const std::size_t first = alerts.inOrder().front();
@@ -179,12 +179,12 @@ TEST_CASE("An input opens on its first alert, if no position was named, and only
 
 TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
     const FailingFile file;
-    CHECK(AlertDesk(file.path.string(), {}, "0").place() == "start");
-    CHECK(AlertDesk(file.path.string(), {}, "7").session.record().pivot == 7);
-    AlertDesk sound("scene:sphere");
+    CHECK(AlertApp(file.path.string(), {}, "0").place() == "start");
+    CHECK(AlertApp(file.path.string(), {}, "7").session.record().pivot == 7);
+    AlertApp sound("scene:sphere");
     CHECK(sound.place() == "start");
     CHECK(sound.ui.tab.wanted.empty());
-    AlertDesk learn("scene:torus");
+    AlertApp learn("scene:torus");
     learn.ui.layoutPreset = LayoutPreset::Learn;
     learn.document.open(file.path.string());
     learn.arrive();
@@ -192,22 +192,22 @@ TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
 }
 
 TEST_CASE("--alert opens on any alert, at a position if one is named too, and fails otherwise") {
-    AlertDesk app("scene:noise", "duplicate_triangles:2");
+    AlertApp app("scene:noise", "duplicate_triangles:2");
     REQUIRE(app.session.alerts().chosen());
     CHECK(alertName(app.session.alerts().search(), *app.session.alerts().chosen()) ==
           "duplicate_triangles:2");
     CHECK(app.place() == "286.emit.2");
-    AlertDesk there("scene:noise", "duplicate_triangles:2", "5");
+    AlertApp there("scene:noise", "duplicate_triangles:2", "5");
     CHECK(there.session.record().pivot == 5);
     CHECK(there.session.alerts().chosen());
-    AlertDesk none("scene:sphere", "slivers");
+    AlertApp none("scene:sphere", "slivers");
     REQUIRE_FALSE(none.alerts.status());
     // The number that it names is that of the class.
-    AlertDesk other("scene:stranded-point", "holes:1");
+    AlertApp other("scene:stranded-point", "holes:1");
     REQUIRE_FALSE(other.alerts.status());
     CHECK(other.alerts.status().error().message.find("0 of this class and 3 in all") !=
           std::string::npos);
-    AlertDesk unknown("scene:sphere", "dragons:1");
+    AlertApp unknown("scene:sphere", "dragons:1");
     REQUIRE_FALSE(unknown.alerts.status());
     CHECK(unknown.alerts.status().error().message.find("no such class") != std::string::npos);
 }
@@ -215,7 +215,7 @@ TEST_CASE("--alert opens on any alert, at a position if one is named too, and fa
 TEST_CASE("A scene that fails opens on the decision that is the cause, with its alert") {
     for (const FailureScene& each : failureScenes()) {
         CAPTURE(each.scene.id);
-        AlertDesk app(sceneSource(each.scene.id));
+        AlertApp app(sceneSource(each.scene.id));
         CHECK(app.place() == each.address);
         REQUIRE(app.session.alerts().shown() != nullptr);
         CHECK(app.session.alerts().shown()->failure.kind->name == each.failure);
@@ -228,9 +228,9 @@ TEST_CASE("A scene opens at the decision that it demonstrates, in every layout")
     for (const Scene& each : scenes()) {
         CAPTURE(each.id);
         const std::string expected = each.address.empty() ? "start" : std::string(each.address);
-        CHECK(AlertDesk(sceneSource(each.id)).place() == expected);
+        CHECK(AlertApp(sceneSource(each.id)).place() == expected);
     }
-    AlertDesk app("scene:sphere");
+    AlertApp app("scene:sphere");
     for (const LayoutPresetRow& row : layoutPresets()) {
         CAPTURE(row.name);
         app.ui.layoutPreset = row.id;
@@ -242,14 +242,14 @@ TEST_CASE("A scene opens at the decision that it demonstrates, in every layout")
         app.arrive();
     }
     // A named position takes precedence.
-    AlertDesk named("scene:figure-4", {}, "3.sort.1");
+    AlertApp named("scene:figure-4", {}, "3.sort.1");
     CHECK(named.place() == "3.sort.1");
     CHECK_FALSE(named.document.takeFocus());
-    CHECK(AlertDesk("scene:figure-4", {}, "0").place() == "start");
+    CHECK(AlertApp("scene:figure-4", {}, "0").place() == "start");
 }
 
 TEST_CASE("Failures of a decision are noticed at it, and drawn") {
-    AlertDesk app("scene:four-edge-hole", {}, "54.emit.1");
+    AlertApp app("scene:four-edge-hole", {}, "54.emit.1");
     REQUIRE_FALSE(app.session.noticedHere().empty());
     CHECK(app.session.noticedText().find(" Alert: Triangle 196 ") == 0);
     CHECK(noticedUpTo(app.session.overview(), app.session.address()) > 0);
@@ -271,7 +271,7 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
 }
 
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
-    AlertDesk app("scene:four-edge-hole");
+    AlertApp app("scene:four-edge-hole");
     REQUIRE(app.session.alerts().chosen());
     const std::size_t before = app.session.alerts().search().failures().size();
     app.session.alerts().seekRemedies();
@@ -297,7 +297,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     CHECK(app.session.atEnd());
     CHECK(app.camera.pose() == camera);
     CHECK_FALSE(app.ui.requests.frameAlert);
-    CHECK(app.ui.requests.frame == FrameWish::None);
+    CHECK(app.ui.requests.frame == FrameRequest::None);
     CHECK(best.rule->isOn(app.session.model().params));
     CHECK(app.session.alerts().search().failures().size() == best.all);
     CHECK(best.all < before);
@@ -308,7 +308,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
 }
 
 TEST_CASE("A session keeps the chosen alert") {
-    AlertDesk app("scene:noise", "duplicate_triangles:2");
+    AlertApp app("scene:noise", "duplicate_triangles:2");
     app.ui.requests.saveSessionAs = (app.folder / "alert.sesession").string();
     app.document.carryOut(app.ui.requests);
     app.session.alerts().choose({});

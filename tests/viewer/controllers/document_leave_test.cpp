@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A program with an open scene.
-struct LeavingDesk : test::HeadlessApp {
-    LeavingDesk() : test::HeadlessApp("leaving-test") {
+struct LeavingApp : test::HeadlessApp {
+    LeavingApp() : test::HeadlessApp("leaving-test") {
         document.open("scene:sphere");
         frame();
     }
@@ -37,7 +37,7 @@ struct LeavingDesk : test::HeadlessApp {
 }  // namespace
 
 TEST_CASE("There is no question without annotations, or after they were undone") {
-    LeavingDesk app;
+    LeavingApp app;
     app.open("scene:grid");
     CHECK(app.session.input().spec().source == "scene:grid");
     const Address here{3, Stage::Sort, 1};
@@ -52,7 +52,7 @@ TEST_CASE("There is no question without annotations, or after they were undone")
 }
 
 TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.notes = "odd";
     app.quit();
     CHECK(app.ui.leaving.asked);
@@ -67,7 +67,7 @@ TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
 }
 
 TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by name") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.breakpoints.push_back({"", "stage=split"});
     app.ui.watch.expressions = {"ring"};
     app.quit();
@@ -95,7 +95,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
 }
 
 TEST_CASE("Opening and reloading ask as well; discarding restores the content of the file") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.notes = "saved";
     app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
     app.frame();
@@ -121,7 +121,7 @@ TEST_CASE("Opening and reloading ask as well; discarding restores the content of
 }
 
 TEST_CASE("Saving first continues when the file is written, and stays if no name is given") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.notes = "odd";
     app.open("scene:grid");
     app.answer(LeaveAnswer::Save);
@@ -152,7 +152,7 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
 }
 
 TEST_CASE("A session that cannot be saved is not left") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.notes = "odd";
     app.quit();
     app.answer(LeaveAnswer::Save);
@@ -164,7 +164,7 @@ TEST_CASE("A session that cannot be saved is not left") {
 }
 
 TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
-    LeavingDesk app;
+    LeavingApp app;
     app.ui.notes = "odd";
     app.document.open("missing.ply");
     app.frame();
@@ -175,7 +175,7 @@ TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
 }
 
 TEST_CASE("Of several files that are dropped the first is opened, and a sentence reports it") {
-    LeavingDesk app;
+    LeavingApp app;
     app.document.drop({"scene:grid", "scene:torus"});
     app.frame();
     app.document.poll();

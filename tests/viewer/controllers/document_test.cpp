@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct FilingDesk : test::HeadlessApp {
-    FilingDesk() : test::HeadlessApp("filing-test") {}
+struct DocumentApp : test::HeadlessApp {
+    DocumentApp() : test::HeadlessApp("filing-test") {}
     void open(const std::string& path) {
         document.open(path);
         waitUntilDone();
@@ -27,7 +27,7 @@ struct FilingDesk : test::HeadlessApp {
 }  // namespace
 
 TEST_CASE("A saved session is restored: position, camera, layers, layout, selection, notes") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     REQUIRE(app.session.moves().goToText("12.sort.2").ok());
     app.waitUntilDone();
@@ -43,7 +43,7 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
     app.save(path);
     CHECK(app.ui.sessionPath == path);
 
-    FilingDesk other;
+    DocumentApp other;
     app.save(path);  // the second desk has emptied the folder
     other.open(path.string());
     CHECK(other.place() == "12.sort.2");
@@ -60,7 +60,7 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
 }
 
 TEST_CASE("An input that has changed since is a warning, not an error") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     const fs::path path = app.folder / "a.sesession";
     SessionFile file = captureSession(app.context);
@@ -73,7 +73,7 @@ TEST_CASE("An input that has changed since is a warning, not an error") {
 }
 
 TEST_CASE("A bad session leaves the open input unchanged and gives the reason") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     std::ofstream(app.folder / "bad.sesession") << "{";
     app.open((app.folder / "bad.sesession").string());
@@ -83,7 +83,7 @@ TEST_CASE("A bad session leaves the open input unchanged and gives the reason") 
 }
 
 TEST_CASE("Notes belong to their input, and wait until it is opened again") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     app.ui.notes = "about the sphere";
     toggleBookmark(app.ui.bookmarks, {3, Stage::Sort, 1});
@@ -96,7 +96,7 @@ TEST_CASE("Notes belong to their input, and wait until it is opened again") {
 }
 
 TEST_CASE("The first save asks for a name, later ones do not") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     app.ui.requests.saveSession = true;
     app.document.carryOut(app.ui.requests);
@@ -113,7 +113,7 @@ TEST_CASE("The first save asks for a name, later ones do not") {
 }
 
 TEST_CASE("Recent files and layout are kept in the state file, and only if there is one") {
-    FilingDesk app;
+    DocumentApp app;
     const fs::path state = app.folder / "state" / "state.json";
     app.open("scene:sphere");
     app.save(app.folder / "before.sesession");
@@ -128,7 +128,7 @@ TEST_CASE("Recent files and layout are kept in the state file, and only if there
 }
 
 TEST_CASE("Edits are captured and restored unchanged") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     const Edits before = captureEdits(app.context);
     app.session.select(5);
@@ -142,14 +142,14 @@ TEST_CASE("Edits are captured and restored unchanged") {
 }
 
 TEST_CASE("An edge or a triangle that is selected is kept, and comes back by undo") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     const std::vector<Selection> picked = {Selection::ofEdge(9, 4),
                                            Selection::ofTriangle({7, 5, 6})};
     for (const Selection& each : picked) {
         app.session.select(each);
         const fs::path path = app.folder / "picked.sesession";
-        FilingDesk other;  // empties the folder
+        DocumentApp other;  // empties the folder
         app.save(path);
         other.open(path.string());
         CHECK(other.session.selection() == each);
@@ -161,7 +161,7 @@ TEST_CASE("An edge or a triangle that is selected is kept, and comes back by und
 }
 
 TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
-    FilingDesk app;
+    DocumentApp app;
     app.open("scene:sphere");
     CHECK(app.document.unsaved().empty());
     app.ui.notes = "odd";
@@ -179,7 +179,7 @@ TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
 }
 
 TEST_CASE("A session older than the up axis opens with z up; a new one keeps its own") {
-    FilingDesk app;
+    DocumentApp app;
     const auto openWith = [&](const std::string& camera) {
         const fs::path path = app.folder / "up.sesession";
         std::ofstream(path) << R"({"format": "spiraling-edge session", "version": 1,)"

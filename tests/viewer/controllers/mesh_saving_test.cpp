@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A program with the dialog Save mesh open.
-struct SavingDesk : test::HeadlessApp {
+struct SavingApp : test::HeadlessApp {
     MeshController saving{context};
 
-    explicit SavingDesk(const char* source = "scene:sphere") : test::HeadlessApp("saving-test") {
+    explicit SavingApp(const char* source = "scene:sphere") : test::HeadlessApp("saving-test") {
         document.open(source);
         waitUntilDone();
         actions::saveMesh(context);
@@ -46,7 +46,7 @@ PointFile read(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format read here") {
-    SavingDesk app("scene:sheet");
+    SavingApp app("scene:sheet");
     app.ask(MeshAsk::None);
     REQUIRE(app.ui.mesh.size.has_value());
     const FinishedMesh mesh = app.mesh();
@@ -74,7 +74,7 @@ TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format 
 }
 
 TEST_CASE("Used points only: the file has no other points, and the same triangles in space") {
-    SavingDesk app("scene:stranded-point");
+    SavingApp app("scene:stranded-point");
     app.ui.mesh.usedOnly = true;
     app.ask(MeshAsk::Save, app.folder / "used.ply");
     const FinishedMesh mesh = app.mesh();
@@ -89,7 +89,7 @@ TEST_CASE("Used points only: the file has no other points, and the same triangle
 }
 
 TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cursor is") {
-    SavingDesk app;
+    SavingApp app;
     app.session.moves().goToPivot(3);
     app.waitUntilDone();
     app.ask(MeshAsk::Save, app.folder / "a.ply");
@@ -98,7 +98,7 @@ TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cu
 }
 
 TEST_CASE("A file is replaced only after a question") {
-    SavingDesk app;
+    SavingApp app;
     const fs::path path = app.folder / "a.ply";
     std::ofstream(path) << "old";
     app.ask(MeshAsk::Save, path);
@@ -117,7 +117,7 @@ TEST_CASE("A file is replaced only after a question") {
 }
 
 TEST_CASE("A write error is reported in the dialog, which stays open") {
-    SavingDesk app;
+    SavingApp app;
     app.ask(MeshAsk::Save, app.folder / "none" / "a.ply");
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.mesh.complaint.find("there is no folder") != std::string::npos);
@@ -133,7 +133,7 @@ TEST_CASE("A write error is reported in the dialog, which stays open") {
 }
 
 TEST_CASE("Saving waits for the run and can be cancelled meanwhile: no file is left") {
-    SavingDesk app;
+    SavingApp app;
     app.ui.mesh.ask = MeshAsk::Save;
     app.ui.mesh.path = app.folder / "a.ply";
     app.saving.carryOut();  // the run has only just begun
@@ -164,7 +164,7 @@ TEST_CASE(
 
     const fs::path two = test::ownPlace("two-points.xyz");
     std::ofstream(two) << "0 0 0 0 0 1\n1 0 0 0 0 1\n";
-    SavingDesk app(two.c_str());
+    SavingApp app(two.c_str());
     fs::remove(two);
     app.ask(MeshAsk::None);
     app.ask(MeshAsk::Save, app.folder / "a.ply");
@@ -173,7 +173,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Another run, other rules: the mesh is made again") {
-    SavingDesk app("scene:noise");
+    SavingApp app("scene:noise");
     app.ask(MeshAsk::None);
     const MeshSize paper = *app.ui.mesh.size;
     app.session.rerun({"robust", {}, {}});
@@ -184,7 +184,7 @@ TEST_CASE("Another run, other rules: the mesh is made again") {
 }
 
 TEST_CASE("For an STL far from the origin the notice reports the offset of its positions") {
-    const SavingDesk app;
+    const SavingApp app;
     FinishedMesh mesh = app.mesh();
     PointFile far = *mesh.points;
     far.positionType = ScalarType::Double;

@@ -7,6 +7,7 @@
 
 #include "commands/ask_actions.h"
 #include "commands/commands.h"
+#include "contrast.h"
 #include "layers/layer.h"
 #include "open_session.h"
 #include "panel_state/side_panels.h"
@@ -23,14 +24,14 @@ using namespace se::view::test;
 
 namespace {
 
-struct AskDesk {
+struct QuestionApp {
     OpenSession open;
     Playback playback;
     Camera camera;
     UiState ui;
     CommandContext context{open.session, playback, camera, ui};
 
-    explicit AskDesk(const char* scene = "scene:stranded-point") : open(scene) {}
+    explicit QuestionApp(const char* scene = "scene:stranded-point") : open(scene) {}
     Session& session() { return open.session; }
     const WhyAnswer* ledger() {
         open.session.waitUntilDone();
@@ -62,7 +63,7 @@ TEST_CASE(
 }
 
 TEST_CASE("W queries the selection, and the answer is that of the library") {
-    AskDesk app;
+    QuestionApp app;
     CHECK(app.ledger() == nullptr);
     app.session().select(32);
     app.run("ask.why");
@@ -79,7 +80,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
 }
 
 TEST_CASE("Without a selection W waits for input") {
-    AskDesk app;
+    QuestionApp app;
     app.run("ask.why");
     CHECK(app.ui.tab.wanted == kLedgerTab);
     CHECK(app.ui.ledger.wantsKeyboard);
@@ -87,7 +88,7 @@ TEST_CASE("Without a selection W waits for input") {
 }
 
 TEST_CASE("An edge that is not present can be queried") {
-    AskDesk app("scene:sphere");
+    QuestionApp app("scene:sphere");
     const Index far = static_cast<Index>(app.session().model().points.size() - 1);
     askWhy(app.context, Selection::ofEdge(0, far));
     REQUIRE(app.ledger() != nullptr);
@@ -96,7 +97,7 @@ TEST_CASE("An edge that is not present can be queried") {
 }
 
 TEST_CASE("The lines are walked in both directions of time, from any cursor position") {
-    AskDesk app;
+    QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
     const WhyAnswer ledger = *app.ledger();
     std::vector<std::string> forward;
@@ -122,7 +123,7 @@ TEST_CASE("The lines are walked in both directions of time, from any cursor posi
 }
 
 TEST_CASE("Between two lines the cursor is before the next one") {
-    AskDesk app;
+    QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
     const WhyAnswer ledger = *app.ledger();
     app.session().moves().toStart();
@@ -140,7 +141,7 @@ TEST_CASE("Between two lines the cursor is before the next one") {
 }
 
 TEST_CASE("Another subject cancels the last query, another run discards all answers") {
-    AskDesk app;
+    QuestionApp app;
     for (Index p = 0; p < 20; ++p) askWhy(app.context, Selection::ofPoint(p));
     REQUIRE(app.ledger() != nullptr);
     CHECK(app.ledger()->name == "point 19");
@@ -152,7 +153,7 @@ TEST_CASE("Another subject cancels the last query, another run discards all answ
 }
 
 TEST_CASE("A query can be stopped, and repeated") {
-    AskDesk app;
+    QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
     app.session().questions().ledger().stop();
     CHECK(app.ledger() == nullptr);
@@ -162,7 +163,7 @@ TEST_CASE("A query can be stopped, and repeated") {
 }
 
 TEST_CASE("The copied text has the answer, every address and a mark at the cause") {
-    AskDesk app;
+    QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
     const WhyAnswer& ledger = *app.ledger();
     const std::string text = ledgerText(ledger.answer, ledger.lines, ledger.cause);
@@ -174,7 +175,7 @@ TEST_CASE("The copied text has the answer, every address and a mark at the cause
 }
 
 TEST_CASE("A query line finds what the library finds, and keys step through its decisions") {
-    AskDesk app;
+    QuestionApp app;
     app.ui.query.typed = "stage=sphere refused";
     findTyped(app.context);
     app.session().waitUntilDone();
@@ -196,7 +197,7 @@ TEST_CASE("A query line finds what the library finds, and keys step through its 
 
 TEST_CASE(
     "Where the list of hits ends before the run does, F3 says so, and which line has the rest") {
-    AskDesk app("scene:torus");
+    QuestionApp app("scene:torus");
     REQUIRE(app.session().questions().find("at=1..99999").ok());
     app.session().waitUntilDone();
     const FoundDecisions* found = app.session().questions().found().answer();
@@ -229,7 +230,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A line with a mistake starts no query, and the old results stay") {
-    AskDesk app;
+    QuestionApp app;
     CHECK(app.session().questions().find("stage=split").ok());
     CHECK_FALSE(app.session().questions().find("stage=dragon").ok());
     CHECK(app.session().questions().line() == "stage=split");
@@ -250,7 +251,7 @@ TEST_CASE("The last word of a line is completed by the terms that begin with it"
 }
 
 TEST_CASE("Closest decisions and charts are queried once in a run, and are void in the next") {
-    AskDesk app;
+    QuestionApp app;
     Questions& questions = app.session().questions();
     CHECK(questions.leastMargin().empty());
     questions.wantClosest();
@@ -278,7 +279,7 @@ TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     CHECK(ringFromText(" ring #2", here)->value() == RingAddress{here, 2});
     CHECK(ringFromText("ring 30#1", here)->value() == RingAddress{{30, Stage::Pivot, 0}, 1});
     CHECK_FALSE(ringFromText("ring dragon", here)->ok());
-    AskDesk app;
+    QuestionApp app;
     app.session().moves().goToPivot(25);
     app.session().waitUntilDone();
     app.ui.ledger.typed = "ring";

@@ -20,14 +20,14 @@ InputSpec spec(const char* scene, const char* rules, Index neighbors) {
 }
 
 /// A session at the first event of a run with evidence of a kind for which `wanted` holds.
-struct SetPlace {
+struct RunAt {
     Session session;
 
     template <typename Kind>
-    static std::unique_ptr<SetPlace> at(
+    static std::unique_ptr<RunAt> at(
         const InputSpec& input, Stage stage,
         bool (*wanted)(const Kind&) = [](const Kind&) { return true; }) {
-        auto place = std::make_unique<SetPlace>();
+        auto place = std::make_unique<RunAt>();
         place->session.open(input);
         place->session.waitUntilDone();
         const std::vector<PivotSummary> pivots = place->session.overview().pivots;
@@ -90,7 +90,7 @@ const Palette& kColors = paletteOf(Theme::Dark);
 
 TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles, four letters") {
     // The first step after the last pivot: it edits the triangles of the run themselves.
-    const auto place = SetPlace::at<FlipEvidence>(spec("scene:figure-5", "robust"), Stage::Flip);
+    const auto place = RunAt::at<FlipEvidence>(spec("scene:figure-5", "robust"), Stage::Flip);
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<FlipEvidence>();
     const DrawList list = place->drawn(addRepairs);
@@ -118,7 +118,7 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
 
 TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put into") {
     const auto place =
-        SetPlace::at<ReinsertEvidence>(spec("scene:figure-7", "robust", 16), Stage::Reinsert);
+        RunAt::at<ReinsertEvidence>(spec("scene:figure-7", "robust", 16), Stage::Reinsert);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<ReinsertEvidence>().point;
     const Picture& picture = place->session.picture();
@@ -148,7 +148,7 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
     for (const char* rule : {"guard", "reinsert", "flip", "reseat"}) {
         input.choices.push_back({rule, true});
     }
-    const auto place = SetPlace::at<RemoveFoldedEvidence>(input, Stage::RemoveFolded);
+    const auto place = RunAt::at<RemoveFoldedEvidence>(input, Stage::RemoveFolded);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<RemoveFoldedEvidence>().point;
     const Picture& picture = place->session.picture();
@@ -169,7 +169,7 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
 TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
     InputSpec input = spec("scene:sphere", "paper", 24);
     input.choices.push_back({"fill", true});
-    const auto place = SetPlace::at<FillEvidence>(input, Stage::Fill);
+    const auto place = RunAt::at<FillEvidence>(input, Stage::Fill);
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<FillEvidence>();
     const DrawList list = place->drawn(addHoleFill);
@@ -183,7 +183,7 @@ TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
 }
 
 TEST_CASE("Drawn for guard: the triangle that a rule objects to, and its measure") {
-    const auto place = SetPlace::at<GuardEvidence>(
+    const auto place = RunAt::at<GuardEvidence>(
         spec("scene:figure-5", "robust"), Stage::Guard,
         [](const GuardEvidence& e) { return e.verdict == Verdict::Steep; });
     REQUIRE(place != nullptr);
@@ -200,18 +200,18 @@ TEST_CASE("Drawn for an alert: the ring that was freed, bold, in the color of er
     for (const AlertKind kind : {AlertKind::Hole, AlertKind::LostSeed}) {
         const auto place =
             kind == AlertKind::Hole
-                ? SetPlace::at<AlertEvidence>(
+                ? RunAt::at<AlertEvidence>(
                       spec("scene:sphere", "paper", 24), Stage::Done,
                       [](const AlertEvidence& e) { return e.kind == AlertKind::Hole; })
-                : SetPlace::at<AlertEvidence>(
+                : RunAt::at<AlertEvidence>(
                       spec("scene:sphere", "paper", 24), Stage::Done,
                       [](const AlertEvidence& e) { return e.kind == AlertKind::LostSeed; });
         REQUIRE(place != nullptr);
         REQUIRE(place->session.picture().freed.has_value());
         const ShownFreedRing& ring = *place->session.picture().freed;
-        REQUIRE(ring.told.has_value());
+        REQUIRE(ring.evidence.has_value());
         CHECK(ring.alert == kind);
-        CHECK(ring.path.points.size() == ring.told->length);
+        CHECK(ring.path.points.size() == ring.evidence->length);
         const DrawList list = place->drawn(addComponent);
         REQUIRE(list.lines.size() == ring.path.points.size());
         for (std::size_t i = 0; i < list.lines.size(); ++i) {
@@ -223,7 +223,7 @@ TEST_CASE("Drawn for an alert: the ring that was freed, bold, in the color of er
 }
 
 TEST_CASE("Drawn for a ring that is freed on a wall: bold in the color of the end, no alert") {
-    const auto place = SetPlace::at<FreeEvidence>(spec("scene:sheet", "paper"), Stage::Done);
+    const auto place = RunAt::at<FreeEvidence>(spec("scene:sheet", "paper"), Stage::Done);
     REQUIRE(place != nullptr);
     REQUIRE(place->session.picture().freed.has_value());
     CHECK_FALSE(place->session.picture().freed->alert.has_value());

@@ -20,31 +20,31 @@ bool holds(const Rect& outer, const Rect& inner) {
 }
 
 /// Many labels in a small area: `count` of each rank, around the middle of the view.
-std::vector<LabelWish> crowd(unsigned seed, int count) {
+std::vector<WantedLabel> crowd(unsigned seed, int count) {
     std::mt19937 random(seed);
     const auto share = [&] { return static_cast<float>(random() % 1000) / 1000.0F; };
-    std::vector<LabelWish> wishes;
+    std::vector<WantedLabel> labels;
     for (const LabelRank rank : {LabelRank::Minor, LabelRank::Strong, LabelRank::Essential}) {
         for (int i = 0; i < count; ++i) {
             const glm::vec2 off((share() - 0.5F) * 260.0F, (share() - 0.5F) * 160.0F);
-            wishes.push_back(
+            labels.push_back(
                 {kView.min + 0.5F * kView.size + off, {30.0F + 90.0F * share(), 20.0F}, rank});
         }
     }
-    return wishes;
+    return labels;
 }
 
-std::vector<LabelMark> marksOf(const std::vector<LabelWish>& wishes) {
+std::vector<LabelMark> marksOf(const std::vector<WantedLabel>& labels) {
     std::vector<LabelMark> marks;
-    for (const LabelWish& wish : wishes) {
-        if (wish.rank == LabelRank::Essential) marks.push_back({wish.at, 0.6F * kEm});
+    for (const WantedLabel& label : labels) {
+        if (label.rank == LabelRank::Essential) marks.push_back({label.at, 0.6F * kEm});
     }
     return marks;
 }
 
-bool contains(const std::vector<PlacedLabel>& placed, std::size_t wish) {
+bool contains(const std::vector<PlacedLabel>& placed, std::size_t label) {
     return std::any_of(placed.begin(), placed.end(),
-                       [&](const PlacedLabel& each) { return each.wish == wish; });
+                       [&](const PlacedLabel& each) { return each.label == label; });
 }
 
 }  // namespace
@@ -52,17 +52,17 @@ bool contains(const std::vector<PlacedLabel>& placed, std::size_t wish) {
 TEST_CASE("Labels cover neither each other nor marks nor used areas, in any number") {
     for (unsigned seed = 1; seed <= 40; ++seed) {
         CAPTURE(seed);
-        const std::vector<LabelWish> wishes = crowd(seed, 12);
-        const std::vector<LabelMark> marks = marksOf(wishes);
+        const std::vector<WantedLabel> labels = crowd(seed, 12);
+        const std::vector<LabelMark> marks = marksOf(labels);
         const std::vector<Rect> taken = {{{560.0F, 60.0F}, {170.0F, 180.0F}}};
         LabelRoom room{kView, taken, marks, nullptr, kView.min + 0.5F * kView.size, kEm};
-        const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
+        const std::vector<PlacedLabel> placed = placeLabels(room, labels);
         CHECK_FALSE(placed.empty());
         std::set<std::size_t> seen;
         for (const PlacedLabel& a : placed) {
-            CHECK(seen.insert(a.wish).second);
+            CHECK(seen.insert(a.label).second);
             CHECK(holds(kView, a.plate));
-            CHECK(a.plate.size == wishes[a.wish].plate);
+            CHECK(a.plate.size == labels[a.label].plate);
             CHECK_FALSE(overlap(a.plate, taken[0]));
             for (const LabelMark& mark : marks) CHECK_FALSE(overlap(a.plate, mark));
             for (const PlacedLabel& b : placed) CHECK((&a == &b || !overlap(a.plate, b.plate)));
@@ -73,12 +73,12 @@ TEST_CASE("Labels cover neither each other nor marks nor used areas, in any numb
 TEST_CASE("Minor labels are left out first, essential ones last") {
     int dropped[3] = {0, 0, 0};
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        const std::vector<LabelWish> wishes = crowd(seed, 12);
-        const std::vector<LabelMark> marks = marksOf(wishes);
+        const std::vector<WantedLabel> labels = crowd(seed, 12);
+        const std::vector<LabelMark> marks = marksOf(labels);
         const LabelRoom room{kView, {}, marks, nullptr, kView.min + 0.5F * kView.size, kEm};
-        const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
-        for (std::size_t i = 0; i < wishes.size(); ++i) {
-            if (!contains(placed, i)) ++dropped[static_cast<std::size_t>(wishes[i].rank)];
+        const std::vector<PlacedLabel> placed = placeLabels(room, labels);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (!contains(placed, i)) ++dropped[static_cast<std::size_t>(labels[i].rank)];
         }
     }
     CHECK(dropped[0] == 0);
@@ -89,12 +89,13 @@ TEST_CASE("Minor labels are left out first, essential ones last") {
 TEST_CASE("Where there is room for one label only, it is the essential one") {
     // A view that one plate nearly fills: the order of the list does not matter.
     const Rect small{{0.0F, 0.0F}, {120.0F, 60.0F}};
-    const std::vector<LabelWish> wishes = {{{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Minor},
-                                           {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Strong},
-                                           {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Essential}};
-    const std::vector<PlacedLabel> placed = placeLabels({small, {}, {}, nullptr, {}, kEm}, wishes);
+    const std::vector<WantedLabel> labels = {
+        {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Minor},
+        {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Strong},
+        {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Essential}};
+    const std::vector<PlacedLabel> placed = placeLabels({small, {}, {}, nullptr, {}, kEm}, labels);
     REQUIRE(placed.size() == 1);
-    CHECK(placed[0].wish == 2);
+    CHECK(placed[0].label == 2);
 }
 
 TEST_CASE("A label is close to its point and away from the pivot, otherwise a line leads to it") {
@@ -103,7 +104,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
     const LabelRoom room{kView, {}, marks, nullptr, pivot, kEm};
     for (const glm::vec2 off :
          {glm::vec2(60, 40), glm::vec2(-60, 40), glm::vec2(60, -40), glm::vec2(-60, -40)}) {
-        const std::vector<LabelWish> one = {{pivot + off, {60.0F, 20.0F}, LabelRank::Minor}};
+        const std::vector<WantedLabel> one = {{pivot + off, {60.0F, 20.0F}, LabelRank::Minor}};
         const std::vector<PlacedLabel> placed = placeLabels(room, one);
         REQUIRE(placed.size() == 1);
         CHECK_FALSE(placed[0].leader);
@@ -113,7 +114,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
     }
     // All around is used: far off, with a line.
     const std::vector<Rect> taken = {{pivot - glm::vec2(80.0F, 60.0F), {160.0F, 120.0F}}};
-    const std::vector<LabelWish> one = {{pivot, {60.0F, 20.0F}, LabelRank::Essential}};
+    const std::vector<WantedLabel> one = {{pivot, {60.0F, 20.0F}, LabelRank::Essential}};
     const std::vector<PlacedLabel> placed =
         placeLabels({kView, taken, marks, nullptr, pivot, kEm}, one);
     REQUIRE(placed.size() == 1);
@@ -121,7 +122,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
 }
 
 TEST_CASE("A label whose point is not visible is not shown") {
-    const std::vector<LabelWish> one = {{{90.0F, 60.0F}, {60.0F, 20.0F}, LabelRank::Essential}};
+    const std::vector<WantedLabel> one = {{{90.0F, 60.0F}, {60.0F, 20.0F}, LabelRank::Essential}};
     CHECK(placeLabels({kView, {}, {}, nullptr, {}, kEm}, one).empty());
 }
 
@@ -133,7 +134,7 @@ TEST_CASE("Of two positions a label takes the one that covers less of the pictur
         occupancy.addLine(at, at + glm::vec2(90.0F, -8.0F * static_cast<float>(i)), 1.0F);
     }
     occupancy.finish();
-    const std::vector<LabelWish> one = {{at, {60.0F, 20.0F}, LabelRank::Strong}};
+    const std::vector<WantedLabel> one = {{at, {60.0F, 20.0F}, LabelRank::Strong}};
     const std::vector<PlacedLabel> without = placeLabels({kView, {}, {}, nullptr, at, kEm}, one);
     const std::vector<PlacedLabel> with = placeLabels({kView, {}, {}, &occupancy, at, kEm}, one);
     REQUIRE(without.size() == 1);

@@ -81,16 +81,16 @@ TEST_CASE("Small windows have one column, low ones one strip") {
 
 TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {
     const PanelRects folded =
-        computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerWish::Folded);
+        computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Folded);
     CHECK(folded.drawerFolded);
     CHECK(folded.drawer.size.y == doctest::Approx(3.0F * 16.0F));
     CHECK(folded.stageStrip.size.y == 0.0F);
     const PanelRects open =
-        computePanelRects({1024, 640}, 16, LayoutPreset::Debug, DrawerWish::Open);
+        computePanelRects({1024, 640}, 16, LayoutPreset::Debug, DrawerChoice::Open);
     CHECK_FALSE(open.drawerFolded);
     CHECK(open.view.size.y >= 0.3F * 640.0F);
     // There is a limit: some of the view must be left.
-    CHECK(computePanelRects({640, 400}, 16, LayoutPreset::Debug, DrawerWish::Open).drawerFolded);
+    CHECK(computePanelRects({640, 400}, 16, LayoutPreset::Debug, DrawerChoice::Open).drawerFolded);
 }
 
 TEST_CASE("The strips fill the drawer without overlap") {

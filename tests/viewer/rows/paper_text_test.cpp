@@ -35,7 +35,7 @@ TEST_CASE("Paper: every event of a run has a line of its rule") {
     for (const char* scene : {"scene:sphere", "scene:sheet", "scene:figure-7", "scene:figure-9"}) {
         for (const char* rules : {"paper", "robust"}) {
             LoadProgress progress;
-            const auto model = loadModel({scene, {}, rules}, progress);
+            const auto model = test::loadModel({scene, {}, rules}, progress);
             REQUIRE(model.ok());
             EventLog log;
             Stepper stepper(model.value()->points, model.value()->params, &log);

@@ -29,7 +29,7 @@ TEST_CASE("The last event of every pivot shows the state after it") {
     for (const char* scene : {"scene:sphere", "scene:torus", "scene:sheet"}) {
         CAPTURE(scene);
         LoadProgress progress;
-        const auto model = loadModel({scene, {}, "paper"}, progress);
+        const auto model = test::loadModel({scene, {}, "paper"}, progress);
         REQUIRE(model.ok());
         Timeline timeline(model.value()->points, model.value()->params);
         for (std::uint32_t pivot = 1; pivot <= 200; pivot += 7) {
@@ -118,7 +118,7 @@ TEST_CASE("A seed shows a ring of two, and the pivot its first and last") {
 
 TEST_CASE("The stack shows its top first, as the state has it") {
     LoadProgress progress;
-    const auto model = loadModel({"scene:torus", {}, "paper"}, progress);
+    const auto model = test::loadModel({"scene:torus", {}, "paper"}, progress);
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     bool seen = false;

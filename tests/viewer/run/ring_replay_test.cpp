@@ -29,7 +29,7 @@ Followed follow(const char* scene, const char* rules, std::uint32_t last) {
     CAPTURE(scene);
     CAPTURE(rules);
     LoadProgress progress;
-    const auto model = loadModel({scene, {}, rules}, progress);
+    const auto model = test::loadModel({scene, {}, rules}, progress);
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     Followed seen;

@@ -197,7 +197,7 @@ TEST_CASE("A close-up shows all points of a decision, with room for names") {
             open.session.moves().goToText(address);
             open.session.waitUntilDone();
             Camera camera;
-            closeUp(open.session, camera, size);
+            framePivotNeighborhood(open.session, camera, size);
             const CameraMatrices matrices = camera.matrices(size.x / size.y);
             glm::vec2 farthest(0.0F);
             for (const Index point : neighborhoodOf(open.session.picture())) {

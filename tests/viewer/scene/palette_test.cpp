@@ -4,8 +4,11 @@
 
 #include <string>
 
+#include "contrast.h"
+
 using namespace se;
 using namespace se::view;
+using namespace se::view::test;
 
 TEST_CASE("Every color with a meaning contrasts with the background") {
     for (const Theme theme : {Theme::Dark, Theme::Light}) {

@@ -134,7 +134,7 @@ int runInShell(const std::string& command) {
 /// The first test of a run that a what-if can invert.
 WhatIf turnedTest(const InputSpec& spec) {
     LoadProgress progress;
-    const auto model = loadModel(spec, progress).value();
+    const auto model = test::loadModel(spec, progress).value();
     EventLog log;
     Stepper stepper(model->points, model->params, &log);
     stepper.run();

@@ -224,8 +224,8 @@ TEST_CASE("History: back and forward lead through the positions before jumps") {
     CHECK_FALSE(history.back("1").has_value());
     CHECK(history.forward("1") == "2");
     CHECK(history.forward("2") == "3");
-    CHECK_FALSE(history.canGoForward());
+    CHECK_FALSE(history.forward("3").has_value());
     history.back("3");
     history.leave("9");
-    CHECK_FALSE(history.canGoForward());
+    CHECK_FALSE(history.forward("9").has_value());
 }

@@ -278,10 +278,10 @@ void drawBar(const PanelContext& context) {
     drawProgress(context, row ? rest : -1.0F);
     if (row) ImGui::SameLine(0.0F, em);
     drawEndings(context);
-    const std::string& said = context.state<GrowthPage>().said;
+    const std::string& message = context.state<GrowthPage>().message;
     drawValues(context);
-    if (!said.empty())
-        ImGui::TextUnformatted(fitted(said, ImGui::GetContentRegionAvail().x).c_str());
+    if (!message.empty())
+        ImGui::TextUnformatted(fitted(message, ImGui::GetContentRegionAvail().x).c_str());
 }
 
 /// Legend of the shapes.

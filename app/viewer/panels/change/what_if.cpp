@@ -60,9 +60,9 @@ void drawOffers(const PanelContext& context, const RuleSet& rules) {
         const std::string name = i == 0 ? "here" : "here " + std::to_string(i + 1);
         offer(context, rules, offers[i].what, offers[i].label, name);
     }
-    const bool said = describe(*event).starts_with("What if");
-    if (said) wrappedText("A what-if decides here: the cross above removes it.");
-    if (offers.empty() && !said) wrappedText(noOfferText(*event));
+    const bool isWhatIf = describe(*event).starts_with("What if");
+    if (isWhatIf) wrappedText("A what-if decides here: the cross above removes it.");
+    if (offers.empty() && !isWhatIf) wrappedText(noOfferText(*event));
 }
 
 /// The selected point, otherwise the pivot.

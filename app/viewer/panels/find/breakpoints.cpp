@@ -225,8 +225,9 @@ std::vector<LogRow> logRows(const PanelContext& context) {
         if (!each.on || !each.logOnly || known == nullptr) continue;
         for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
             if (!selectsHit(each, i + 1)) continue;
-            const bool told = i < known->sentences.size();
-            rows.push_back({known->list.hits[i], &each, told ? &known->sentences[i] : nullptr});
+            const bool hasSentence = i < known->sentences.size();
+            rows.push_back(
+                {known->list.hits[i], &each, hasSentence ? &known->sentences[i] : nullptr});
         }
     }
     std::stable_sort(rows.begin(), rows.end(),

@@ -8,9 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "panel_state/side_panels.h"
-#include "panel_state/ui_requests.h"
-#include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
@@ -186,7 +183,7 @@ void follow(const PanelContext& context, const DecisionRows& rows, const LinePos
 
 }  // namespace
 
-void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameWish frame) {
+void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameRequest frame) {
     std::optional<std::size_t> chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
     const LinePosition place = positionOfCursor(rows, context.session());
@@ -203,7 +200,7 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
 }
 
-void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {
+void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame) {
     context.playback().pause();
     context.session().moves().goTo(address);
     context.requests().frame = frame;

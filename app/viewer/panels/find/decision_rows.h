@@ -29,7 +29,7 @@ struct DecisionRows {
 
 /// Draws them below each other in the current window, which scrolls to the line of the cursor. A
 /// click goes to the decision of a line and frames `frame` there.
-void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameWish frame);
+void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameRequest frame);
 /// A part that scrolls by itself, so that the input above stays visible; in a low window
 /// the panel is scrolled as a whole.
 class ScrolledBody {
@@ -50,7 +50,7 @@ class ScrolledBody {
     bool apart_;
 };
 /// Goes to a decision and frames a selection there.
-void goToDecision(const PanelContext& context, const Address& address, FrameWish frame);
+void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame);
 /// Progress of a query, with a button that stops it. False if it is not busy.
 template <class Answer>
 bool drawAsking(const PanelContext& context, BackgroundQuery<Answer>& query) {

@@ -59,7 +59,7 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     ImGui::Spacing();
     paragraph(context, withShortNumbers(ledger.answer));
     const Address& cause = ledger.lines[ledger.cause].event.address;
-    if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameWish::Focus);
+    if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameRequest::Focus);
     if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy as text")) {
@@ -70,7 +70,7 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     if (ImGui::IsItemVisible()) nameItem(context, "ledger copy");
     ImGui::Spacing();
     drawDecisionRows(context, {ledger.lines, context.state<LedgerPanel>().list, ledger.cause},
-                     FrameWish::Focus);
+                     FrameRequest::Focus);
 }
 
 /// While the panel is visible, each new selection is queried.

@@ -157,7 +157,8 @@ void drawFound(const PanelContext& context, const FoundDecisions& found) {
     tooltip("To the previous / next one from the cursor");
     if (smallButton(context, "Break on these", "query break"))
         addBreakpoint(context.commands, {"", context.session().questions().line()});
-    drawDecisionRows(context, {found.lines, context.state<QueryPanel>().found}, FrameWish::Pivot);
+    drawDecisionRows(context, {found.lines, context.state<QueryPanel>().found},
+                     FrameRequest::Pivot);
 }
 
 void drawByWords(const PanelContext& context) {
@@ -187,7 +188,7 @@ RowNote moveNote(const FlippingMove& move) {
                 formatted(" by (%.6g, %.6g, %.6g) flips it.", move.by.x, move.by.y, move.by.z)};
 }
 
-void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
+void drawClosestCalls(const PanelContext& context, const ClosestAnswer& closest) {
     if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
     dimText("The decisions closest to going the other way, closest first.");
     bool tinted = context.settings().pointTint == PointTint::Margin;
@@ -198,7 +199,7 @@ void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
         closest.lines, context.state<QueryPanel>().closest, {}, false, [&](std::size_t i) {
             return moveNote(closest.decisions.decisions[i].move);
         }};
-    drawDecisionRows(context, rows, FrameWish::Pivot);
+    drawDecisionRows(context, rows, FrameRequest::Pivot);
 }
 
 void drawClosest(const PanelContext& context) {
@@ -208,7 +209,7 @@ void drawClosest(const PanelContext& context) {
     const ScrolledBody body(context, "##closestBody");
     if (drawAsking(context, closest)) return;
     if (const ClosestAnswer* answer = closest.answer()) {
-        drawCalls(context, *answer);
+        drawClosestCalls(context, *answer);
     } else {
         dimText(closest.complaint());
         if (ImGui::SmallButton("Retry")) closest.cancel();

@@ -68,7 +68,7 @@ void drawSelectEntries(const PanelContext& context, const Selection& what) {
     if (ImGui::MenuItem("Select", nullptr, session.selection() == what)) session.select(what);
     if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
         session.select(what);
-        context.requests().frame = FrameWish::Focus;
+        context.requests().frame = FrameRequest::Focus;
     }
 }
 

@@ -139,7 +139,7 @@ void drawStops(const RunStrip& strip) {
 }
 
 /// The pivot where the two compared runs diverge: half in the color of each.
-float differencePlace(const RunStrip& strip) {
+float xOfDifference(const RunStrip& strip) {
     const Compared* found = strip.context.state<ComparePage>().result();
     if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;
     return std::round(strip.xOf(found->runs.first->a.line->event.address.pivot));
@@ -147,7 +147,7 @@ float differencePlace(const RunStrip& strip) {
 
 /// The diamond drawn there; empty if there is none.
 Rect differenceMark(const RunStrip& strip) {
-    const float x = differencePlace(strip);
+    const float x = xOfDifference(strip);
     if (x < strip.bars.min.x || x > strip.bars.max().x) return {};
     const float half = 0.4F * strip.context.em;
     return {{x + 0.5F - half, strip.lanes.max().y - 2.0F * half}, glm::vec2(2.0F * half)};
@@ -171,7 +171,7 @@ void drawDifference(const RunStrip& strip) {
 
 /// Tooltip of the first difference, if the mouse is there.
 std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
-    const float x = differencePlace(strip);
+    const float x = xOfDifference(strip);
     if (x < 0.0F || std::abs(mouse.x - x) > 0.5F * strip.context.em) return {};
     const RunDifference& first = *strip.context.state<ComparePage>().result()->runs.first;
     const auto at = [](const DifferenceSide& side) {

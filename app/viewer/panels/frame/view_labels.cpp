@@ -43,14 +43,14 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const ScreenProjection projection(context);
     const float em = context.em;
     std::vector<const Label*> seen;
-    std::vector<LabelWish> wishes;
+    std::vector<WantedLabel> wanted;
     for (const Label& label : labels) {
         const auto at = projection.at(label.position);
         if (!at) continue;
         const Print print = printOf(context, label);
         const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
         seen.push_back(&label);
-        wishes.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
+        wanted.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
     }
     const Rect& view = context.rects.view;
     const std::vector<LabelMark> marks = projection.marks();
@@ -61,15 +61,15 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         room.middle =
             projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
     }
-    const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
+    const std::vector<PlacedLabel> placed = placeLabels(room, wanted);
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (const PlacedLabel& each : placed) {
         if (!each.leader) continue;
-        const glm::vec2 from = wishes[each.wish].at;
+        const glm::vec2 from = wanted[each.label].at;
         list->AddLine(toVec2(from), toVec2(nearestIn(each.plate, from)),
-                      toU32(seen[each.wish]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
+                      toU32(seen[each.label]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
     }
-    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.wish], each.plate);
+    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.label], each.plate);
 }
 
 }  // namespace se::view

@@ -16,7 +16,7 @@ constexpr float kField = 4.5F;    ///< Minimum width of a field.
 constexpr float kTwo = 22.0F;     ///< Width from which two switches are side by side.
 
 /// Position of a field after its choice.
-float fieldPlace(const PanelContext& context) {
+float xOfFields(const PanelContext& context) {
     const float room = ImGui::GetContentRegionMax().x - kField * context.em;
     return std::min(kChoice * context.em, room);
 }
@@ -58,7 +58,7 @@ void part(const PanelContext& context, const char* title, bool derived) {
 /// A field; typing in it makes its choice.
 template <typename T>
 bool valueField(const Fields& fields, const char* id, std::string& text, T& value, T mine) {
-    ImGui::SameLine(fieldPlace(fields.context));
+    ImGui::SameLine(xOfFields(fields.context));
     ImGui::SetNextItemWidth(-1.0F);
     const std::string before = text;
     const bool entered = textField(id, "", text, kEntered);

@@ -12,7 +12,7 @@
 namespace se::view {
 
 bool inStep(const RunAlignment& alignment, std::uint32_t pivot) {
-    return !alignment.parted || pivot <= alignment.alike + 1;
+    return !alignment.differ || pivot <= alignment.alike + 1;
 }
 
 std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot) {
@@ -209,7 +209,7 @@ Comparison::Stand Comparison::standOf(const Session& run) {
 }
 
 /// Where the other run is held; or the counterpart of a decision at which the two diverge.
-std::optional<Address> Comparison::wantedPlace(const Session& run) const {
+std::optional<Address> Comparison::wantedAddress(const Session& run) const {
     if (held_) return held_;
     if (!result_ || !result_->runs.first || run.event() == nullptr) return {};
     const RunDifference& first = *result_->runs.first;
@@ -227,7 +227,7 @@ void Comparison::follow(const Session& run) {
         if (!(*heldBy_ == here)) held_.reset();
     }
     if (followed_ == here) return;
-    const std::optional<Address> wanted = wantedPlace(run);
+    const std::optional<Address> wanted = wantedAddress(run);
     if (!wanted && run.atEnd()) {
         // There may be steps after the last pivot: both ends correspond.
         followed_ = here;

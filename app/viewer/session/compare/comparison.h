@@ -20,7 +20,7 @@ namespace se::view {
 /// The common part of the timelines of two runs A and B.
 struct RunAlignment {
     std::uint32_t alike = 0;  ///< Number of equal pivots at the start.
-    bool parted = false;      ///< The runs are not equal to the end.
+    bool differ = false;      ///< The runs are not equal to the end.
     std::uint32_t endA = 0;   ///< Number of pivots of each.
     std::uint32_t endB = 0;
 };
@@ -102,7 +102,7 @@ class Comparison {
     bool takeResult();
     void follow(const Session& run);
     static Stand standOf(const Session& run);
-    std::optional<Address> wantedPlace(const Session& run) const;
+    std::optional<Address> wantedAddress(const Session& run) const;
 
     CompareWith with_;
     std::unique_ptr<Session> other_;

@@ -166,7 +166,7 @@ TEST_CASE(
     "The form of the other run begins with the most informative rules, and takes every setting") {
     LoadProgress progress;
     const InputSpec base{"scene:torus", {}, "paper"};
-    const auto model = loadModel(base, progress);
+    const auto model = test::loadModel(base, progress);
     REQUIRE(model.ok());
     CompareForm form;
     form.take(base, *model.value());
@@ -204,7 +204,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the run without 
     LoadProgress progress;
     InputSpec fork{"scene:torus", {}, "paper"};
     fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
-    const auto model = loadModel(fork, progress);
+    const auto model = test::loadModel(fork, progress);
     REQUIRE(model.ok());
     CompareForm form;
     form.take(fork, *model.value());
@@ -223,7 +223,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the run without 
 TEST_CASE("Changes of the open run are applied to the form of the other one") {
     LoadProgress progress;
     const InputSpec before{"scene:torus", {}, "paper"};
-    const auto model = loadModel(before, progress);
+    const auto model = test::loadModel(before, progress);
     REQUIRE(model.ok());
     CompareForm form;
     form.take(before, *model.value());
