@@ -112,8 +112,9 @@ move_to() {
         act 1 xdotool mousemove --window "$window" "$1" "$2"
 }
 click() {
+    local button=${3:-1}
     move_to "$1" "$2"
-    act 2 xdotool click "${3:-1}"
+    act $((button < 4 ? 2 : 1)) xdotool click "$button"  # a step of the wheel is one event
     # In the view it selects once no second click can follow.
     poll matches click_waits false
 }
