@@ -28,7 +28,13 @@ class Hasher {
     std::uint64_t hash_ = 0xCBF29CE484222325ULL;
 };
 
+void addTriangles(Hasher& hasher, const std::vector<Triangle>& triangles) {
+    hasher.add(triangles.size());
+    for (const Triangle& t : triangles) hasher.add(t.a, t.b, t.c);
+}
+
 void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
+    hasher.add(rings.length(rings.ringOf(from)));
     Index entry = from;
     do {
         hasher.add(rings.point(entry), rings.open(entry));
@@ -68,9 +74,9 @@ std::uint64_t stateHash(const State& s) {
     }
     hasher.add(s.rings.stack().size());
     for (const Index ring : s.rings.stack()) addRing(hasher, s.rings, s.rings.head(ring));
-    hasher.add(s.triangles.size());
-    for (const Triangle& t : s.triangles) hasher.add(t.a, t.b, t.c);
-    for (const Alert& alert : s.alerts) hasher.add(alert.pivot);
+    addTriangles(hasher, s.triangles);
+    addTriangles(hasher, s.repair.triangles);
+    for (const Alert& alert : s.alerts) hasher.add(alert.kind, alert.pivot, alert.point);
     return hasher.value();
 }
 

@@ -127,8 +127,8 @@ struct State {
     bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }
 };
 
-/// Hash of the state that decides the rest of the run and of the triangles up to the last pivot;
-/// the mesh edited afterwards counts only through the counters. Equal input, params and step number
+/// Hash of the state that decides the rest of the run, of all triangles and of the mesh edited
+/// after the last pivot. Equal input, params and step number
 /// give equal hashes on every machine, compiler and build type. O(points).
 std::uint64_t stateHash(const State& state);
 

@@ -153,6 +153,22 @@ TEST_CASE("6.1, 6.5 an entry between two entries of one point is a finished edge
     CHECK(closed[0].rest == 3);
 }
 
+TEST_CASE("6.5 closing a finished edge closes the next one, which it leaves finished") {
+    // Between the bay and the rest of the ring there are two points, 2 and 6, on two entries each.
+    std::vector<Vec3> points = bayWithMouthPoint();
+    points.push_back({0, 3.2, 0});
+    Rig rig(points);
+    rig.listAll().ring({0, 1, 2, 6, 3, 4, 6, 2, 5}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 5, 2}, {0, 2, 1}});
+    CHECK(rig.activeRing() == Points{3, 4, 6});
+    for (const Index point : {1, 2}) CHECK(rig.status(point) == kDone);
+    const std::vector<CloseEvidence> closed = rig.all<CloseEvidence>();
+    REQUIRE(closed.size() == 2);
+    CHECK(closed[1].a == 2);
+    CHECK(closed[1].b == 6);
+    CHECK(closed[1].rest == 3);
+}
+
 TEST_CASE(
     "6.5 a finished edge stays on the ring with one of its steps open, or with closetwo off") {
     for (const bool open : {false, true}) {
