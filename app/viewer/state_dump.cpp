@@ -95,9 +95,7 @@ void dumpRun(json& out, const Session& session) {
     out["selection"] = std::string(kindName(session.selection().kind));
     const auto corners = session.selection().corners();
     out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());
-    if (!corners.empty()) {
-        out["selection_present"] = factsOf(session, session.selection()).present;
-    }
+    if (!corners.empty()) out["selection_present"] = factsOf(session, session.selection()).present;
     const DoctorJob& doctorJob = session.doctorJob();
     out["doctor"] = doctorJob.done() ? "done" : doctorJob.busy() ? "busy" : "waiting";
     out["findings"] = json::array();

@@ -323,9 +323,7 @@ void frameSelection(CommandContext& context) {
         normal += model.normal[p];
     }
     float radius = model.spacing;
-    for (const Index p : corners) {
-        radius = std::max(radius, glm::distance(middle, model.place[p]));
-    }
+    for (const Index p : corners) radius = std::max(radius, glm::distance(middle, model.place[p]));
     if (glm::length(normal) > 0.0F) context.camera.face(glm::normalize(normal));
     context.camera.frame(middle, 2.5F * radius);
 }

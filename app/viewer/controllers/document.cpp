@@ -275,9 +275,7 @@ void DocumentController::carryOut(UiRequests& requests) {
         const Leave to = *std::exchange(afterSaving_, std::nullopt);
         if (unsaved().empty()) go(to);
     }
-    if (!requests.open.empty()) {
-        leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
-    }
+    if (!requests.open.empty()) leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     if (requests.fixes) takeFixes(*std::exchange(requests.fixes, std::nullopt));
     const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);

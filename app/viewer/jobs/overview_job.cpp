@@ -83,9 +83,7 @@ class Observer {
         if (now.seeds > before.seeds) run.marks.push_back({pivot, MarkKind::Seed});
         if (now.splits > before.splits) run.marks.push_back({pivot, MarkKind::Split});
         if (now.joins > before.joins) run.marks.push_back({pivot, MarkKind::Join});
-        if (state().alerts.size() > alerts) {
-            noteAlerts(run, pivot);
-        }
+        if (state().alerts.size() > alerts) noteAlerts(run, pivot);
     }
 
     /// The first alert of this pivot.

@@ -19,9 +19,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
     // Seeds and the steps after the last pivot label their points themselves.
     const bool named = p.repaired || (p.event && p.event->address.stage == Stage::Seed);
-    if (p.pivot == kNone && !named) {
-        add(p.underTest, "", stranded ? c.rejected : c.test, true);
-    }
+    if (p.pivot == kNone && !named) add(p.underTest, "", stranded ? c.rejected : c.test, true);
     if (!p.complete && p.pivot != kNone) {
         if (p.sphere) {
             add(p.sphere->q, "q", c.test, true);

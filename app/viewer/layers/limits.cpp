@@ -55,9 +55,7 @@ void addLimits(const LayerInput& in, DrawList& out) {
     const Index p = in.picture.pivot;
     // The turn is known if the test went that far.
     const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge;
-    if (looked) {
-        addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
-    }
+    if (looked) addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
     addMove(in, *e, out);
 }
 

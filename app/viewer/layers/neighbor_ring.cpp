@@ -37,9 +37,7 @@ void addCandidates(const LayerInput& in, DrawList& out) {
 void addEnds(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     const auto spoke = [&](Index point, const Color& color, float width) {
-        if (point != kNone) {
-            out.line(in.at(p.pivot), in.at(point), color, width, Depth::OnTop);
-        }
+        if (point != kNone) out.line(in.at(p.pivot), in.at(point), color, width, Depth::OnTop);
     };
     spoke(p.first, in.palette.first, 0.12F);
     if (p.last != p.first) spoke(p.last, in.palette.last, 0.12F);

@@ -14,9 +14,7 @@ void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
     for (const MeshEdge& e : edges.kept) {
         out.line(in.at(e[0]), in.at(e[1]), c.test, 0.14F, Depth::OnTop);
     }
-    for (const MeshEdge& e : edges.gone) {
-        out.dashed(in.at(e[0]), in.at(e[1]), c.text, 0.24F, 0.4F);
-    }
+    for (const MeshEdge& e : edges.gone) out.dashed(in.at(e[0]), in.at(e[1]), c.text, 0.24F, 0.4F);
     for (const MeshEdge& e : edges.made) {
         out.line(in.at(e[0]), in.at(e[1]), c.used, 0.3F, Depth::OnTop);
     }

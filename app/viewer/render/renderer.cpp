@@ -291,9 +291,7 @@ void Renderer::drawStretches(const DrawList& list, std::size_t count) {
     meshShader_.set("uBirthEnd", static_cast<float>(list.creationEnd));
     // Colors that are data must stay distinguishable in the shade.
     meshShader_.set("uSoft", data ? 0.6F : 0.0F);
-    if (list.meshStyle == MeshStyle::Wire) {
-        meshShader_.set("uEdgeColor", vec(list.meshEdgeColor));
-    }
+    if (list.meshStyle == MeshStyle::Wire) meshShader_.set("uEdgeColor", vec(list.meshEdgeColor));
     if (list.meshStyle == MeshStyle::CreationOrder) {
         std::array<glm::vec4, kScaleSteps> scale{};
         for (std::size_t i = 0; i < kScaleSteps; ++i) {

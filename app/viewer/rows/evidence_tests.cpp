@@ -218,9 +218,7 @@ void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     out.sign("off the plane", signedText(e.side) + (near ? ", side of p" : ", far side"), e.side,
              e.pivotSide);
     out.row("p off the plane", signedText(e.pivotSide));
-    if (e.pivotSide != 0.0) {
-        out.row("margin", percentText(e.side / e.pivotSide) + " of p's way");
-    }
+    if (e.pivotSide != 0.0) out.row("margin", percentText(e.side / e.pivotSide) + " of p's way");
 }
 
 namespace {

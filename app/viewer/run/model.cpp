@@ -261,9 +261,7 @@ void addAll(InputHash& hash, const std::vector<Vec3>& vectors) {
 
 void InputHash::add(std::string_view bytes) {
     constexpr std::uint64_t kPrime = 0x100000001b3U;
-    for (const char byte : bytes) {
-        state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
-    }
+    for (const char byte : bytes) state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
 }
 
 std::string InputHash::text() const {

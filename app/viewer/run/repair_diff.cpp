@@ -82,9 +82,7 @@ std::vector<ComponentStretch> componentsOf(std::span<const Triangle> repaired,
         const std::array corners = {repaired[i].a, repaired[i].b, repaired[i].c};
         for (const Index p : corners) mine = of[p] == kUnknown ? mine : std::max(mine, of[p]);
         for (const Index p : corners) of[p] = of[p] == kUnknown ? mine : of[p];
-        if (stretches.empty() || stretches.back().component != mine) {
-            stretches.push_back({i, mine});
-        }
+        if (stretches.empty() || stretches.back().component != mine) stretches.push_back({i, mine});
     }
     return stretches;
 }

@@ -72,9 +72,7 @@ void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
             if (found != trianglesAt.end()) found->second.push_back(static_cast<Index>(i));
         }
     }
-    for (auto& [p, triangles] : trianglesAt) {
-        failures.push_back(mesh.at({p}, std::move(triangles)));
-    }
+    for (auto& [p, triangles] : trianglesAt) failures.push_back(mesh.at({p}, std::move(triangles)));
 }
 
 void holes(const InspectedMesh& mesh, Failures& failures) {

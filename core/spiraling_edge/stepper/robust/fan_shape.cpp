@@ -185,9 +185,7 @@ class CrossingSearch {
             // Also to ring points that start and end have passed, since points between may have
             // been left out.
             const bool isNew = i > 0 && i + 1 < fan.size();
-            if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) {
-                return {Verdict::Crosses, i, false};
-            }
+            if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) return {Verdict::Crosses, i, false};
             if (i + 1 == fan.size() || fan[i + 1].point == u || fan[i + 1].point == v) continue;
             if (!fan[i].candidate && !fan[i + 1].candidate) continue;
             if (properlyCross(a, flat(fan[i + 1].offset), fu, fv)) {
