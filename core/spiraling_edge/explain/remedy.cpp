@@ -20,7 +20,7 @@ struct Trial {
 std::vector<Trial> trialsFor(const Params& params) {
     std::vector<Trial> trials;
     const Params robust = *paramsByName("robust");
-    for (const RuleSwitch& each : ruleSwitches()) {
+    for (const RuleSetting& each : ruleSwitches()) {
         if (!each.isOn(robust) || each.isOn(params)) continue;
         trials.push_back({{&each, {}, false, 0, 0}, params});
         each.turnOn(trials.back().params);

@@ -7,16 +7,16 @@
 
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/mesh/inspection.h"
-#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se {
 
 /// The effect of a rule that is off, or of a whole set of rules.
 struct Remedy {
-    const RuleSwitch* rule = nullptr;  ///< Null: the whole set.
-    std::string_view set;              ///< The name of a whole set.
-    bool prevents = false;             ///< The failure is gone.
-    bool unknown = false;              ///< Undecided: the list of its class is incomplete.
+    const RuleSetting* rule = nullptr;  ///< Null: the whole set.
+    std::string_view set;               ///< The name of a whole set.
+    bool prevents = false;              ///< The failure is gone.
+    bool unknown = false;               ///< Undecided: the list of its class is incomplete.
     /// Failures of its class, and of all classes, of that run; a lower bound if the run is tangled.
     std::size_t ofClass = 0;
     std::size_t all = 0;

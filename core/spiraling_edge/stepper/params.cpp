@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "spiraling_edge/stepper/rule_settings.h"
+
 namespace se {
 namespace {
 
@@ -13,7 +15,7 @@ struct ParamSet {
 
 Params printed() {
     Params params;
-    for (const RuleSwitch& rule : ruleSwitches()) rule.turnOff(params);
+    for (const RuleSetting& rule : ruleSwitches()) rule.turnOff(params);
     params.dropOpposingNormals = false;
     return params;
 }

@@ -12,7 +12,7 @@
 namespace se {
 
 /// Readings of the paper where it is silent, ambiguous or measurably wrong. Every switch is one
-/// line in the table of ruleSwitches(); docs/choices.md gives the reason for each reading. A switch
+/// line in the table of ruleSettings(); docs/choices.md gives the reason for each reading. A switch
 /// that is off means: the printed sentence, word for word.
 struct Readings {
     /// §6.1, Fig. 6: the reciprocal test takes the sector from e's predecessor counterclockwise to
@@ -41,7 +41,7 @@ struct Readings {
 };
 
 /// The rules beyond the paper (docs/robust.md), off in the sets `paper` and `printed`. Every switch
-/// is one line in the table of ruleSwitches().
+/// is one line in the table of ruleSettings().
 struct RobustRules {
     /// §6.1: angles are measured in the tangent plane of the pivot, not between 3-D vectors.
     bool tangent = false;
@@ -173,25 +173,6 @@ struct RobustThresholds {
 
     friend bool operator==(const RobustThresholds&, const RobustThresholds&) = default;
 };
-
-struct Params;
-
-/// One row of the table of rule switches: those rows of ruleSettings() that are members of Readings
-/// or RobustRules.
-struct RuleSwitch {
-    std::string_view name;     ///< As on the command line: `closetwo`.
-    std::string_view section;  ///< "6.5"
-    std::string_view summary;  ///< One sentence: the effect of "on".
-    double (*get)(const Params&);
-    void (*set)(Params&, double);
-
-    bool isOn(const Params& params) const { return get(params) != 0.0; }
-    void turnOn(Params& params) const { set(params, 1.0); }
-    void turnOff(Params& params) const { set(params, 0.0); }
-};
-
-/// All switches, in the order of the paper.
-std::span<const RuleSwitch> ruleSwitches();
 
 /// All parameters of the stepper. Equal points and equal Params give equal steps.
 struct Params {

@@ -1,8 +1,10 @@
 /// The table of settings, one row each, in the order of the paper, then those beyond it.
 #include "spiraling_edge/stepper/rule_settings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -328,13 +330,11 @@ double degreesOf(double cosine) {
     return std::round(std::acos(cosine) * 180.0 / kPi * kDigits) / kDigits;
 }
 std::span<const RuleSetting> ruleSettings() { return kSettings; }
-std::span<const RuleSwitch> ruleSwitches() {
-    static const std::vector<RuleSwitch> switches = [] {
-        std::vector<RuleSwitch> rows;
-        for (const RuleSetting& each : kSettings) {
-            if (!each.isRuleSwitch) continue;
-            rows.push_back({each.name, each.section, each.summary, each.get, each.set});
-        }
+std::span<const RuleSetting> ruleSwitches() {
+    static const std::vector<RuleSetting> switches = [] {
+        std::vector<RuleSetting> rows;
+        std::copy_if(kSettings.begin(), kSettings.end(), std::back_inserter(rows),
+                     [](const RuleSetting& each) { return each.isRuleSwitch; });
         return rows;
     }();
     return switches;

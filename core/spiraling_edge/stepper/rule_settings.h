@@ -35,10 +35,17 @@ struct RuleSetting {
     double (*get)(const Params&);
     void (*set)(Params&, double);
     bool isRuleSwitch;  ///< One of Readings or RobustRules.
+
+    /// Of a setting with values 0 and 1.
+    bool isOn(const Params& params) const { return get(params) != 0.0; }
+    void turnOn(Params& params) const { set(params, 1.0); }
+    void turnOff(Params& params) const { set(params, 0.0); }
 };
 
 /// All settings: those of the paper in its order, then those beyond it.
 std::span<const RuleSetting> ruleSettings();
+/// The settings with isRuleSwitch, in the same order.
+std::span<const RuleSetting> ruleSwitches();
 /// The angle in degrees of a setting that is stored as a cosine.
 double degreesOf(double cosine);
 /// The setting of that name; null if there is none.

@@ -52,7 +52,7 @@ const Remedy* remedyNamed(const Remedies& remedies, std::string_view name) {
 TEST_CASE("remedy: every rule that robust has beyond the paper is tried, and both sets") {
     const Tried four = tried("four-edge-hole");
     const Params robust = *paramsByName("robust");
-    for (const RuleSwitch& each : ruleSwitches()) {
+    for (const RuleSetting& each : ruleSwitches()) {
         const bool beyond = each.isOn(robust) && !each.isOn(paper());
         CHECK((remedyNamed(four.remedies, each.name) != nullptr) == beyond);
     }

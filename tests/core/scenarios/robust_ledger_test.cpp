@@ -8,6 +8,7 @@
 #include "spiraling_edge/explain/ledger.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 
@@ -107,7 +108,7 @@ TEST_CASE("robust: what each rule decides is a line of the ledger of what it is 
     for (const Sign& sign : signs()) {
         CAPTURE(sign.rule);
         const auto rows = ruleSwitches();
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const RuleSwitch& each) {
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const RuleSetting& each) {
             return each.name == sign.rule;
         });
         REQUIRE(row != rows.end());
@@ -135,7 +136,7 @@ TEST_CASE("robust: every rule of the set has such a line, or only changes number
     const Params robust = *paramsByName("robust");
     const Params plain = paper();
     const std::vector<Sign> known = signs();
-    for (const RuleSwitch& each : ruleSwitches()) {
+    for (const RuleSetting& each : ruleSwitches()) {
         if (!each.isOn(robust) || each.isOn(plain)) continue;
         CAPTURE(each.name);
         const bool has = std::any_of(known.begin(), known.end(),

@@ -3,13 +3,13 @@
 #include <set>
 #include <string>
 
-#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 using namespace se;
 
 namespace {
 
-bool beyondThePaper(const RuleSwitch& rule) { return !rule.isOn(*paramsByName("paper")); }
+bool beyondThePaper(const RuleSetting& rule) { return !rule.isOn(*paramsByName("paper")); }
 
 }  // namespace
 
@@ -23,7 +23,7 @@ TEST_CASE("every named set of params exists, and no other") {
 
 TEST_CASE("printed is the paper word for word: every switch off, no filter") {
     const Params printed = *paramsByName("printed");
-    for (const RuleSwitch& rule : ruleSwitches()) CHECK_FALSE(rule.isOn(printed));
+    for (const RuleSetting& rule : ruleSwitches()) CHECK_FALSE(rule.isOn(printed));
     CHECK_FALSE(printed.dropOpposingNormals);
     CHECK(printed.maxGapCosine == -0.5);
 }
@@ -37,21 +37,21 @@ TEST_CASE("paper has the six readings of the paper on, and nothing beyond it") {
     CHECK(rules.closeTwo);
     CHECK(rules.openSteps);
     int on = 0;
-    for (const RuleSwitch& rule : ruleSwitches()) on += beyondThePaper(rule) ? 0 : 1;
+    for (const RuleSetting& rule : ruleSwitches()) on += beyondThePaper(rule) ? 0 : 1;
     CHECK(on == 6);
     CHECK(paramsByName("paper")->maxGapCosine == -0.5);  // 120 degrees
 }
 
 TEST_CASE("switches have names and members of their own, a section and a sentence") {
     std::set<std::string_view> names;
-    for (const RuleSwitch& rule : ruleSwitches()) {
+    for (const RuleSetting& rule : ruleSwitches()) {
         names.insert(rule.name);
         CHECK_FALSE(rule.section.empty());
         CHECK(rule.summary.size() > 10);
         Params one = *paramsByName("printed");
         rule.turnOn(one);
         int on = 0;
-        for (const RuleSwitch& other : ruleSwitches()) on += other.isOn(one) ? 1 : 0;
+        for (const RuleSetting& other : ruleSwitches()) on += other.isOn(one) ? 1 : 0;
         CHECK(on == 1);
     }
     CHECK(names.size() == ruleSwitches().size());
