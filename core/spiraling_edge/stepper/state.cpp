@@ -57,6 +57,7 @@ void addPivot(Hasher& hasher, const State& s) {
     for (const Index entry : {s.pivot.first, s.pivot.last, s.pivot.start, s.pivot.end}) {
         place(entry);
     }
+    hasher.add(s.pivot.candidates.size());
     for (const Candidate& c : s.pivot.candidates) hasher.add(c.point);
 }
 
@@ -76,6 +77,7 @@ std::uint64_t stateHash(const State& s) {
     for (const Index ring : s.rings.stack()) addRing(hasher, s.rings, s.rings.head(ring));
     addTriangles(hasher, s.triangles);
     addTriangles(hasher, s.repair.triangles);
+    hasher.add(s.alerts.size());
     for (const Alert& alert : s.alerts) hasher.add(alert.kind, alert.pivot, alert.point);
     return hasher.value();
 }

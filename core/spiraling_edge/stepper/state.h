@@ -127,9 +127,9 @@ struct State {
     bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }
 };
 
-/// Hash of the state that decides the rest of the run, of all triangles and of the mesh edited
-/// after the last pivot. Equal input, params and step number
-/// give equal hashes on every machine, compiler and build type. O(points).
+/// Hash of phase, counters, pivot, point statuses, rings, triangles, edited mesh and alerts. Equal
+/// input, params and step number give equal hashes on every machine, compiler and build type.
+/// O(points).
 std::uint64_t stateHash(const State& state);
 
 }  // namespace se

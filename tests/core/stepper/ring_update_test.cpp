@@ -153,7 +153,7 @@ TEST_CASE("6.1, 6.5 an entry between two entries of one point is a finished edge
     CHECK(closed[0].rest == 3);
 }
 
-TEST_CASE("6.5 closing a finished edge closes the next one, which it leaves finished") {
+TEST_CASE("6.5 closing a finished edge also closes the one that becomes adjacent") {
     // Between the bay and the rest of the ring there are two points, 2 and 6, on two entries each.
     std::vector<Vec3> points = bayWithMouthPoint();
     points.push_back({0, 3.2, 0});
@@ -164,6 +164,9 @@ TEST_CASE("6.5 closing a finished edge closes the next one, which it leaves fini
     for (const Index point : {1, 2}) CHECK(rig.status(point) == kDone);
     const std::vector<CloseEvidence> closed = rig.all<CloseEvidence>();
     REQUIRE(closed.size() == 2);
+    CHECK(closed[0].a == 1);
+    CHECK(closed[0].b == 2);
+    CHECK(closed[0].rest == 5);
     CHECK(closed[1].a == 2);
     CHECK(closed[1].b == 6);
     CHECK(closed[1].rest == 3);
