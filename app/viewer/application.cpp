@@ -169,9 +169,8 @@ void Application::placeCamera(const PanelRects& rects) {
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
     const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
-    const bool pivot = session_.picture().pivot != kNone;
-    if (request != FrameRequest::None)
-        request == FrameRequest::Pivot&& pivot ? framePivot(commands_) : frameFocus(commands_);
+    const bool toPivot = request == FrameRequest::Pivot && session_.picture().pivot != kNone;
+    if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
     if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
     framePivotNeighborhood(session_, camera_, rects.view.size / imgui_->em());
@@ -249,14 +248,15 @@ bool Application::frame(glm::ivec2 size, double seconds) {
         compare_.fill(onPaper);
     }
     drawUserInterface(rects);
+    const bool panelsChanged = imgui_->endFrame();
     const auto built = std::chrono::steady_clock::now();
-    const bool view = painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
-    const bool otherView = compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
-    const bool panels = imgui_->endFrame();
+    const bool viewChanged = painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
+    const bool otherViewChanged = compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
     // A picture is read from what this frame draws.
-    const bool anyway = std::exchange(redraw_, false) || ui_.requests.screenshot;
-    const bool changed = view || otherView || panels || anyway;
-    if (changed) {
+    const bool forced = redraws_ > 0 || ui_.requests.screenshot;
+    redraws_ = std::max(redraws_ - 1, 0);
+    const bool drawn = viewChanged || otherViewChanged || panelsChanged || forced;
+    if (drawn) {
         clearFrame(size, palette().panel);
         imgui_->draw();
     }
@@ -274,8 +274,8 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     ui_.unsaved = document_.unsaved();
     const std::string copied = std::exchange(ui_.requests.copyText, {});
     if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
-    if (std::exchange(ui_.requests.copyAddress, false)) copyAddress();
-    if (std::exchange(ui_.requests.pasteAddress, false)) pasteAddress();
+    if (std::exchange(ui_.requests.copyPosition, false)) copyPosition();
+    if (std::exchange(ui_.requests.pastePosition, false)) pastePosition();
     // A picture requested while this frame was drawn is taken from the next one.
     if (ui_.requests.screenshot && (painter_.onPaper() || !session_.ready())) {
         ui_.requests.screenshot = false;
@@ -289,7 +289,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
         ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
-    return changed;
+    return drawn;
 }
 
 void Application::noteTimes(std::chrono::steady_clock::time_point built) {

@@ -52,10 +52,11 @@ class Application {
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
-    /// False: it equals the frame before, which stays.
+    /// False if it equals the frame before: nothing was drawn, so do not swap.
     bool frame(glm::ivec2 size, double seconds);
-    /// The next frame is drawn even if it equals the one before: the window lost its content.
-    void redraw() { redraw_ = true; }
+    /// The next two frames are drawn even if they equal the one before: the window lost its
+    /// content. Two, because some drivers resize the buffers one frame late.
+    void redraw() { redraws_ = 2; }
     /// The visible state of the program, as JSON: for tests.
     std::string stateDump(const InputProgress& input) const;
     /// Writes stateDump() to the file of --state-dump, if there is one and the state has changed.
@@ -100,8 +101,8 @@ class Application {
     void placeCamera(const PanelRects& rects);
     void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
-    void copyAddress();
-    void pasteAddress();
+    void copyPosition();
+    void pastePosition();
     void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }
 
@@ -131,7 +132,7 @@ class Application {
     std::string homeOf_;             ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;  ///< Address of the last sentence on stdout.
-    bool redraw_ = false;
+    int redraws_ = 0;       ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

@@ -163,7 +163,8 @@ int runBench(const Options& options) {
                               session.picture().rings};
         session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
     });
-    benchMoves(options, target, application, "nothing moves", [](Session&) {});
+    benchMoves(options, target, application, "nothing moves: equal frames, not drawn",
+               [](Session&) {});
     return dumpState(application);
 }
 

@@ -20,7 +20,7 @@ class Offscreen {
     glm::ivec2 size() const { return size_; }
     /// Makes the picture the target of drawing.
     void beginFrame() { target_->begin(size_); }
-    /// Writes the drawing since beginFrame() as PNG.
+    /// Writes the content of the target as PNG.
     Status save(const std::filesystem::path& path) const;
 
   private:

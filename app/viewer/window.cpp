@@ -102,6 +102,11 @@ void Window::noteInput(int frames) {
     unsettled_ = std::max(unsettled_, frames);
 }
 
+void Window::redraw() {
+    if (application_ != nullptr) application_->redraw();
+    noteInput(kSettleFrames);
+}
+
 void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
     of(window).noteInput(kSettleFrames);
     const int known = mods & (kShift | kCtrl | kAlt);
@@ -126,12 +131,9 @@ void Window::listen() {
     });
     glfwSetScrollCallback(
         window_, [](GLFWwindow* window, double, double) { of(window).noteInput(kSettleFrames); });
-    glfwSetFramebufferSizeCallback(
-        window_, [](GLFWwindow* window, int, int) { of(window).noteInput(kSettleFrames); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
-        if (of(window).application_ != nullptr) of(window).application_->redraw();
-        of(window).noteInput(kSettleFrames);
-    });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { of(window).redraw(); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).redraw(); });
     glfwSetWindowFocusCallback(
         window_, [](GLFWwindow* window, int) { of(window).noteInput(kSettleFrames); });
 }

@@ -48,6 +48,8 @@ class Window {
     void listenToPresses();
     void waitForInput();
     void noteInput(int frames);
+    /// The window lost its content, or has another size.
+    void redraw();
     void deliver();
     void deliverButton();
     void drawFrame();

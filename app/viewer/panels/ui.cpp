@@ -158,6 +158,7 @@ void append(std::string& bytes, const T* values, int count) {
 std::string contentOf(const ImDrawData& data) {
     std::string bytes;
     append(bytes, &data.DisplaySize, 1);
+    append(bytes, &data.FramebufferScale, 1);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         append(bytes, list.VtxBuffer.Data, list.VtxBuffer.Size);
@@ -165,6 +166,8 @@ std::string contentOf(const ImDrawData& data) {
         for (const ImDrawCmd& command : list.CmdBuffer) {
             append(bytes, &command.ClipRect, 1);
             append(bytes, &command.TextureId, 1);
+            append(bytes, &command.VtxOffset, 1);
+            append(bytes, &command.IdxOffset, 1);
             append(bytes, &command.ElemCount, 1);
         }
     }

@@ -33,13 +33,13 @@ class Ui {
     float em() const { return em_; }
 
     void beginFrame();
-    /// Ends the frame without drawing it. False if it equals the frame before.
+    /// Ends the frame without drawing it. True if its draw data differs from the frame before.
     bool endFrame();
     /// Draws the ended frame.
     void draw() const;
 
   private:
-    std::string content_;  ///< Of the last frame: all that drawing it depends on.
+    std::string content_;  ///< Draw data of the last frame, without the pixels of textures.
     Fonts fonts_;
     float scale_ = 0.0F;
     float em_ = 16.0F;

@@ -61,7 +61,7 @@ larger "$first" "$(field growth_variation)" || fail "they did not become more ev
 # Saved, they are byte for byte those of the command line.
 click_on "growth save"; says file_browser true
 type_text "$work/torus"; press Return
-says file_browser false; says growth_said "Saved .*torus\.ply\."
+says file_browser false; says growth_message "Saved .*torus\.ply\."
 cli=$(dirname "$viewer")/spiraling-edge
 if [ -x "$cli" ]; then
     "$cli" sample torus -n 600 -q -o "$work/cli.ply" || fail "the command line does not sample"

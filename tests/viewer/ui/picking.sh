@@ -51,7 +51,7 @@ says selected 12
 # It did not change between the two clicks either: undo has only the camera.
 says undo "$((undo + 1))"
 press ctrl+z; says message "Undone: camera\."; says selected 12
-# A single click selects once no second one can come; elsewhere, so that it is no third one.
+# A single click selects once no second one can come; at another position, so that it is not a third click.
 click $((x - 40)) $((y - 30))
 denies selected 12
 press Escape
