@@ -101,14 +101,14 @@ void Application::keyReleased(const KeyChord& chord) {
     if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
 }
 
-void Application::copyAddress() {
+void Application::copyPosition() {
     if (!session_.ready()) return;
     const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
     ImGui::SetClipboardText(toText(ViewPosition{address, camera_.pose()}).c_str());
     session_.messages().say("Copied: " + address + " and the camera.");
 }
 
-void Application::pasteAddress() {
+void Application::pastePosition() {
     const Result<ViewPosition> place = viewPositionFromText(clipboard());
     if (!place) return session_.messages().say(place.error().message);
     playback_.pause();

@@ -200,7 +200,7 @@ void dumpGrowth(json& out, const GrowthPage& page) {
     out["growth_variation"] = n.quality.variation;
     out["growth_off"] = n.quality.off;
     out["growth_complaint"] = page.complaint;
-    out["growth_said"] = page.message;
+    out["growth_message"] = page.message;
 }
 
 /// The dialog Save mesh, and the command that was copied.

@@ -1,4 +1,4 @@
-/// How well a color stands out from another.
+/// Contrast of two colors.
 #pragma once
 
 #include <algorithm>

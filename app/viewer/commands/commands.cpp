@@ -161,10 +161,10 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.goTo.open(); }, "jump address find"},
 
     {"step.copy", "Step", "Copy position", "Ctrl+C", "Copy address and camera as text.",
-     [](C& c) { c.ui.requests.copyAddress = true; }, "clipboard share link"},
+     [](C& c) { c.ui.requests.copyPosition = true; }, "clipboard share link"},
     {"step.paste", "Step", "Go to copied position", "Ctrl+V",
      "Go to the address or position on the clipboard.",
-     [](C& c) { c.ui.requests.pasteAddress = true; }, "clipboard jump"},
+     [](C& c) { c.ui.requests.pastePosition = true; }, "clipboard jump"},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the pivot and its neighbors.", frameFocus, "zoom focus center"},

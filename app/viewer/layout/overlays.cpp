@@ -70,7 +70,7 @@ class Placer {
         taken_.assign(room.taken.begin(), room.taken.end());
     }
 
-    std::optional<PlacedLabel> place(const WantedLabel& label) {
+    std::optional<PlacedLabel> place(const LabelRequest& label) {
         if (!room_.area.contains(label.at)) return std::nullopt;
         const std::size_t reach = kReach[static_cast<std::size_t>(label.rank)];
         std::optional<PlacedLabel> best;
@@ -89,7 +89,7 @@ class Placer {
     }
 
   private:
-    float priceOf(const WantedLabel& label, const Way& way, float far, const Rect& plate) const {
+    float priceOf(const LabelRequest& label, const Way& way, float far, const Rect& plate) const {
         const glm::vec2 outward = label.at - room_.middle;
         const float length = glm::length(outward);
         // At the pivot itself every direction leads outward.
@@ -128,7 +128,7 @@ bool overlap(const Rect& rect, const LabelMark& mark) {
     return glm::distance(nearestIn(rect, mark.at), mark.at) < mark.radius;
 }
 
-std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const WantedLabel> labels) {
+std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelRequest> labels) {
     Placer placer(room);
     std::vector<PlacedLabel> placed;
     for (const LabelRank rank : {LabelRank::Essential, LabelRank::Strong, LabelRank::Minor}) {
@@ -136,7 +136,7 @@ std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const Want
             if (labels[i].rank != rank) continue;
             std::optional<PlacedLabel> found = placer.place(labels[i]);
             if (!found) continue;
-            found->label = i;
+            found->index = i;
             placed.push_back(*found);
         }
     }

@@ -23,7 +23,7 @@ enum class LabelRank : std::uint8_t {
     Minor,      ///< The rest: left out if there is no room nearby.
 };
 
-struct WantedLabel {
+struct LabelRequest {
     glm::vec2 at{0.0F};     ///< Position of the labelled thing.
     glm::vec2 plate{0.0F};  ///< Size of the text with its margin.
     LabelRank rank = LabelRank::Minor;
@@ -45,7 +45,7 @@ struct LabelRoom {
 };
 
 struct PlacedLabel {
-    std::size_t label = 0;  ///< Its index in the list.
+    std::size_t index = 0;  ///< Into the list of requests.
     Rect plate;
     /// From `at` to the plate, if the plate is far from it.
     bool leader = false;
@@ -53,7 +53,7 @@ struct PlacedLabel {
 
 /// By rank, and within a rank in the order given. A label whose point is outside of the area, or
 /// for which there is no room, is not in the result.
-std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const WantedLabel> labels);
+std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelRequest> labels);
 
 /// True if `rect` lies within the area, up to `slack`.
 bool within(const Rect& rect, const Rect& area, float slack = 0.0F);

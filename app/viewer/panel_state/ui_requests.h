@@ -25,8 +25,8 @@ struct UiRequests {
     bool fullScreen = false;
     bool closePopups = false;
     int walk = 0;  ///< Keyboard focus to the next panel (+1), or to the previous one (-1).
-    bool copyAddress = false;
-    bool pasteAddress = false;
+    bool copyPosition = false;
+    bool pastePosition = false;
     bool frameAlert = false;  ///< The camera goes to the chosen alert.
     bool saveSession = false;
     FrameRequest frame = FrameRequest::None;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 /// A move shorter than this is made at once; during longer ones the window stays responsive.
-constexpr std::chrono::milliseconds kPatience{2};
+constexpr std::chrono::milliseconds kAnswerTimeout{2};
 /// Limit of waiting moves, so that key repeat does not pile them up.
 constexpr std::size_t kMaxMoves = 64;
 
@@ -279,7 +279,7 @@ void Moves::await(std::uint32_t pivot) {
     requested_ = pivot;
     waiting_ = true;
     waitingSince_ = Clock::now();
-    runner_->waitFor(kPatience);
+    runner_->waitFor(kAnswerTimeout);
     takeAnswer();
 }
 

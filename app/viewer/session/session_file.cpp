@@ -81,7 +81,7 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
     return std::nullopt;
 }
 
-Complaint readAddress(const json& object, SessionFile& out) {
+Complaint readPosition(const json& object, SessionFile& out) {
     const json* address = find(object, "address");
     json place{{"address", address != nullptr ? *address : json("0")}};
     if (const json* camera = find(object, "camera"); camera != nullptr) place["camera"] = *camera;
@@ -174,7 +174,7 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
     if (Complaint c = readHeader(object)) return c;
     if (Complaint c = readInput(object, folder, out)) return c;
     if (Complaint c = readOptions(object, out.input)) return c;
-    if (Complaint c = readAddress(object, out)) return c;
+    if (Complaint c = readPosition(object, out)) return c;
     if (Complaint c = readLooks(object, out)) return c;
     if (Complaint c = readStops(object, out.annotations)) return c;
     if (Complaint c = readComparison(object, folder, out)) return c;

@@ -23,10 +23,10 @@ class Reducer {
           fails_(fails),
           left_(effort),
           progress_(progress),
-          limit_(file.position.size()) {}
+          pointCount_(file.position.size()) {}
 
     Result<Reduced> run(const Vec3& place) {
-        kept_.resize(limit_);
+        kept_.resize(pointCount_);
         std::iota(kept_.begin(), kept_.end(), Index{0});
         if (!stillFails(kept_)) return Error{"The whole input does not fail so."};
         crop(place);
@@ -40,10 +40,10 @@ class Reducer {
 
   private:
     PointFile subset(const std::vector<Index>& points) const {
-        std::vector<bool> isKept(limit_, false);
+        std::vector<bool> isKept(pointCount_, false);
         for (const Index p : points) isKept[p] = true;
         std::vector<Index> others;
-        for (Index p = 0; p < limit_; ++p) {
+        for (Index p = 0; p < pointCount_; ++p) {
             if (!isKept[p]) others.push_back(p);
         }
         return applyFixes(file_, others).file;
@@ -55,7 +55,7 @@ class Reducer {
         if (exhausted_) return false;
         ++tries_;
         const double share = 1.0 - std::log1p(static_cast<double>(kept_.size())) /
-                                       std::log1p(static_cast<double>(limit_));
+                                       std::log1p(static_cast<double>(pointCount_));
         cancelled_ = progress_ && !progress_(share);
         if (cancelled_) return false;
         const ReduceTry made = fails_(subset(points));
@@ -116,7 +116,7 @@ class Reducer {
     const Fails& fails_;
     std::uint64_t left_;  ///< Remaining effort.
     const Progress& progress_;
-    std::size_t limit_;
+    std::size_t pointCount_;
     std::vector<Index> kept_;
     std::size_t tries_ = 0;
     bool cancelled_ = false;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct DocumentApp : test::HeadlessApp {
-    DocumentApp() : test::HeadlessApp("filing-test") {}
+    DocumentApp() : test::HeadlessApp("document-test") {}
     void open(const std::string& path) {
         document.open(path);
         waitUntilDone();
@@ -44,7 +44,7 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
     CHECK(app.ui.sessionPath == path);
 
     DocumentApp other;
-    app.save(path);  // the second desk has emptied the folder
+    app.save(path);  // the second app has emptied the folder
     other.open(path.string());
     CHECK(other.place() == "12.sort.2");
     CHECK(other.session.selected() == 33);

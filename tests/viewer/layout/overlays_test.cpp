@@ -20,10 +20,10 @@ bool holds(const Rect& outer, const Rect& inner) {
 }
 
 /// Many labels in a small area: `count` of each rank, around the middle of the view.
-std::vector<WantedLabel> crowd(unsigned seed, int count) {
+std::vector<LabelRequest> crowd(unsigned seed, int count) {
     std::mt19937 random(seed);
     const auto share = [&] { return static_cast<float>(random() % 1000) / 1000.0F; };
-    std::vector<WantedLabel> labels;
+    std::vector<LabelRequest> labels;
     for (const LabelRank rank : {LabelRank::Minor, LabelRank::Strong, LabelRank::Essential}) {
         for (int i = 0; i < count; ++i) {
             const glm::vec2 off((share() - 0.5F) * 260.0F, (share() - 0.5F) * 160.0F);
@@ -34,9 +34,9 @@ std::vector<WantedLabel> crowd(unsigned seed, int count) {
     return labels;
 }
 
-std::vector<LabelMark> marksOf(const std::vector<WantedLabel>& labels) {
+std::vector<LabelMark> marksOf(const std::vector<LabelRequest>& labels) {
     std::vector<LabelMark> marks;
-    for (const WantedLabel& label : labels) {
+    for (const LabelRequest& label : labels) {
         if (label.rank == LabelRank::Essential) marks.push_back({label.at, 0.6F * kEm});
     }
     return marks;
@@ -44,7 +44,7 @@ std::vector<LabelMark> marksOf(const std::vector<WantedLabel>& labels) {
 
 bool contains(const std::vector<PlacedLabel>& placed, std::size_t label) {
     return std::any_of(placed.begin(), placed.end(),
-                       [&](const PlacedLabel& each) { return each.label == label; });
+                       [&](const PlacedLabel& each) { return each.index == label; });
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ bool contains(const std::vector<PlacedLabel>& placed, std::size_t label) {
 TEST_CASE("Labels cover neither each other nor marks nor used areas, in any number") {
     for (unsigned seed = 1; seed <= 40; ++seed) {
         CAPTURE(seed);
-        const std::vector<WantedLabel> labels = crowd(seed, 12);
+        const std::vector<LabelRequest> labels = crowd(seed, 12);
         const std::vector<LabelMark> marks = marksOf(labels);
         const std::vector<Rect> taken = {{{560.0F, 60.0F}, {170.0F, 180.0F}}};
         LabelRoom room{kView, taken, marks, nullptr, kView.min + 0.5F * kView.size, kEm};
@@ -60,9 +60,9 @@ TEST_CASE("Labels cover neither each other nor marks nor used areas, in any numb
         CHECK_FALSE(placed.empty());
         std::set<std::size_t> seen;
         for (const PlacedLabel& a : placed) {
-            CHECK(seen.insert(a.label).second);
+            CHECK(seen.insert(a.index).second);
             CHECK(holds(kView, a.plate));
-            CHECK(a.plate.size == labels[a.label].plate);
+            CHECK(a.plate.size == labels[a.index].plate);
             CHECK_FALSE(overlap(a.plate, taken[0]));
             for (const LabelMark& mark : marks) CHECK_FALSE(overlap(a.plate, mark));
             for (const PlacedLabel& b : placed) CHECK((&a == &b || !overlap(a.plate, b.plate)));
@@ -73,7 +73,7 @@ TEST_CASE("Labels cover neither each other nor marks nor used areas, in any numb
 TEST_CASE("Minor labels are left out first, essential ones last") {
     int dropped[3] = {0, 0, 0};
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        const std::vector<WantedLabel> labels = crowd(seed, 12);
+        const std::vector<LabelRequest> labels = crowd(seed, 12);
         const std::vector<LabelMark> marks = marksOf(labels);
         const LabelRoom room{kView, {}, marks, nullptr, kView.min + 0.5F * kView.size, kEm};
         const std::vector<PlacedLabel> placed = placeLabels(room, labels);
@@ -89,13 +89,13 @@ TEST_CASE("Minor labels are left out first, essential ones last") {
 TEST_CASE("Where there is room for one label only, it is the essential one") {
     // A view that one plate nearly fills: the order of the list does not matter.
     const Rect small{{0.0F, 0.0F}, {120.0F, 60.0F}};
-    const std::vector<WantedLabel> labels = {
+    const std::vector<LabelRequest> labels = {
         {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Minor},
         {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Strong},
         {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Essential}};
     const std::vector<PlacedLabel> placed = placeLabels({small, {}, {}, nullptr, {}, kEm}, labels);
     REQUIRE(placed.size() == 1);
-    CHECK(placed[0].label == 2);
+    CHECK(placed[0].index == 2);
 }
 
 TEST_CASE("A label is close to its point and away from the pivot, otherwise a line leads to it") {
@@ -104,7 +104,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
     const LabelRoom room{kView, {}, marks, nullptr, pivot, kEm};
     for (const glm::vec2 off :
          {glm::vec2(60, 40), glm::vec2(-60, 40), glm::vec2(60, -40), glm::vec2(-60, -40)}) {
-        const std::vector<WantedLabel> one = {{pivot + off, {60.0F, 20.0F}, LabelRank::Minor}};
+        const std::vector<LabelRequest> one = {{pivot + off, {60.0F, 20.0F}, LabelRank::Minor}};
         const std::vector<PlacedLabel> placed = placeLabels(room, one);
         REQUIRE(placed.size() == 1);
         CHECK_FALSE(placed[0].leader);
@@ -114,7 +114,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
     }
     // All around is used: far off, with a line.
     const std::vector<Rect> taken = {{pivot - glm::vec2(80.0F, 60.0F), {160.0F, 120.0F}}};
-    const std::vector<WantedLabel> one = {{pivot, {60.0F, 20.0F}, LabelRank::Essential}};
+    const std::vector<LabelRequest> one = {{pivot, {60.0F, 20.0F}, LabelRank::Essential}};
     const std::vector<PlacedLabel> placed =
         placeLabels({kView, taken, marks, nullptr, pivot, kEm}, one);
     REQUIRE(placed.size() == 1);
@@ -122,7 +122,7 @@ TEST_CASE("A label is close to its point and away from the pivot, otherwise a li
 }
 
 TEST_CASE("A label whose point is not visible is not shown") {
-    const std::vector<WantedLabel> one = {{{90.0F, 60.0F}, {60.0F, 20.0F}, LabelRank::Essential}};
+    const std::vector<LabelRequest> one = {{{90.0F, 60.0F}, {60.0F, 20.0F}, LabelRank::Essential}};
     CHECK(placeLabels({kView, {}, {}, nullptr, {}, kEm}, one).empty());
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("Of two positions a label takes the one that covers less of the pictur
         occupancy.addLine(at, at + glm::vec2(90.0F, -8.0F * static_cast<float>(i)), 1.0F);
     }
     occupancy.finish();
-    const std::vector<WantedLabel> one = {{at, {60.0F, 20.0F}, LabelRank::Strong}};
+    const std::vector<LabelRequest> one = {{at, {60.0F, 20.0F}, LabelRank::Strong}};
     const std::vector<PlacedLabel> without = placeLabels({kView, {}, {}, nullptr, at, kEm}, one);
     const std::vector<PlacedLabel> with = placeLabels({kView, {}, {}, &occupancy, at, kEm}, one);
     REQUIRE(without.size() == 1);

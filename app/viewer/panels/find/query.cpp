@@ -188,7 +188,7 @@ RowNote moveNote(const FlippingMove& move) {
                 formatted(" by (%.6g, %.6g, %.6g) flips it.", move.by.x, move.by.y, move.by.z)};
 }
 
-void drawClosestCalls(const PanelContext& context, const ClosestAnswer& closest) {
+void drawNearestDecisions(const PanelContext& context, const ClosestAnswer& closest) {
     if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
     dimText("The decisions closest to going the other way, closest first.");
     bool tinted = context.settings().pointTint == PointTint::Margin;
@@ -209,7 +209,7 @@ void drawClosest(const PanelContext& context) {
     const ScrolledBody body(context, "##closestBody");
     if (drawAsking(context, closest)) return;
     if (const ClosestAnswer* answer = closest.answer()) {
-        drawClosestCalls(context, *answer);
+        drawNearestDecisions(context, *answer);
     } else {
         dimText(closest.complaint());
         if (ImGui::SmallButton("Retry")) closest.cancel();

@@ -138,7 +138,7 @@ void drawStops(const RunStrip& strip) {
     }
 }
 
-/// The pivot where the two compared runs diverge: half in the color of each.
+/// X of the pivot where the two compared runs diverge; -1 if there is none.
 float xOfDifference(const RunStrip& strip) {
     const Compared* found = strip.context.state<ComparePage>().result();
     if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;

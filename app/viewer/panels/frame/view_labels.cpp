@@ -43,7 +43,7 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const ScreenProjection projection(context);
     const float em = context.em;
     std::vector<const Label*> seen;
-    std::vector<WantedLabel> wanted;
+    std::vector<LabelRequest> wanted;
     for (const Label& label : labels) {
         const auto at = projection.at(label.position);
         if (!at) continue;
@@ -65,11 +65,11 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (const PlacedLabel& each : placed) {
         if (!each.leader) continue;
-        const glm::vec2 from = wanted[each.label].at;
+        const glm::vec2 from = wanted[each.index].at;
         list->AddLine(toVec2(from), toVec2(nearestIn(each.plate, from)),
-                      toU32(seen[each.label]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
+                      toU32(seen[each.index]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
     }
-    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.label], each.plate);
+    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.index], each.plate);
 }
 
 }  // namespace se::view

@@ -12,7 +12,7 @@
 namespace se::view {
 
 bool inStep(const RunAlignment& alignment, std::uint32_t pivot) {
-    return !alignment.differ || pivot <= alignment.alike + 1;
+    return !alignment.diverge || pivot <= alignment.alike + 1;
 }
 
 std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot) {

@@ -20,7 +20,7 @@ namespace se::view {
 /// The common part of the timelines of two runs A and B.
 struct RunAlignment {
     std::uint32_t alike = 0;  ///< Number of equal pivots at the start.
-    bool differ = false;      ///< The runs are not equal to the end.
+    bool diverge = false;     ///< The runs are not equal to the end.
     std::uint32_t endA = 0;   ///< Number of pivots of each.
     std::uint32_t endB = 0;
 };
