@@ -31,6 +31,7 @@ class CompareController {
     const DifferenceLook* look();
     /// Makes the list of the second view. Call with a current OpenGL context.
     void fill(bool onPaper);
+    /// As ScenePainter::draw().
     bool draw(glm::ivec2 size, float em);
     /// True if the second view has something to show.
     bool shows() const { return shown_; }
