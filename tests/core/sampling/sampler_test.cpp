@@ -31,16 +31,24 @@ PointFile sampled(const char* shape, const SamplerOptions& options) {
     return sampled(fieldOf(*findShape(shape)), options);
 }
 
-/// Distance of each point to the nearest other one that faces its way.
+/// Distance of each point to the nearest other one that faces its way. Plain arithmetic: tests are
+/// not optimized under sanitizers.
 std::vector<double> nearest(const PointFile& file) {
-    std::vector<double> distance;
-    for (std::size_t i = 0; i < file.position.size(); ++i) {
+    const std::size_t count = file.position.size();
+    const Vec3* const x = file.position.data();
+    const Vec3* const n = file.normal.data();
+    std::vector<double> distance(count);
+    for (std::size_t i = 0; i < count; ++i) {
         double best = 1e300;
-        for (std::size_t j = 0; j < file.position.size(); ++j) {
-            if (i == j || glm::dot(file.normal[i], file.normal[j]) <= 0.0) continue;
-            best = std::min(best, glm::length(file.position[i] - file.position[j]));
+        for (std::size_t j = 0; j < count; ++j) {
+            const double dx = x[i].x - x[j].x;
+            const double dy = x[i].y - x[j].y;
+            const double dz = x[i].z - x[j].z;
+            const double squared = dx * dx + dy * dy + dz * dz;
+            if (squared >= best || i == j) continue;
+            if (n[i].x * n[j].x + n[i].y * n[j].y + n[i].z * n[j].z > 0.0) best = squared;
         }
-        distance.push_back(best);
+        distance[i] = std::sqrt(best);
     }
     return distance;
 }
