@@ -36,6 +36,9 @@ for input in sphere torus linked-tori genus-2 four-edge-hole noise half-turn fin
 flipped flipped
 intersecting intersecting
 folded folded
+second_layers second_layers
+degenerate needles
+non_manifold_edge non_manifold_edges
 non_manifold_vertices non_manifold_vertices
 inconsistent_edges inconsistent_edges
 unused_points unused

@@ -87,10 +87,10 @@ measure() {
 soundness() {
     local json=$scratch/check.json flipped
     timeout "$limit" "$tool" check "$scratch/$1.ply" >"$json" || { echo " ? | ? | ? | ? | ?"; return; }
-    flipped=$(field "$json" flipped)
+    flipped=$(field "$json" flipped_triangles)
     # These two do not orient triangles; we turn each by its normals.
     case $1 in alpha | crust) flipped= ;; esac
-    echo " $(field "$json" unused_points) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting)"
+    echo " $(field "$json" unused_points) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting_triangles)"
 }
 
 # table LABEL INPUT: medians and faults of all methods on one input.

@@ -234,13 +234,14 @@ run_writes_standard_output() {
 }
 
 report_has_every_field() {
-    expect 0 run scene:torus --report report.json
+    expect 0 run scene:torus --rules robust --report report.json
     empty err
     for field in points triangles pivots components isolated stranded splits joins max_ring_length \
         max_stack_depth boundary_edges boundary_loops non_manifold_edges inconsistent_edges \
         degenerate_triangles unused_points euler_characteristic flipped_triangles \
         non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds \
         non_finite zero_normals duplicates unscaled_normals dropped_list_entries alerts_total \
+        greatest_distance mean_distance points_lost open_loops second_layers small_components \
         read prepare triangulate write; do
         [[ "$(number $field report.json)" =~ ^-?[0-9] ]] || fail "no number $field"
     done
@@ -300,7 +301,7 @@ rules_can_be_set_and_runs_forked() {
 }
 
 report_to_standard_output_is_all_there() {
-    expect 0 run scene:torus --report -
+    expect 0 run scene:torus --rules robust --report -
     is "$(head -c 1 out)" "{" begin
     is "$(tail -n 1 out)" "}" end
     empty err
@@ -380,7 +381,8 @@ check_finds_faults() {
     # The same corners with the normal of one turned inwards.
     icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
-    says err "the mesh has 16 faults: 6 non_manifold_edge, 8 flipped"
+    says err "the mesh has 34 faults: 2 non_manifold_edge, 2 inconsistent_edge, "
+    says err "19 second_layers, 8 flipped"
     says err "; --rules robust may avoid them"
 }
 
@@ -406,10 +408,10 @@ check_fails_where_there_is_no_mesh() {
 
 run_ends_with_its_faults() {
     expect 0 run scene:close-sheets
-    tail -1 err | grep -qE '^scene:close-sheets: the mesh has 17 faults: 1 inconsistent_edge, 4 degenerate, 10 flipped, 2 folded; crossing triangles not counted \(use --check\); --rules robust may avoid them$' ||
+    tail -1 err | grep -qE '^scene:close-sheets: the mesh has 29 faults: 1 non_manifold_vertices, 1 inconsistent_edge, 4 degenerate, 2 folded, 10 flipped, 9 small_components, 2 unused_points; intersecting triangles and second layers not counted \(use --check\); --rules robust may avoid them$' ||
         fail "last line: $(tail -1 err)"
     expect 0 run scene:close-sheets --report report.json
-    tail -1 err | grep -qE 'the mesh has 31 faults: .* 14 intersecting, .*; --rules robust may avoid them$' ||
+    tail -1 err | grep -qE 'the mesh has 117 faults: .* 14 intersecting, .* 74 second_layers, .*; --rules robust may avoid them$' ||
         fail "last line with a report: $(tail -1 err)"
     expect 0 run scene:close-sheets -q
     empty err
@@ -639,7 +641,7 @@ far_stl_says_its_shift() {
     says flat '"shift":[500000.0,5400000.0,300.0]'
     expect 0 run far.xyz -o far.stl -q
     empty err
-    expect 0 run near.xyz -o near.stl --report report.json
+    expect 0 run near.xyz --rules robust -o near.stl --report report.json
     says report.json '"shift": null'
     empty err
 }
@@ -921,7 +923,7 @@ why_checks_its_arguments() {
 check_says_what_is_wrong_with_a_mesh() {
     expect 0 run scene:sphere --rules robust -q -o good.ply
     expect 0 check good.ply
-    says out "nothing found"
+    says out "triangles, sound"
     expect 0 check good.ply --points scene:sphere -q
     empty out
     expect 0 run scene:four-edge-hole -q -o bad.ply
@@ -932,9 +934,13 @@ check_says_what_is_wrong_with_a_mesh() {
     says out '"good": false'
     # Any mesh with vertices and faces, and what it may have.
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
-    expect 1 check one.obj
-    says out "1 holes"
-    expect 0 check one.obj --allow holes
+    # Without normals a border is no hole.
+    expect 0 check one.obj
+    says out "1 openings, no fault"
+    printf 'NOFF\n5 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n9 9 0 0 0 1\n3 0 1 2\n3 0 2 3\n' >lost.off
+    expect 1 check lost.off
+    says out "1 isolated_points"
+    expect 0 check lost.off --allow isolated_points
     printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
     expect 1 check twice.off --json
     is "$(number duplicate_triangles out)" 1 "duplicates"

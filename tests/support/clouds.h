@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -83,11 +83,11 @@ inline Run runAll(const PointSet& points, const Params& params, EventLog* log = 
 /// The faults of a mesh in words, empty if it is sound.
 inline std::string describeFaults(const PointSet& points, const std::vector<Triangle>& triangles) {
     std::string text;
-    const auto counts = countFaults(findFaults(points, triangles));
-    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        if (counts[kind] == 0) continue;
-        text += std::string(faultName(static_cast<FaultKind>(kind))) + " " +
-                std::to_string(counts[kind]) + " ";
+    const MeshInspection found = inspectWithTotals(points, triangles);
+    for (std::size_t i = 0; i < found.totals.size(); ++i) {
+        const FailureClass& each = failureClasses()[i];
+        if (!each.fault || found.totals[i].total == 0) continue;
+        text += std::string(each.name) + " " + std::to_string(found.totals[i].total) + " ";
     }
     return text;
 }

@@ -1,18 +1,28 @@
 #include "failure_totals.h"
 
+#include <algorithm>
+
 #include "sentences.h"
 
 namespace se::cli {
 
-std::string totalText(std::span<const ClassTotal> totals) {
-    std::size_t all = 0;
-    bool exact = true;
-    for (const ClassTotal& each : totals) {
-        all += each.total;
-        exact = exact && each.exact;
+std::string faultTotalText(std::span<const ClassTotal> totals) {
+    if (isSound(totals)) return "sound";
+    const bool exact =
+        std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+    return (exact ? "" : "at least ") + counted(faultCount(totals), "fault");
+}
+
+nlohmann::ordered_json failureRow(const MeshFailure& failure) {
+    nlohmann::ordered_json row = {{"class", failure.kind->name},
+                                  {"points", failure.points},
+                                  {"triangles", failure.triangles},
+                                  {"at", {failure.place.x, failure.place.y, failure.place.z}}};
+    if (isLoop(failure)) {
+        row["length"] = failure.length;
+        row["area"] = failure.area;
     }
-    if (all == 0) return "nothing found";
-    return (exact ? "" : "at least ") + counted(all, "failure");
+    return row;
 }
 
 void addTotals(std::span<const ClassTotal> totals, std::span<const FailureClass> classes,

@@ -1,4 +1,4 @@
-/// Number of failures of each class, where only the first ones are listed.
+/// Failures of a mesh in words and as JSON; number of each class, where only the first are listed.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,11 @@
 
 namespace se::cli {
 
-/// "12 failures", "at least 1204331 failures"; "nothing found" for none.
-std::string totalText(std::span<const ClassTotal> totals);
+/// "12 faults", "at least 1204331 faults"; "sound" for none.
+std::string faultTotalText(std::span<const ClassTotal> totals);
+
+/// One failure: `class`, `points`, `triangles`, `at`; of a loop also `length` and `area`.
+nlohmann::ordered_json failureRow(const MeshFailure& failure);
 
 /// Adds `counts`, the number of each class. If not all failures are listed, also `complete`: false,
 /// `listed`, the length of the list by class, and `at_least`, the classes of which there may be

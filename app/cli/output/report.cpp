@@ -75,24 +75,68 @@ void addMesh(const MeshReport& mesh, Json& json) {
     json["closed_manifold"] = mesh.closedManifold();
 }
 
-void addFaults(const RunOutcome& outcome, Json& json) {
-    if (!outcome.faults) return;
-    const auto counts = countFaults(*outcome.faults);
-    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        json["faults"][std::string(faultName(static_cast<FaultKind>(kind)))] = counts[kind];
+/// The name of a class among the faults of a run: that of version 0.1.0, where it had one.
+std::string faultKey(const FailureClass& kind) {
+    constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
+        {"non_manifold_edges", "non_manifold_edge"}, {"inconsistent_edges", "inconsistent_edge"},
+        {"degenerate_triangles", "degenerate"},      {"flipped_triangles", "flipped"},
+        {"intersecting_triangles", "intersecting"},  {"folded_edges", "folded"}};
+    for (const auto& [name, key] : kFirst) {
+        if (kind.name == name) return std::string(key);
     }
-    if (!outcome.allFaults) json["faults_at_least"] = true;
-    json["sound"] = outcome.faults->empty();
+    return std::string(kind.name);
+}
+
+/// One row of the list of faults.
+Json faultRow(const MeshFailure& failure) {
+    const std::vector<Index>& triangles = failure.triangles;
+    Json row = {{"class", faultKey(*failure.kind)}, {"points", failure.points}};
+    row["triangle"] = triangles.empty() ? Json() : Json(triangles.front());
+    row["other"] = triangles.size() == 2 ? Json(triangles.back()) : Json();
+    row["at"] = {failure.place.x, failure.place.y, failure.place.z};
+    return row;
+}
+
+/// Calls visit(class, its total) for each class that is a fault.
+template <typename Visit>
+void forEachFault(const MeshInspection& inspection, Visit&& visit) {
+    for (std::size_t i = 0; i < inspection.totals.size(); ++i) {
+        const FailureClass& each = failureClasses()[i];
+        if (each.fault && each.find != nullptr) visit(each, inspection.totals[i]);
+    }
+}
+
+/// Points in no triangle that were not set aside.
+std::size_t lostPoints(const MeshInspection& inspection) {
+    std::size_t lost = 0;
+    for (const std::string_view name : {"unused_points", "isolated_points"}) {
+        const auto place = findFailureClass(name) - failureClasses().data();
+        lost += inspection.totals[static_cast<std::size_t>(place)].total;
+    }
+    return lost;
+}
+
+void addFaults(const RunOutcome& outcome, Json& json) {
+    if (!outcome.inspection) return;
+    const MeshInspection& inspection = *outcome.inspection;
+    bool exact = true;
+    forEachFault(inspection, [&](const FailureClass& each, const ClassTotal& total) {
+        json["faults"][faultKey(each)] = total.total;
+        exact = exact && total.exact;
+    });
+    if (!exact) json["faults_at_least"] = true;
+    json["sound"] = isSound(inspection.totals);
     Json list = Json::array();
-    for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMaxFaults); ++i) {
-        const Fault& fault = (*outcome.faults)[i];
-        const Vec3& at = outcome.faultPositions[i];
-        Json row = {{"class", faultName(fault.kind)}, {"triangle", fault.triangle}};
-        row["other"] = fault.other == kNone ? Json() : Json(fault.other);
-        row["at"] = {at.x, at.y, at.z};
-        list.push_back(row);
+    std::size_t openings = 0;
+    for (const MeshFailure& failure : inspection.failures) {
+        if (!failure.kind->fault) openings += isLoop(failure) ? 1U : 0U;
+        if (failure.kind->fault && list.size() < kMaxFaults) list.push_back(faultRow(failure));
     }
     json["fault_list"] = list;
+    json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
+                        {"mean_distance", outcome.fidelity.meanDistance},
+                        {"points_lost", lostPoints(inspection)},
+                        {"open_loops", openings}};
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
@@ -179,14 +223,12 @@ std::string derivedSentence(const DerivedPieces& derived) {
 /// "at least 2 intersecting, 1 folded".
 std::string faultCounts(const RunOutcome& outcome) {
     std::string text;
-    const auto counts = countFaults(*outcome.faults);
-    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        if (counts[kind] == 0) continue;
-        const auto fault = static_cast<FaultKind>(kind);
-        const bool more = fault == FaultKind::Intersecting && !outcome.allFaults;
+    forEachFault(*outcome.inspection, [&](const FailureClass& each, const ClassTotal& total) {
+        if (total.total == 0) return;
+        const bool more = outcome.pairs && !total.exact;
         appendPart(text,
-                   fmt::format("{}{} {}", more ? "at least " : "", counts[kind], faultName(fault)));
-    }
+                   fmt::format("{}{} {}", more ? "at least " : "", total.total, faultKey(each)));
+    });
     return text;
 }
 
@@ -211,10 +253,16 @@ std::string endingSentence(const RunOutcome& outcome) {
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
-    if (!outcome.faults || outcome.faults->empty()) return {};
-    std::string text = outcome.allFaults ? "" : "at least ";
-    text += counted(outcome.faults->size(), "fault") + ": " + faultCounts(outcome);
-    if (!outcome.crossings) text += "; crossing triangles not counted (use --check)";
+    if (!outcome.inspection) return {};
+    const std::vector<ClassTotal>& totals = outcome.inspection->totals;
+    const std::size_t count = faultCount(totals);
+    if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
+    const bool exact =
+        std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+    std::string text = outcome.pairs && !exact ? "at least " : "";
+    text += counted(count, "fault") + ": " + faultCounts(outcome);
+    if (!outcome.pairs)
+        text += "; intersecting triangles and second layers not counted (use --check)";
     if (outcome.ruleSet != "robust") text += "; --rules robust may avoid them";
     return text;
 }

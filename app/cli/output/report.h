@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/fidelity.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
@@ -36,17 +37,16 @@ struct RunOutcome {
     PrepareReport prepared;
     MeshReport mesh;
     /// Set only if faults were searched.
-    std::optional<std::vector<Fault>> faults;
-    bool crossings = true;  ///< False: crossing triangles were not searched.
-    bool allFaults = true;  ///< False: there may be more intersections, see searchFaults().
-    /// Position of each fault: the middle of its triangle.
-    std::vector<Vec3> faultPositions;
+    std::optional<MeshInspection> inspection;
+    bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
+    Fidelity fidelity;  ///< Only with `pairs`.
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;
 };
 
-/// "3 faults: 2 intersecting, 1 folded; --rules robust may avoid them"; empty if there are none.
+/// "3 faults: 2 holes, 1 folded; --rules robust may avoid them"; empty if the mesh is sound,
+/// or faults were not searched.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, ending in a newline.
 std::string reportJson(const RunOutcome& outcome);

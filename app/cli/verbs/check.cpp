@@ -38,14 +38,14 @@ struct CheckArguments {
                        "The points that the mesh was made of: their normals show what is flipped, "
                        "their wall types show what is no hole, and unused points are listed")
             ->type_name("CLOUD");
-        app.add_option("--allow", allowed, "A class that is no failure here; may be repeated")
+        app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
             ->type_name("CLASS")
             ->allow_extra_args(false);
         app.add_flag("--json", json,
-                     fmt::format("As JSON, with all indices; of intersecting triangles the first "
-                                 "{}",
+                     fmt::format("As JSON, with all indices; of intersecting triangles, and of "
+                                 "second layers, the first {}",
                                  kMaxListed));
-        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a failure");
+        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a fault");
         std::string footer = "\nClasses:\n";
         for (const FailureClass& each : failureClasses()) {
             if (each.find == nullptr) continue;
@@ -65,7 +65,8 @@ struct CheckArguments {
         }
     }
     bool allows(const MeshFailure& failure) const {
-        return std::find(allowed.begin(), allowed.end(), failure.kind->name) != allowed.end();
+        return !failure.kind->fault ||
+               std::find(allowed.begin(), allowed.end(), failure.kind->name) != allowed.end();
     }
 };
 
@@ -127,14 +128,16 @@ std::string reportText(const CheckArguments& arguments, std::size_t triangles,
                        const MeshInspection& found) {
     constexpr std::size_t kShown = 10;
     std::string text = fmt::format("{}: {}, {}\n", arguments.mesh, counted(triangles, "triangle"),
-                                   totalText(found.totals));
+                                   faultTotalText(found.totals));
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
         const ClassTotal& total = found.totals[i];
         if (total.total == 0) continue;
         const bool allowed = std::find(arguments.allowed.begin(), arguments.allowed.end(), name) !=
                              arguments.allowed.end();
-        text += fmt::format("{:>7} {}{}\n", amountText(total), name, allowed ? ", allowed" : "");
+        const std::string_view remark =
+            !meshClasses()[i].fault ? ", no fault" : (allowed ? ", allowed" : "");
+        text += fmt::format("{:>7} {}{}\n", amountText(total), name, remark);
         std::size_t shown = 0;
         for (const MeshFailure& failure : found.failures) {
             if (failure.kind->name != name) continue;
@@ -156,19 +159,11 @@ std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
     json["triangles"] = triangles;
     json["good"] = good;
+    json["sound"] = isSound(found.totals);
     addTotals(found.totals, meshClasses(), json);
     json["failures"] = Json::array();
-    for (const MeshFailure& failure : found.failures) {
-        Json row = {{"class", failure.kind->name},
-                    {"points", failure.points},
-                    {"triangles", failure.triangles},
-                    {"at", {failure.place.x, failure.place.y, failure.place.z}}};
-        if (failure.length > 0.0) {
-            row["length"] = failure.length;
-            row["area"] = failure.area;
-        }
-        json["failures"].push_back(row);
-    }
+    for (const MeshFailure& failure : found.failures)
+        json["failures"].push_back(failureRow(failure));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

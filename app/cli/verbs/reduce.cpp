@@ -234,8 +234,7 @@ ExitCode reduceVerb(const Arguments& words) {
         pickFailure(inspectWithTotals(run.points, endOfRun(run.points, run.params).mesh()), wanted,
                     arguments.input.input());
     const std::vector<Vec3> places = placesOf(run.points, failure);
-    const bool isHole = wanted.kind == findFailureClass("holes");
-    // Removed points leave a border: a hole counts only if it is the original one.
+    // Removed points leave a border: a loop counts only if it is the original one.
     const auto fails = [&](const PointFile& file) -> ReduceTry {
         const auto prepared = prepare(file, arguments.input.prepareOptions(file));
         if (!prepared) return {false, file.position.size()};
@@ -244,7 +243,8 @@ ExitCode reduceVerb(const Arguments& words) {
         const MeshInspection found = inspectWithTotals(points, end.mesh());
         const std::vector<MeshFailure>& all = found.failures;
         const bool still = std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
-            return each.kind == wanted.kind && (!isHole || placesOf(points, each) == places);
+            return each.kind == wanted.kind &&
+                   (!isLoop(failure) || placesOf(points, each) == places);
         });
         return {still, workOf(points, end, found)};
     };

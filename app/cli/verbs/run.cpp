@@ -179,19 +179,6 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
     write(used, used.faces);
 }
 
-/// Finds every fault of the mesh, and its position.
-void lookForFaults(const PointSet& points, RunOutcome& outcome) {
-    const std::vector<Triangle>& mesh = outcome.state.mesh();
-    FaultSearch search = searchFaults(points, mesh);
-    outcome.faults = std::move(search.faults);
-    outcome.allFaults = search.complete;
-    for (const Fault& fault : *outcome.faults) {
-        const Triangle& t = mesh[fault.triangle];
-        outcome.faultPositions.push_back(
-            (points.position[t.a] + points.position[t.b] + points.position[t.c]) / 3.0);
-    }
-}
-
 /// Reason why a finished run must not pass `--check` although its mesh, if any, has no fault;
 /// empty if it passes.
 std::string emptinessSentence(const RunOutcome& outcome) {
@@ -221,10 +208,10 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
     const std::string faults = faultSentence(outcome);
-    if (arguments.check && !faults.empty())
-        throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has " + faults);
     const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
     if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    if (arguments.check && !faults.empty())
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has " + faults);
     if (!faults.empty() && !arguments.quiet)
         fmt::print(stderr, "{}: the mesh has {}\n", outcome.input, faults);
     return ExitCode::Good;
@@ -279,10 +266,11 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
     if (arguments.check || !arguments.report.empty()) {
-        lookForFaults(prepared.points, outcome);
+        outcome.inspection = inspectWithTotals(prepared.points, outcome.state.mesh());
+        outcome.fidelity = fidelityOf(prepared.points, outcome.state.mesh());
     } else if (!arguments.quiet) {
-        outcome.faults = findLocalFaults(prepared.points, outcome.state.mesh());
-        outcome.crossings = false;
+        outcome.inspection = inspectLocally(prepared.points, outcome.state.mesh());
+        outcome.pairs = false;
     }
     return conclude(arguments, outcome);
 }

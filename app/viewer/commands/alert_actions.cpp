@@ -17,7 +17,7 @@ namespace {
 /// The points to frame: those of the triangles as well, of which an edge shows too little.
 std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
     std::vector<Index> points = alert.failure.points;
-    if (alert.failure.kind->name != "holes") {
+    if (!isLoop(alert.failure)) {
         for (const Triangle& t : alert.corners) points.insert(points.end(), {t.a, t.b, t.c});
     }
     std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
@@ -56,7 +56,7 @@ const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment) {
 Selection subjectOf(const RunFailure& alert) {
     const MeshFailure& failure = alert.failure;
     if (failure.points.size() == 1) return Selection::ofPoint(failure.points[0]);
-    const bool border = failure.kind->name == "holes" || failure.triangles.empty();
+    const bool border = isLoop(failure) || failure.triangles.empty();
     if (border) {
         const LedgerLine& line = alert.moments.unavoidable;
         const Index tested = testedPoint(line.event);

@@ -33,7 +33,7 @@ void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawLi
 }
 
 /// The triangles along a hole are correct, and so is the fan around a point.
-bool showsTriangles(const MeshFailure& failure) { return failure.kind->name != "holes"; }
+bool showsTriangles(const MeshFailure& failure) { return !isLoop(failure); }
 
 void addMarkedEdge(const LayerInput& in, std::span<const Index> points, DrawList& out) {
     out.line(in.at(points[0]), in.at(points[1]), in.palette.rejected, 0.5F, Depth::OnTop);

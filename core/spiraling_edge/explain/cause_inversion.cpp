@@ -190,8 +190,8 @@ class CauseInverter {
         const MeshFailure* successor = nullptr;
         for (const MeshFailure& each : left) {
             if (isSame(each, failure)) return &each;
-            if (successor == nullptr && each.kind == failure.kind &&
-                isStillThere(failure, {each}) && !isKnown(each))
+            const bool alike = each.kind == failure.kind || (isLoop(each) && isLoop(failure));
+            if (successor == nullptr && alike && isStillThere(failure, {each}) && !isKnown(each))
                 successor = &each;
         }
         return successor;

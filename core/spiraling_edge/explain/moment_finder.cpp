@@ -59,7 +59,7 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
 }
 
 MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
-    if (failure.kind->name == "holes") return Kind::Hole;
+    if (isLoop(failure)) return Kind::Hole;
     // Two points are left over when no fan took either of them.
     const bool pair = failure.points.size() == 2;
     if (failure.kind->find == nullptr) return pair ? Kind::Point : Kind::Ring;

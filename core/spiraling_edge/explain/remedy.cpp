@@ -42,12 +42,12 @@ std::size_t countOf(const InspectedRun& run) {
 }
 
 /// True if the classes mean the same failure: points in no triangle near the surface and far from
-/// it do.
+/// it do, and loops of any width.
 bool sameProblem(const FailureClass& a, const FailureClass& b) {
-    const auto unused = [](const FailureClass& c) {
-        return c.name == "unused_points" || c.name == "isolated_points";
+    const auto bothOf = [&](std::string_view one, std::string_view other) {
+        return (a.name == one || a.name == other) && (b.name == one || b.name == other);
     };
-    return &a == &b || (unused(a) && unused(b));
+    return &a == &b || bothOf("unused_points", "isolated_points") || bothOf("holes", "openings");
 }
 
 }  // namespace

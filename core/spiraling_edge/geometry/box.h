@@ -18,6 +18,13 @@ struct Box {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+    /// The box that reaches farther by `width` on every side.
+    Box grown(double width) const {
+        Box box = *this;
+        box.low -= width;
+        box.high += width;
+        return box;
+    }
     bool meets(const Box& o) const {
         return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
                low.z <= o.high.z && o.low.z <= high.z;

@@ -21,13 +21,17 @@ inline Vec3 areaVector(const PointSet& points, const Triangle& t) {
     return areaVector(points.position[t.a], points.position[t.b], points.position[t.c]);
 }
 
-/// FaultKind::Degenerate: a corner twice, or a negligible area for the length of its sides.
+/// A triangle whose height is at most this share of its longest edge is a needle.
+inline constexpr double kNeedle = 1e-6;
+
+/// FaultKind::Degenerate: a corner twice, no area, or a needle.
 inline bool isDegenerate(const PointSet& points, const Triangle& t) {
     if (t.a == t.b || t.b == t.c || t.c == t.a) return true;
     const Vec3 u = points.position[t.b] - points.position[t.a];
     const Vec3 v = points.position[t.c] - points.position[t.a];
-    const Vec3 area = glm::cross(u, v);
-    return glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v);
+    const double longest =
+        std::max(glm::dot(u - v, u - v), std::max(glm::dot(u, u), glm::dot(v, v)));
+    return !(glm::length(glm::cross(u, v)) > kNeedle * longest);
 }
 
 /// Above zero if the triangle faces the sum of the normals of its corners.
@@ -53,6 +57,14 @@ inline constexpr int kFlippedFault = 4;
 inline int shapeFaults(const PointSet& points, const Triangle& t) {
     if (!(facing(points, t) > 0.0)) return kFlippedFault;
     return facesNormals(points, t.a, t.b, t.c) ? 0 : 1;
+}
+
+/// True if the triangle is farther off the normal of a corner than the angle of this cosine.
+inline bool isSteep(const PointSet& points, const Triangle& t, double cosine) {
+    const Vec3 area = areaVector(points, t);
+    const double limit = cosine * std::sqrt(glm::dot(area, area));
+    return glm::dot(area, points.normal[t.a]) < limit ||
+           glm::dot(area, points.normal[t.b]) < limit || glm::dot(area, points.normal[t.c]) < limit;
 }
 
 /// Cosine of the angle between the normals of two triangles; 1 if one has no area.

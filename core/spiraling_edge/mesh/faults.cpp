@@ -1,7 +1,8 @@
 /// Faults by sorted sides and a grid. Edge faults come from the sides of all triangles sorted by
-/// edge. For intersections, triangles are put into cells of 1.5 mean sizes; a pair is tested in one
-/// of its common cells only, first by boxes, then exactly (exact_predicates.h). O(t log t) for t
-/// triangles of similar size, bounded by a work limit on tangled meshes.
+/// edge. For pairs, the boxes of the triangles, wider by the gap that a second layer may have, are
+/// put into cells of 1.5 mean sizes; a pair is tested in one of its common cells only, first by
+/// boxes, then for a second layer and exactly for an intersection. O(t log t) for t triangles of
+/// similar size, bounded by a work limit on tangled meshes.
 #include "spiraling_edge/mesh/faults.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {
@@ -27,6 +29,8 @@ struct Placed {
 /// a few such pairs for each triangle: only those beyond this number count with their full cost.
 constexpr std::uint64_t kFlatPairsPerTriangle = 16;
 constexpr std::uint64_t kFlatPairWork = 2048;
+/// Of a pair whose wider boxes meet: the normals of most are compared, and no more.
+constexpr std::uint64_t kLayerTestWork = 4;
 
 /// True if the corners of `b` lie in the plane of `a`, up to rounding.
 bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
@@ -54,21 +58,30 @@ class FaultFinder {
         : points_(points),
           triangles_(triangles),
           usable_(triangles.size(), true),
-          allowed_(kIntersectionWork + kIntersectionWorkPerTriangle * triangles.size()),
+          allowed_(kPairWork + kPairWorkPerTriangle * triangles.size()),
           work_(allowed_) {}
 
-    FaultSearch find(bool intersections) {
+    FaultSearch findLocal() {
         findShapes();
         findEdgeFaults();
-        if (intersections) findIntersections();
+        return result(false);
+    }
+    FaultSearch findAll() {
+        findShapes();
+        findEdgeFaults();
+        findPairs();
+        return result(!isOver());
+    }
+
+  private:
+    FaultSearch result(bool complete) {
         std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
             return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
         });
         faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
-        return {std::move(faults_), !isOver(), allowed_ - work_};
+        return {std::move(faults_), complete, allowed_ - work_};
     }
 
-  private:
     void add(FaultKind kind, Index a, Index b) {
         if (b != kNone && b < a) std::swap(a, b);
         faults_.push_back({kind, a, b});
@@ -77,21 +90,26 @@ class FaultFinder {
     void findShapes();
     void findEdgeFaults();
     void findFold(Index a, Index b);
-    void findIntersections();
+    void findPairs();
     void testCells(const BoxCells& grid, const std::vector<Placed>& placed);
     void testLarge(const std::vector<Index>& large);
     void testPair(Index a, Index b);
     /// True when the search must end: a triangle made 70,000 times, as in a run that was stopped,
     /// makes more than two billion pairs, and even skipping them takes minutes.
-    bool isOver() const { return intersections_ == kMaxIntersections || work_ == 0; }
+    bool isOver() const {
+        return intersections_ == kMaxPairs || layers_ == kMaxPairs || work_ == 0;
+    }
     void spend(std::uint64_t work) { work_ -= std::min(work, work_); }
 
     const PointSet& points_;
     std::span<const Triangle> triangles_;
-    std::vector<bool> usable_;  ///< Has an area: worth an intersection test.
+    std::vector<bool> usable_;  ///< Has an area: worth a test.
+    std::vector<LayerShape> shapes_;
     std::vector<Box> boxes_;
+    std::vector<Box> wide_;  ///< The boxes, wider by the reach of a second layer.
     std::vector<Fault> faults_;
     std::size_t intersections_ = 0;
+    std::size_t layers_ = 0;
     std::size_t flat_ = 0;  ///< Pairs in one plane so far.
     std::uint64_t allowed_;
     std::uint64_t work_;  ///< Remaining work.
@@ -129,26 +147,31 @@ void FaultFinder::findEdgeFaults() {
     });
 }
 
-void FaultFinder::findIntersections() {
+void FaultFinder::findPairs() {
     if (triangles_.empty()) return;
     boxes_.reserve(triangles_.size());
+    shapes_.reserve(triangles_.size());
+    wide_.reserve(triangles_.size());
     double meanSize = 0.0;
     for (const Triangle& t : triangles_) {
-        boxes_.push_back(boxOf(points_, t));
-        const Vec3 d = boxes_.back().high - boxes_.back().low;
+        const Box box = boxOf(points_, t);
+        const Vec3 d = box.high - box.low;
         meanSize += std::max(d.x, std::max(d.y, d.z));
+        boxes_.push_back(box);
+        shapes_.push_back(layerShape(points_, t));
+        wide_.push_back(box.grown(shapes_.back().reach));
     }
     meanSize /= static_cast<double>(triangles_.size());
     if (!(meanSize > 0.0)) return;
-    Vec3 low = boxes_[0].low;
-    for (const Box& box : boxes_) low = glm::min(low, box.low);
+    Vec3 low = wide_[0].low;
+    for (const Box& box : wide_) low = glm::min(low, box.low);
     // Of the size of a typical triangle. Triangles over many cells are kept apart.
     const BoxCells grid(low, 1.5 * meanSize);
     std::vector<Placed> placed;
     std::vector<Index> large;
     for (Index i = 0; i < triangles_.size(); ++i) {
         if (!usable_[i]) continue;
-        const bool fits = grid.forEachCell(boxes_[i].low, boxes_[i].high, [&](std::uint64_t cell) {
+        const bool fits = grid.forEachCell(wide_[i].low, wide_[i].high, [&](std::uint64_t cell) {
             placed.push_back({cell, i});
         });
         if (!fits) large.push_back(i);
@@ -167,7 +190,7 @@ void FaultFinder::testCells(const BoxCells& grid, const std::vector<Placed>& pla
         for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == cell; ++j) {
             const Index b = placed[j].triangle;
             spend(1);
-            if (grid.cellOfPair(boxes_[a].low, boxes_[b].low) == cell) testPair(a, b);
+            if (grid.cellOfPair(wide_[a].low, wide_[b].low) == cell) testPair(a, b);
         }
     }
 }
@@ -183,7 +206,13 @@ void FaultFinder::testLarge(const std::vector<Index>& large) {
 }
 
 void FaultFinder::testPair(Index a, Index b) {
-    if (isOver() || !boxes_[a].meets(boxes_[b])) return;
+    if (isOver() || !wide_[a].meets(wide_[b])) return;
+    spend(kLayerTestWork);
+    if (isSecondLayer(points_, triangles_[a], shapes_[a], triangles_[b], shapes_[b])) {
+        add(FaultKind::SecondLayer, a, b);
+        ++layers_;
+    }
+    if (!boxes_[a].meets(boxes_[b])) return;
     spend(kPairTestWork);
     if (liesFlat(points_, triangles_[a], triangles_[b]) &&
         ++flat_ > kFlatPairsPerTriangle * triangles_.size())
@@ -196,24 +225,17 @@ void FaultFinder::testPair(Index a, Index b) {
 
 }  // namespace
 
-std::string_view faultName(FaultKind kind) {
-    constexpr std::array<std::string_view, kFaultKinds> kNames{
-        "non_manifold_edge", "inconsistent_edge", "degenerate",
-        "flipped",           "intersecting",      "folded"};
-    return kNames[static_cast<std::size_t>(kind)];
-}
-
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()) && usesFinitePositions(points, triangles));
-    return FaultFinder(points, triangles).find(true);
+    return FaultFinder(points, triangles).findAll();
 }
 
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
     return searchFaults(points, triangles).faults;
 }
 
-std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles) {
-    return FaultFinder(points, triangles).find(false).faults;
+FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    return FaultFinder(points, triangles).findLocal();
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

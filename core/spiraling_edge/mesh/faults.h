@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -11,18 +10,18 @@
 
 namespace se {
 
-/// The classes of faults. A mesh without any is called sound.
+/// The classes of faults of triangles; whether a mesh is sound also depends on its loops, pieces
+/// and points: inspection.h.
 enum class FaultKind : std::uint8_t {
     NonManifoldEdge,   ///< An edge of three or more triangles.
     InconsistentEdge,  ///< An edge passed twice in the same direction.
-    Degenerate,        ///< A corner twice, or no area.
+    Degenerate,        ///< A corner twice, no area, or a needle.
     Flipped,           ///< Against the sum of the normals of its corners.
     Intersecting,      ///< Two triangles share more than their common corners.
     Folded,            ///< Two triangles at a common edge lie nearly on one another.
+    SecondLayer,       ///< A triangle over another one that faces the same way.
 };
-inline constexpr std::size_t kFaultKinds = 6;
-/// "non_manifold_edge", ...
-std::string_view faultName(FaultKind kind);
+inline constexpr std::size_t kFaultKinds = 7;
 
 /// One fault. `other` is kNone for faults of a single triangle.
 struct Fault {
@@ -32,27 +31,28 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
-/// Maximum number of intersecting pairs: a hopelessly tangled mesh has billions.
-inline constexpr std::size_t kMaxIntersections = 1000000;
-/// Limit of the work of the search for intersections, in pairs of triangles visited: a fixed
-/// amount, plus kIntersectionWorkPerTriangle for each triangle. A pair whose boxes meet counts
-/// kPairTestWork units; in one plane, where only exact arithmetic decides, 2048 units beyond 16
-/// such pairs for each triangle. Meshes that are surfaces take some hundred units per triangle.
-inline constexpr std::uint64_t kIntersectionWork = 50'000'000;
-inline constexpr std::uint64_t kIntersectionWorkPerTriangle = 4096;
+/// Maximum number of intersecting pairs, and of second layers: a hopelessly tangled mesh has
+/// billions.
+inline constexpr std::size_t kMaxPairs = 1000000;
+/// Limit of the work of the search for pairs, in pairs of triangles visited: a fixed amount, plus
+/// kPairWorkPerTriangle for each triangle. A pair whose boxes meet counts kPairTestWork units; in
+/// one plane, where only exact arithmetic decides, 2048 units beyond 16 such pairs for each
+/// triangle. Meshes that are surfaces take some hundred units per triangle.
+inline constexpr std::uint64_t kPairWork = 50'000'000;
+inline constexpr std::uint64_t kPairWorkPerTriangle = 4096;
 inline constexpr std::uint64_t kPairTestWork = 32;
 
 /// The faults of a mesh that were found within the limits of the search.
 struct FaultSearch {
     std::vector<Fault> faults;  ///< Ordered by kind, triangle and other.
-    /// False: the search ended early, and there may be more intersections; the other kinds are
-    /// complete.
+    /// False: the search for pairs ended early, and there may be more intersections and second
+    /// layers; the other kinds are complete.
     bool complete = true;
-    std::uint64_t work = 0;  ///< Work of the search for intersections, in the units above.
+    std::uint64_t work = 0;  ///< Work of the search for pairs, in the units above.
 };
 
 /// All faults. Intersections are exact (floating-point filter, then exact arithmetic); the search
-/// for them ends early after kMaxIntersections, or after the work named above: about two seconds
+/// for pairs ends early after kMaxPairs of a kind, or after the work named above: about two seconds
 /// for a tangled mesh of some thousand triangles. Boundary edges are no faults: see MeshReport.
 /// Requires corners below points.size() and finite positions of used points. Deterministic. About
 /// O(t) for t triangles of similar size, however often one is repeated.
@@ -61,8 +61,9 @@ FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> trian
 /// The faults that searchFaults() finds, with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
 
-/// All faults but intersections, which take most of the time.
-std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles);
+/// All faults but intersections and second layers, which take most of the time; `complete` is
+/// false.
+FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// The number of faults of each kind.
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults);

@@ -5,8 +5,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
+#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
@@ -14,23 +16,38 @@
 
 namespace se {
 
-InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : triangles(mesh), sides(sortedSides(mesh)), used(usedPoints(input.size(), mesh)) {
+InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh,
+                             SearchFunction* find)
+    : triangles(mesh),
+      sides(sortedSides(mesh)),
+      used(usedPoints(input.size(), mesh)),
+      aside(input.setAside),
+      piece(input.size()),
+      pieceTriangles(input.size(), 0) {
     points.position = input.position;
     points.normal = input.normal;
     points.type = input.type;
+    const std::vector<Fitness> fitness = fitnessOf(points.position, points.normal);
+    aside.resize(input.size(), false);
+    for (std::size_t p = 0; p < input.size(); ++p)
+        aside[p] = aside[p] || fitness[p] != Fitness::Usable;
     points.normal.resize(input.size(), Vec3(0.0));
     points.type.resize(input.size(), kInterior);
-    FaultSearch search = searchFaults(points, mesh);
-    faults = std::move(search.faults);
-    allFaults = search.complete;
-    faultWork = search.work;
+    search = find(points, mesh);
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
         const Vec3 d = points.position[side.high] - points.position[side.low];
         sum += std::sqrt(glm::dot(d, d));
     }
     if (!sides.empty()) meanEdge = sum / static_cast<double>(sides.size());
+    DisjointSets joined(input.size());
+    for (const Triangle& t : triangles) {
+        joined.unite(t.a, t.b);
+        joined.unite(t.b, t.c);
+    }
+    for (Index p = 0; p < input.size(); ++p) piece[p] = joined.find(p);
+    for (const Triangle& t : triangles) ++pieceTriangles[piece[t.a]];
+    loops = inspect::boundaryLoops(*this);
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
@@ -62,12 +79,16 @@ std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<In
     return points;
 }
 
-/// Appends the faults of a kind as failures; of intersections the first ones.
+constexpr bool isOfPairs(FaultKind kind) {
+    return kind == FaultKind::Intersecting || kind == FaultKind::SecondLayer;
+}
+
+/// Appends the faults of a kind as failures: of pairs, which may be millions, the first ones.
 template <FaultKind kind>
 void ofKind(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-    std::size_t left = kind == FaultKind::Intersecting ? kMaxListed : kNoLimit;
-    for (const Fault& fault : mesh.faults) {
+    std::size_t left = isOfPairs(kind) ? kMaxListed : kNoLimit;
+    for (const Fault& fault : mesh.search.faults) {
         if (fault.kind != kind) continue;
         if (left-- == 0) return;
         std::vector<Index> triangles{fault.triangle};
@@ -119,31 +140,37 @@ void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
 // ---- the table ----------------------------------------------------------------------------------
 
 constexpr FailureClass kClasses[] = {
-    {"non_manifold_edges", "Three or more triangles meet at an edge.", inspect::nonManifoldEdges},
-    {"non_manifold_vertices", "The triangles about a point are more than one fan.",
+    {"non_manifold_edges", "Three or more triangles meet at an edge.", true,
+     inspect::nonManifoldEdges},
+    {"non_manifold_vertices", "The triangles about a point are more than one fan.", true,
      inspect::nonManifoldVertices},
     {"inconsistent_edges",
-     "Two triangles pass an edge in the same direction: one of them is inside out.",
+     "Two triangles pass an edge in the same direction: one of them is inside out.", true,
      inspect::inconsistentEdges},
-    {"duplicate_triangles", "Two triangles have the same three points.", duplicates},
-    {"degenerate_triangles", "A triangle has a corner twice, or no area.",
+    {"duplicate_triangles", "Two triangles have the same three points.", true, duplicates},
+    {"degenerate_triangles",
+     "A triangle has a corner twice, or a height of at most a millionth of its longest edge.", true,
      ofKind<FaultKind::Degenerate>},
-    {"intersecting_triangles", "Two triangles share more than their common corners.",
+    {"intersecting_triangles", "Two triangles share more than their common corners.", true,
      ofKind<FaultKind::Intersecting>},
-    {"folded_edges", "Two triangles at an edge lie nearly on one another.",
+    {"folded_edges", "Two triangles at an edge lie nearly on one another.", true,
      ofKind<FaultKind::Folded>},
-    {"flipped_triangles", "A triangle faces away from the normals of its points.",
+    {"second_layers", "A triangle lies over another one that faces the same way.", true,
+     ofKind<FaultKind::SecondLayer>},
+    {"flipped_triangles", "A triangle faces away from the normals of its points.", true,
      ofKind<FaultKind::Flipped>},
-    {"slivers", "A triangle has an angle below one degree.", slivers},
-    {"holes", "A boundary loop that does not run along the walls.", inspect::holes},
-    {"small_components", "A piece of a few triangles that hangs on nothing.",
+    {"holes", "A boundary loop in the middle of the surface.", true, inspect::holes},
+    {"small_components", "A piece of a few triangles beside a larger one.", true,
      inspect::smallComponents},
-    {"unused_points", "A point is in no triangle, though the surface passes by.",
+    {"unused_points", "A point is in no triangle, though the surface passes by.", true,
      inspect::unusedPoints},
-    {"isolated_points", "A point is in no triangle, and far from all.", inspect::isolatedPoints},
+    {"isolated_points", "A point is in no triangle, and far from all.", true,
+     inspect::isolatedPoints},
+    {"openings", "A boundary loop where the surface ends: no fault.", false, inspect::openings},
+    {"slivers", "A triangle has an angle below one degree: no fault.", false, slivers},
     {"leftover_rings", "A ring was given up with points that the surface goes on at (runs only).",
-     nullptr},
-    {"triangle_cap", "The run was stopped: far too many triangles (runs only).", nullptr},
+     false, nullptr},
+    {"triangle_cap", "The run was stopped: far too many triangles (runs only).", true, nullptr},
 };
 
 /// "1, 2, 3"; long lists end in "... (70)".
@@ -193,9 +220,35 @@ bool isComplete(std::span<const ClassTotal> totals) {
                        [](const ClassTotal& each) { return each.all(); });
 }
 
-MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
+std::size_t faultCount(std::span<const ClassTotal> totals) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < totals.size(); ++i) sum += kClasses[i].fault ? totals[i].total : 0;
+    return sum;
+}
+
+bool isSound(std::span<const ClassTotal> totals) {
+    return faultCount(totals) == 0 &&
+           std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+}
+
+bool isLoop(const MeshFailure& failure) {
+    return failure.kind->find == inspect::holes || failure.kind->find == inspect::openings;
+}
+
+namespace {
+
+/// The kind of pairs that a class is of, if any.
+std::optional<FaultKind> pairsOf(const FailureClass& each) {
+    if (each.find == ofKind<FaultKind::Intersecting>) return FaultKind::Intersecting;
+    if (each.find == ofKind<FaultKind::SecondLayer>) return FaultKind::SecondLayer;
+    return {};
+}
+
+MeshInspection inspected(const PointSet& points, std::span<const Triangle> triangles,
+                         SearchFunction* find) {
     assert(cornersBelow(triangles, points.size()));
-    const InspectedMesh mesh(points, triangles);
+    const InspectedMesh mesh(points, triangles, find);
+    const auto counts = countFaults(mesh.search.faults);
     MeshInspection found;
     std::vector<MeshFailure>& all = found.failures;
     for (const FailureClass& each : kClasses) {
@@ -203,14 +256,24 @@ MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangl
         if (each.find != nullptr) each.find(mesh, all);
         for (std::size_t i = begin; i < all.size(); ++i) all[i].kind = &each;
         ClassTotal total{all.size() - begin, all.size() - begin, true};
-        if (each.find == ofKind<FaultKind::Intersecting>) {
-            total.total = countFaults(mesh.faults)[std::size_t(FaultKind::Intersecting)];
-            total.exact = mesh.allFaults;
+        if (const auto kind = pairsOf(each)) {
+            total.total = counts[static_cast<std::size_t>(*kind)];
+            total.exact = mesh.search.complete;
         }
         found.totals.push_back(total);
     }
-    found.work = mesh.faultWork;
+    found.work = mesh.search.work;
     return found;
+}
+
+}  // namespace
+
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
+    return inspected(points, triangles, searchFaults);
+}
+
+MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles) {
+    return inspected(points, triangles, searchLocalFaults);
 }
 
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles) {

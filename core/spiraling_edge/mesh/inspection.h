@@ -1,4 +1,5 @@
-/// Failures of a finished mesh, of this program or another: each with its class, place and size.
+/// Failures of a finished mesh, of this program or another: each with its class, place and size;
+/// and whether the mesh is sound.
 #pragma once
 
 #include <span>
@@ -17,6 +18,7 @@ struct InspectedMesh;  // The input of the checks; made by inspectMesh().
 struct FailureClass {
     std::string_view name;     ///< As in the report of a run: `non_manifold_edges`.
     std::string_view meaning;  ///< One sentence.
+    bool fault;                ///< A mesh with one of these is not sound.
     /// Null for a class that only a run can have, see failuresOfRun().
     void (*find)(const InspectedMesh& mesh, std::vector<MeshFailure>& failures);
 };
@@ -32,22 +34,25 @@ struct MeshFailure {
     std::vector<Index> points;     ///< Of the edge, the loop, ...; ascending.
     std::vector<Index> triangles;  ///< Involved, ascending; empty for points in none.
     Vec3 place{};                  ///< Its center, scene units.
-    double length = 0.0;           ///< Holes: length of the loop, scene units.
-    double area =
-        0.0;  ///< Holes: area of the flat surface that the loop spans, scene units squared.
+    double length = 0.0;           ///< Loops: length, scene units.
+    double area = 0.0;             ///< Loops: area of the flat surface inside, scene units squared.
 };
 /// One sentence with points and numbers.
 std::string describe(const MeshFailure& failure);
 
 /// A sliver's least angle is below this: the cosine of one degree.
 inline constexpr double kSliverCosine = 0.9998476951563913;
-/// A component of fewer triangles than this, and of less than a hundredth of the largest, is small.
-inline constexpr std::size_t kSmallComponent = 20;
+/// A component of fewer triangles than this, with a point within kNearComponent mean lengths of the
+/// edges of a larger one, is a small component: a late patch over a finished surface, or a splinter
+/// of it.
+inline constexpr std::size_t kSmallComponent = 14;
+inline constexpr double kNearComponent = 2.0;
 /// A point in no triangle is isolated if every used point is farther away than this times the
 /// mean length of the edges.
 inline constexpr double kIsolated = 4.0;
 
-/// At most this many intersecting triangles are listed: a tangled mesh has millions.
+/// At most this many intersecting triangles, and second layers, are listed: a tangled mesh has
+/// millions.
 inline constexpr std::size_t kMaxListed = 10'000;
 
 /// The number of failures of a class.
@@ -69,15 +74,25 @@ struct MeshInspection {
 };
 /// True if every failure is listed and the search was complete.
 bool isComplete(std::span<const ClassTotal> totals);
+/// The number of failures of the classes that are faults.
+std::size_t faultCount(std::span<const ClassTotal> totals);
+/// The definition of a sound mesh, for every program and panel: no failure of a class that is a
+/// fault, after a complete search for them.
+bool isSound(std::span<const ClassTotal> totals);
 
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
-/// `points.type` may be empty: then nothing is flipped, and every boundary loop is a hole. Neighbor
-/// lists are not used. A loop whose points all lie on walls (isBoundary) is the border of the
-/// surface and no hole. Requires corners below points.size() and finite positions of used points.
-/// Self-intersections are exact; the search for them has the limits of searchFaults(), and the
+/// `points.type` may be empty: then nothing is flipped, and every boundary loop is an opening.
+/// Neighbor lists are not used; points that were set aside (PointSet::setAside, fitnessOf()) may be
+/// in no triangle. Requires corners below points.size() and finite positions of used points.
+/// Self-intersections are exact; the search for pairs has the limits of searchFaults(), and the
 /// first kMaxListed are listed. Deterministic. About O(t log t).
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
+/// As inspectWithTotals(), but without the search for pairs, which takes most of the time: the
+/// totals of intersecting triangles and of second layers are not exact.
+MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles);
 /// The failures that inspectWithTotals() lists.
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);
+/// True for a boundary loop, be it a hole or an opening.
+bool isLoop(const MeshFailure& failure);
 
 }  // namespace se

@@ -7,20 +7,34 @@
 
 namespace se {
 
+/// A connected part of the boundary: a closed chain of edges of one triangle each, or several
+/// through common points.
+struct BoundaryLoop {
+    std::vector<TriangleSide> sides;
+    bool isOpening = false;  ///< The surface ends there; else it is a hole.
+};
+
+/// searchFaults() or searchLocalFaults().
+using SearchFunction = FaultSearch(const PointSet&, std::span<const Triangle>);
+
 /// A mesh with values that several checks share. Normals and types are filled in with zeros where
 /// absent.
 struct InspectedMesh {
-    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
+    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh, SearchFunction* find);
 
     PointSet points;  ///< Without lists.
     std::span<const Triangle> triangles;
     std::vector<TriangleSide> sides;
-    std::vector<Fault> faults;
-    bool allFaults = true;        ///< False: the search for intersections ended early.
-    std::uint64_t faultWork = 0;  ///< FaultSearch::work.
-    std::vector<bool> used;       ///< Per point: in some triangle.
-    double meanEdge = 0.0;        ///< Length, scene units.
+    FaultSearch search;
+    std::vector<bool> used;                   ///< Per point: in some triangle.
+    std::vector<bool> aside;                  ///< Per point: set aside, or unfit for any mesh.
+    double meanEdge = 0.0;                    ///< Length, scene units.
+    std::vector<Index> piece;                 ///< Per point: the least point of its component.
+    std::vector<std::size_t> pieceTriangles;  ///< Of the component of that least point.
+    std::vector<BoundaryLoop> loops;          ///< By least point.
 
+    /// Number of triangles of the component that a used point belongs to.
+    std::size_t trianglesAround(Index p) const { return pieceTriangles[piece[p]]; }
     /// A failure at these points and triangles; its place is the center of the points.
     MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;
 };
@@ -29,11 +43,15 @@ namespace inspect {
 
 using Failures = std::vector<MeshFailure>;
 
-// Edges and points: inspection_edges.cpp; those of triangles are in inspection.cpp.
+/// The boundary of a mesh that has all its other values: inspection_loops.cpp.
+std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh);
+
+// Loops: inspection_loops.cpp. Edges and points: inspection_edges.cpp. Triangles: inspection.cpp.
+void holes(const InspectedMesh& mesh, Failures& failures);
+void openings(const InspectedMesh& mesh, Failures& failures);
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures);
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures);
 void inconsistentEdges(const InspectedMesh& mesh, Failures& failures);
-void holes(const InspectedMesh& mesh, Failures& failures);
 void smallComponents(const InspectedMesh& mesh, Failures& failures);
 void unusedPoints(const InspectedMesh& mesh, Failures& failures);
 void isolatedPoints(const InspectedMesh& mesh, Failures& failures);

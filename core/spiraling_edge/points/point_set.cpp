@@ -19,6 +19,10 @@ Status checkLengths(const PointSet& points) {
                      std::to_string(points.type.size()) + " types and " +
                      std::to_string(offset.empty() ? 0 : offset.size() - 1) + " neighbor lists"};
     }
+    if (!points.setAside.empty() && points.setAside.size() != n) {
+        return Error{"there are " + std::to_string(n) + " positions, but " +
+                     std::to_string(points.setAside.size()) + " marks of points set aside"};
+    }
     bool good = offset.front() == 0 && offset.back() == points.neighbors.ids.size();
     for (std::size_t p = 0; p < n; ++p) good = good && offset[p] <= offset[p + 1];
     if (!good) return Error{"the offsets of the neighbor lists do not divide their entries"};

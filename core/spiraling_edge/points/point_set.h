@@ -89,6 +89,8 @@ struct PointSet {
     /// The order in which the start pointer of §4 takes the points, all of them once; empty: by
     /// index.
     std::vector<Index> order;
+    /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
+    std::vector<bool> setAside;
 
     /// The gap of point p; no ends where none is known.
     RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }
@@ -98,11 +100,12 @@ struct PointSet {
     bool empty() const { return position.empty(); }
 };
 
-/// Checks the preconditions of the stepper: equal array lengths; for every point that has a list or
-/// is in one, a finite position and a unit normal (within 1e-6); in every list only existing
-/// points, none twice, not the point itself; all points once in `order`, unless empty; as ends of
-/// `rim` only other points that exist, both or none. Points outside all lists may have any values:
-/// they end as isolated. prepare() makes any input pass. O(points + list entries).
+/// Checks the preconditions of the stepper: equal array lengths (`setAside` and `rim` may be
+/// empty); for every point that has a list or is in one, a finite position and a unit normal
+/// (within 1e-6); in every list only existing points, none twice, not the point itself; all points
+/// once in `order`, unless empty; as ends of `rim` only other points that exist, both or none.
+/// Points outside all lists may have any values: they end as isolated. prepare() makes any input
+/// pass. O(points + list entries).
 Status validate(const PointSet& points);
 
 }  // namespace se

@@ -38,6 +38,8 @@ class Preparation {
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
         if (Status status = takeRim(); !status) return status.error();
+        set_.setAside = usable_;
+        set_.setAside.flip();
         assert(validate(set_).ok());
         if (progress_) progress_(1.0);
         return std::move(prepared_);

@@ -1,5 +1,5 @@
 /// Failures at the event that causes them, by incremental structures: a hash of edges, a hash of
-/// corner triples, and a hash of grid cells for crossings; fans are checked when a point becomes
+/// corner triples, and a hash of grid cells for pairs; fans are checked when a point becomes
 /// DONE, since it gets no triangles after that. About O(1) per triangle.
 #include "spiraling_edge/replay/live_check.h"
 
@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/replay/reading.h"
@@ -128,6 +129,8 @@ class LiveCheck::Checker {
         const auto number = static_cast<Index>(triangles_.size());
         triangles_.push_back(made);
         boxes_.push_back(boxOf(points_, made));
+        shapes_.push_back(layerShape(points_, made));
+        wide_.push_back(boxes_.back().grown(shapes_.back().reach));
         metBy_.push_back(kNone);
         used_[made.a] = used_[made.b] = used_[made.c] = true;
         for (const Index p : {made.a, made.b, made.c}) trianglesAt_[p].push_back(number);
@@ -137,7 +140,7 @@ class LiveCheck::Checker {
         const auto [same, fresh] = byCorners_.try_emplace(sortedCorners(made), number);
         if (!fresh) addPair("duplicate_triangles", number, same->second);
         if (!area) return addPair("degenerate_triangles", number, number);
-        checkCrossing(number, fresh);
+        checkPairs(number, fresh);
         if (isFlipped(points_, made)) addPair("flipped_triangles", number, number);
     }
 
@@ -164,14 +167,15 @@ class LiveCheck::Checker {
         if (fold != kNone) addPair("folded_edges", number, fold);
     }
 
-    /// Tests a new triangle against all earlier ones nearby until it meets one, then adds it to
-    /// them. A copy (not `fresh`) is not added: the first of its kind crosses the same triangles.
-    void checkCrossing(Index number, bool fresh) {
+    /// Tests a new triangle against all earlier ones nearby until it crosses one and is a second
+    /// layer of one, then adds it to them. A copy (not `fresh`) is not added: the first of its kind
+    /// meets the same triangles.
+    void checkPairs(Index number, bool fresh) {
         allowed_ += kLiveCheckWorkPerTriangle;
         // Permanently, since the triangles skipped meanwhile are in no cell.
         exhausted_ = exhausted_ || work_ > allowed_;
         if (exhausted_) return;
-        const Box& box = boxes_[number];
+        const Box& box = wide_[number];
         near_.clear();
         const auto meet = [&](Index other) {
             ++work_;
@@ -189,12 +193,22 @@ class LiveCheck::Checker {
             if (fresh) large_.push_back(number);
         }
         std::sort(near_.begin(), near_.end());
+        bool crosses = false;
+        bool covers = false;
         for (const Index other : near_) {
-            if (!hasArea_[other] || !boxes_[other].meets(box)) continue;
+            if (crosses && covers) return;
+            if (!hasArea_[other] || !wide_[other].meets(box)) continue;
+            if (!covers && isSecondLayer(points_, triangles_[other], shapes_[other],
+                                         triangles_[number], shapes_[number])) {
+                covers = true;
+                addPair("second_layers", number, other);
+            }
+            if (crosses || !boxes_[other].meets(boxes_[number])) continue;
             work_ += kPairTestWork;
             if (!trianglesShareMore(points_.position, triangles_[other], triangles_[number]))
                 continue;
-            return addPair("intersecting_triangles", number, other);
+            crosses = true;
+            addPair("intersecting_triangles", number, other);
         }
     }
 
@@ -218,6 +232,8 @@ class LiveCheck::Checker {
     std::vector<std::vector<Index>> trianglesAt_;  ///< Of points that are not DONE.
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
+    std::vector<LayerShape> shapes_;
+    std::vector<Box> wide_;  ///< The boxes, wider by the reach of a second layer.
     std::vector<bool> hasArea_;
     std::unordered_map<std::uint64_t, EdgeUse> edges_;
     std::unordered_map<std::array<Index, 3>, Index, CornersHash> byCorners_;
@@ -225,7 +241,7 @@ class LiveCheck::Checker {
     std::vector<Index> large_;  ///< Triangles over too many cells.
     std::vector<Index> near_;   ///< Those near one triangle; a member to reuse its memory.
     std::vector<Index> metBy_;  ///< Per triangle: the last one that it was near to.
-    std::uint64_t work_ = 0;    ///< Triangles visited in the search for crossings.
+    std::uint64_t work_ = 0;    ///< Triangles visited in the search for pairs.
     std::uint64_t allowed_ = kLiveCheckWork;
     bool exhausted_ = false;
     std::vector<LiveFailure>* found_ = nullptr;
@@ -265,6 +281,7 @@ std::string describe(const LiveFailure& failure) {
         return made + " has the points of " + other + ": a duplicate.";
     if (kind == "degenerate_triangles") return made + " has no area.";
     if (kind == "flipped_triangles") return made + " faces away from the normals of its points.";
+    if (kind == "second_layers") return made + " is a second layer of " + other + ".";
     if (kind == "folded_edges") return made + " lies folded onto " + other + ".";
     return made + " overlaps " + other + ": they share more than their common corners.";
 }

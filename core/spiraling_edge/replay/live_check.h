@@ -24,7 +24,7 @@ struct LiveFailure {
 /// One sentence with points and triangles.
 std::string describe(const LiveFailure& failure);
 
-/// Limit of the work of the search for crossings, in triangles visited, kPairTestWork for each
+/// Limit of the work of the search for pairs, in triangles visited, kPairTestWork for each
 /// whose box is met: a fixed amount, plus kLiveCheckWorkPerTriangle for each triangle. About a
 /// second; a surface takes some hundred units per triangle.
 inline constexpr std::uint64_t kLiveCheckWork = 200'000'000;
@@ -32,11 +32,11 @@ inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
 
 /// Follows a run event by event. For each triangle that is made it reports at most one failure of
 /// each class: an edge of three triangles, an edge passed twice in one direction, three points that
-/// have a triangle, no area, a crossing or a fold with an earlier triangle, a face against the
-/// normals; and for each point that becomes DONE whether it is in no triangle, or its triangles are
-/// more than one fan. The predicates are those of inspectMesh(), exact where those are. Rules that
-/// edit the mesh after the last pivot are not followed: the failures they repair were failures when
-/// they were made. Deterministic.
+/// have a triangle, no area, a crossing or a fold with an earlier triangle, a second layer of one,
+/// a face against the normals; and for each point that becomes DONE whether it is in no triangle,
+/// or its triangles are more than one fan. The predicates are those of inspectMesh(), exact where
+/// those are. Rules that edit the mesh after the last pivot are not followed: the failures they
+/// repair were failures when they were made. Deterministic.
 class LiveCheck {
   public:
     /// `points` must outlive this object. Requires a valid PointSet.
@@ -50,8 +50,8 @@ class LiveCheck {
     std::vector<LiveFailure> check(std::span<const Event> events);
     /// The failures of a single event, the next one.
     std::vector<LiveFailure> check(const Event& event) { return check(std::span(&event, 1)); }
-    /// False once the work limit above is reached: crossings are no longer detected then, all other
-    /// classes still are.
+    /// False once the work limit above is reached: crossings and second layers are no longer
+    /// detected then, all other classes still are.
     bool complete() const;
 
   private:

@@ -7,7 +7,7 @@
 
 #include "../shapes.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 
 namespace {
@@ -32,22 +32,19 @@ int checkMesh(const std::string& path) {
     se::PointSet points;
     points.position = file.value().position;
     points.normal = file.value().normal;
-    const bool hasNormals = file.value().hasNormals();
-    if (!hasNormals) points.normal.assign(points.position.size(), se::Vec3(0.0));
     const auto& faces = file.value().faces;
-    const se::MeshReport mesh = se::reportMesh(points, faces);
-    const auto faults = se::countFaults(se::findFaults(points, faces));
-    std::printf(
-        "{\n  \"points\": %zu,\n  \"unused_points\": %zu,\n  \"triangles\": %zu,\n"
-        "  \"boundary_loops\": %zu,\n  \"non_manifold_edges\": %zu,\n  \"non_manifold_vertices\": "
-        "%zu",
-        mesh.points, mesh.unusedPoints, mesh.triangles, mesh.boundaryLoops, mesh.nonManifoldEdges,
-        mesh.nonManifoldVertices);
-    for (std::size_t kind = 0; kind < se::kFaultKinds; ++kind) {
-        const auto fault = static_cast<se::FaultKind>(kind);
-        if (fault == se::FaultKind::NonManifoldEdge) continue;  // per triangle; counted above
-        if (fault == se::FaultKind::Flipped && !hasNormals) continue;
-        std::printf(",\n  \"%s\": %zu", std::string(se::faultName(fault)).c_str(), faults[kind]);
+    const se::MeshReport mesh = [&] {
+        se::PointSet counted = points;
+        counted.normal.resize(points.size(), se::Vec3(0.0));
+        return se::reportMesh(counted, faces);
+    }();
+    const se::MeshInspection found = se::inspectWithTotals(points, faces);
+    std::printf("{\n  \"points\": %zu,\n  \"triangles\": %zu,\n  \"boundary_loops\": %zu",
+                mesh.points, mesh.triangles, mesh.boundaryLoops);
+    for (std::size_t i = 0; i < found.totals.size(); ++i) {
+        const std::string name(se::failureClasses()[i].name);
+        if (name == "flipped_triangles" && !file.value().hasNormals()) continue;
+        std::printf(",\n  \"%s\": %zu", name.c_str(), found.totals[i].total);
     }
     std::printf("\n}\n");
     return 0;

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/second_layer.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 
@@ -34,6 +36,21 @@ std::vector<Fault> bruteIntersections(const PointSet& points, const Triangles& t
             if (!hasArea(triangles[i]) || !hasArea(triangles[j])) continue;
             if (trianglesShareMore(points.position, triangles[i], triangles[j])) {
                 found.push_back({FaultKind::Intersecting, i, j});
+            }
+        }
+    }
+    return found;
+}
+
+/// All second layers, by trying every pair.
+std::vector<Fault> bruteLayers(const PointSet& points, const Triangles& triangles) {
+    std::vector<Fault> found;
+    for (Index i = 0; i < triangles.size(); ++i) {
+        const LayerShape shape = layerShape(points, triangles[i]);
+        for (Index j = i + 1; j < triangles.size(); ++j) {
+            if (isSecondLayer(points, triangles[i], shape, triangles[j],
+                              layerShape(points, triangles[j]))) {
+                found.push_back({FaultKind::SecondLayer, i, j});
             }
         }
     }
@@ -155,8 +172,9 @@ TEST_CASE("faults: ordered by kind, triangle and other, each once") {
     CHECK(total == faults.size());
 }
 
-TEST_CASE("faults: the grid finds the intersections that trying every pair finds") {
+TEST_CASE("faults: the grid finds the intersections and layers that trying every pair finds") {
     std::size_t total = 0;
+    std::size_t layers = 0;
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         Random random(seed);
         PointSet points = pointsAt({});
@@ -179,51 +197,51 @@ TEST_CASE("faults: the grid finds the intersections that trying every pair finds
         points.normal.assign(points.size(), Vec3(0, 0, 1));
         const Faults expected = bruteIntersections(points, triangles);
         total += expected.size();
-        const auto found = ofKind(findFaults(points, triangles), FaultKind::Intersecting);
-        CHECK_MESSAGE(found == expected, "seed ", seed);
+        const Faults found = findFaults(points, triangles);
+        CHECK_MESSAGE(ofKind(found, FaultKind::Intersecting) == expected, "seed ", seed);
+        const Faults expectedLayers = bruteLayers(points, triangles);
+        layers += expectedLayers.size();
+        CHECK_MESSAGE(ofKind(found, FaultKind::SecondLayer) == expectedLayers, "seed ", seed);
     }
     CHECK(total > 2000);
+    CHECK(layers > 2000);
 }
 
 TEST_CASE("faults: with a triangle made very often the search ends at its bound, and soon") {
     const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const Triangles triangles(100000, {0, 1, 2});  // Five billion pairs.
     const auto counts = countFaults(findFaults(points, triangles));
-    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMaxIntersections);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMaxPairs);
     // Those about an edge grow with the triangles, not with their pairs.
     CHECK(counts[static_cast<std::size_t>(FaultKind::NonManifoldEdge)] == 99999);
 }
 
-TEST_CASE("faults: names are those of the report") {
-    CHECK(faultName(FaultKind::NonManifoldEdge) == "non_manifold_edge");
-    CHECK(faultName(FaultKind::InconsistentEdge) == "inconsistent_edge");
-    CHECK(faultName(FaultKind::Degenerate) == "degenerate");
-    CHECK(faultName(FaultKind::Flipped) == "flipped");
-    CHECK(faultName(FaultKind::Intersecting) == "intersecting");
-    CHECK(faultName(FaultKind::Folded) == "folded");
-}
-
 TEST_CASE("faults: the search for pairs ends at its work limit and is marked incomplete") {
-    // Slanted and parallel: all boxes meet, no two triangles do.
-    const auto slanted = [](Index count) {
+    // Narrow strips side by side around a diagonal: all boxes meet, no two triangles do, and none
+    // lies over another.
+    const auto strips = [](Index count) {
+        const Vec3 along = Vec3(1, 1, 1);
+        const Vec3 u = glm::normalize(Vec3(1, -1, 0));
+        const Vec3 v = glm::normalize(Vec3(1, 1, -2));
         PointSet points = pointsAt({});
         Triangles triangles;
         for (Index i = 0; i < count; ++i) {
-            const double z = 1e-4 * i;
-            points.position.insert(points.position.end(),
-                                   {{0, 0, z}, {1, 1, 1 + z}, {1, 0.5, 1 + z}});
+            const double angle = 6.283185307179586 * i / count;
+            const Vec3 at = 0.3 * (std::cos(angle) * u + std::sin(angle) * v);
+            const Vec3 aside = 1e-5 * (std::cos(angle) * v - std::sin(angle) * u);
+            points.position.insert(points.position.end(), {at, at + along, at + along + aside});
             triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         }
         points.normal.assign(points.size(), Vec3(0));
         return searchFaults(points, triangles);
     };
-    const FaultSearch few = slanted(300);
+    const FaultSearch few = strips(300);
     CHECK(few.complete);
-    CHECK(ofKind(few.faults, FaultKind::Intersecting).empty());
-    const FaultSearch many = slanted(8000);
+    CHECK(few.faults.empty());
+    const FaultSearch many = strips(8000);
     CHECK_FALSE(many.complete);
-    CHECK(many.work == kIntersectionWork + 8000 * kIntersectionWorkPerTriangle);
-    CHECK(slanted(8000).faults == many.faults);
+    CHECK(many.work == kPairWork + 8000 * kPairWorkPerTriangle);
+    CHECK(strips(8000).faults == many.faults);
 }
 
 TEST_CASE("faults: pairs in one plane, which take exact arithmetic, end the search sooner") {

@@ -86,9 +86,50 @@ TEST_CASE("inspection: a missing triangle is a hole with its length and area") {
     CHECK(failures[0].area == doctest::Approx(std::sqrt(3.0) / 2.0));
 }
 
+TEST_CASE("inspection: the border of a patch is an opening, and no fault") {
+    const Sheet s = sheet(5);
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"openings", 1}});
+    CHECK(isSound(inspectWithTotals(s.points, s.triangles).totals));
+}
+
+TEST_CASE("inspection: a wide loop is an opening, a narrow one is a hole") {
+    // Squares of 1, 3 and 5 cells are missing in the middle. The points at the wide ones see free
+    // sectors of 180 degrees; of the smallest of 90.
+    for (const Index missing : {Index{1}, Index{5}}) {
+        Sheet s = sheet(12);
+        const auto inside = [&](Index p) {
+            const Vec3& x = s.points.position[p];
+            return x.x >= 3 && x.y >= 3 && x.x <= 3 + missing && x.y <= 3 + missing;
+        };
+        std::erase_if(s.triangles,
+                      [&](const Triangle& t) { return inside(t.a) && inside(t.b) && inside(t.c); });
+        const Counts counts = countsOf(s.points, s.triangles);
+        CHECK(counts.count("holes") == (missing == 1 ? 1 : 0));
+        CHECK(counts.at("openings") == (missing == 1 ? 1 : 2));
+    }
+    // Long, but one edge wide: a seam.
+    Sheet s = sheet(12);
+    std::erase_if(s.triangles, [&](const Triangle& t) {
+        const auto inside = [&](Index p) {
+            const Vec3& x = s.points.position[p];
+            return x.x >= 2 && x.x <= 9 && x.y >= 3 && x.y <= 4;
+        };
+        return inside(t.a) && inside(t.b) && inside(t.c);
+    });
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}, {"openings", 1}});
+}
+
+TEST_CASE("inspection: without normals a loop is an open border, and no fault") {
+    Faces open = kOctahedron;
+    open.erase(open.begin());
+    PointSet points = octahedron();
+    CHECK(countsOf(points, open) == Counts{{"holes", 1}});
+    points.normal.clear();
+    CHECK(countsOf(points, open) == Counts{{"openings", 1}});
+}
+
 TEST_CASE("inspection: a border along the walls is no hole, one that leaves them is") {
     Sheet s = sheet(5);
-    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}});
     s.points.type.assign(s.points.size(), kInterior);
     for (std::size_t i = 0; i < s.points.size(); ++i) {
         const Vec3& x = s.points.position[i];
@@ -98,9 +139,16 @@ TEST_CASE("inspection: a border along the walls is no hole, one that leaves them
         if (x.y == 0.0) type |= kNegativeY;
         if (x.y == 4.0) type |= kPositiveY;
     }
-    CHECK(countsOf(s.points, s.triangles).empty());
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"openings", 1}});
+    // A single interior point bulges past the chord of two wall points.
+    Sheet bulging = s;
+    std::erase_if(bulging.triangles, [](const Triangle& t) {
+        return t == Triangle{1, 2, 7} || t == Triangle{1, 7, 6};
+    });
+    bulging.triangles.push_back({1, 7, 6});
+    CHECK(countsOf(bulging.points, bulging.triangles) == Counts{{"openings", 1}});
     s.triangles.erase(s.triangles.begin() + 12);  // inside: touches interior points
-    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}});
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}, {"openings", 1}});
 }
 
 TEST_CASE("inspection: a third triangle at an edge") {
@@ -158,20 +206,72 @@ TEST_CASE("inspection: a triangle through another, and one folded onto it") {
     CHECK(countsOf(points, {{0, 1, 2}, {1, 0, 6}}).at("folded_edges") == 1);
 }
 
-TEST_CASE("inspection: a small piece beside a large one, points in no triangle near and far") {
-    Sheet s = sheet(40);
+TEST_CASE("inspection: a height of a millionth of the longest edge makes a needle") {
+    const auto counts = [](double height) {
+        return countsOf(positionsOnly({{0, 0, 0}, {2, 0, 0}, {1, height, 0}}), {{0, 1, 2}});
+    };
+    CHECK(counts(1.99e-6).at("degenerate_triangles") == 1);
+    CHECK(counts(2.01e-6).count("degenerate_triangles") == 0);
+    CHECK(counts(2.01e-6).at("slivers") == 1);
+}
+
+TEST_CASE("inspection: slivers and openings are remarks, a second layer is a fault") {
+    Sheet s = sheet(4);
+    s.points.position[0] = {0.001, 0.9995, 0.0};  // nearly on a side of its two triangles
+    const MeshInspection thin = inspectWithTotals(s.points, s.triangles);
+    CHECK(thin.failures.size() > 1);
+    CHECK(faultCount(thin.totals) == 0);
     const auto first = static_cast<Index>(s.points.size());
-    for (const Vec3& x : {Vec3(50, 0, 0), Vec3(51, 0, 0), Vec3(50, 1, 0), Vec3(20.5, 20.5, 0.2),
-                          Vec3(20, 20, 30)}) {
+    for (const Vec3& x : {Vec3(1, 1, 0.3), Vec3(2, 1, 0.3), Vec3(1, 2, 0.3)}) {
         s.points.position.push_back(x);
         s.points.normal.push_back({0, 0, 1});
     }
     s.triangles.push_back({first, first + 1, first + 2});
+    const MeshInspection found = inspectWithTotals(s.points, s.triangles);
+    CHECK_FALSE(isSound(found.totals));
+    CHECK(countsOf(s.points, s.triangles).at("second_layers") > 0);
+    // Without the search for pairs the mesh is not known to be sound.
+    s.triangles.pop_back();
+    CHECK_FALSE(isSound(inspectLocally(s.points, s.triangles).totals));
+}
+
+TEST_CASE("inspection: a few triangles within two edges of a larger piece, points near and far") {
+    Sheet s = sheet(40);
+    const auto first = static_cast<Index>(s.points.size());
+    // The mean edge is (2 + sqrt(2)) / 3 = 1.14 long.
+    for (const Vec3& x :
+         {Vec3(41.2, 0, 0), Vec3(42, 0, 0), Vec3(41.5, 1, 0), Vec3(50, 0, 0), Vec3(51, 0, 0),
+          Vec3(50, 1, 0), Vec3(20.5, 20.5, 0.2), Vec3(20, 20, 30), Vec3(20.6, 20.6, 0.2)}) {
+        s.points.position.push_back(x);
+        s.points.normal.push_back({0, 0, 1});
+    }
+    s.triangles.push_back({first, first + 1, first + 2});      // 2.2 from the sheet
+    s.triangles.push_back({first + 3, first + 4, first + 5});  // 8 from the other one
+    s.points.setAside.assign(s.points.size(), false);
+    s.points.setAside.back() = true;
     const Counts counts = countsOf(s.points, s.triangles);
     CHECK(counts.at("small_components") == 1);
     CHECK(counts.at("unused_points") == 1);
     CHECK(counts.at("isolated_points") == 1);
-    CHECK(counts.at("holes") == 2);
+    CHECK(counts.at("openings") == 3);
+    CHECK(counts.count("holes") == 0);
+}
+
+TEST_CASE("inspection: fourteen triangles are a piece of their own") {
+    const auto counts = [](Index side) {
+        Sheet s = sheet(10);
+        const Sheet other = sheet(side);  // 8, 18 triangles
+        const auto first = static_cast<Index>(s.points.size());
+        for (const Vec3& x : other.points.position) {
+            s.points.position.push_back(x + Vec3(10.5, 0, 0));
+            s.points.normal.push_back({0, 0, 1});
+        }
+        for (const Triangle& t : other.triangles)
+            s.triangles.push_back({t.a + first, t.b + first, t.c + first});
+        return countsOf(s.points, s.triangles);
+    };
+    CHECK(counts(3).at("small_components") == 1);
+    CHECK(counts(4).count("small_components") == 0);
 }
 
 TEST_CASE("inspection: no mesh at all") {

@@ -73,7 +73,8 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     const bool open = isOpen(context, group);
     ImGui::PushID(group.kind);
     ImGui::PushFont(context.fonts.strong);
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    ImGui::PushStyleColor(
+        ImGuiCol_Text, toVec4(group.kind->fault ? context.palette.rejected : context.palette.text));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetCursorPosX();
     const std::string name(group.kind->name);

@@ -1,0 +1,169 @@
+/// A pair is projected along the sum of its normals. Most pairs of neighbors end at a separating
+/// edge; for the rest the common polygon gives the share (Sutherland and Hodgman 1974), and the
+/// gap at its corners, since the heights of both planes are linear over it.
+#include "spiraling_edge/geometry/second_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+
+namespace se {
+namespace {
+
+struct Flat {
+    double x, y;
+};
+using FlatTriangle = std::array<Flat, 3>;
+
+/// A convex polygon: a triangle cut by three lines has at most six corners.
+struct Polygon {
+    std::array<Flat, 6> corner{};
+    std::size_t size = 0;
+    void add(const Flat& p) {
+        if (size < corner.size()) corner[size++] = p;
+    }
+};
+
+/// Twice the area of a, b, c: above zero if they run counterclockwise.
+double turn(const Flat& a, const Flat& b, const Flat& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The directions of a projection, and the point that it begins at.
+struct Projection {
+    Vec3 origin, right, ahead, up;
+
+    Projection(const Vec3& at, const Vec3& along) : origin(at), up(glm::normalize(along)) {
+        right =
+            glm::normalize(glm::cross(std::abs(up.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), up));
+        ahead = glm::cross(up, right);
+    }
+    Flat flat(const Vec3& p) const {
+        return {glm::dot(p - origin, right), glm::dot(p - origin, ahead)};
+    }
+    /// Counterclockwise.
+    FlatTriangle flat(const PointSet& points, const Triangle& t) const {
+        FlatTriangle flats{flat(points.position[t.a]), flat(points.position[t.b]),
+                           flat(points.position[t.c])};
+        if (turn(flats[0], flats[1], flats[2]) < 0.0) std::swap(flats[1], flats[2]);
+        return flats;
+    }
+};
+
+/// True if an edge of `a` has all of `b` outside, or on it.
+bool separates(const FlatTriangle& a, const FlatTriangle& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Flat& u = a[i];
+        const Flat& v = a[(i + 1) % 3];
+        if (turn(u, v, b[0]) <= 0.0 && turn(u, v, b[1]) <= 0.0 && turn(u, v, b[2]) <= 0.0)
+            return true;
+    }
+    return false;
+}
+
+/// The part of a convex polygon on the left of the line from u to v.
+Polygon leftOf(const Polygon& whole, const Flat& u, const Flat& v) {
+    Polygon left;
+    for (std::size_t i = 0; i < whole.size; ++i) {
+        const Flat& p = whole.corner[i];
+        const Flat& q = whole.corner[i + 1 < whole.size ? i + 1 : 0];
+        const double atP = turn(u, v, p);
+        const double atQ = turn(u, v, q);
+        if (atP >= 0.0) left.add(p);
+        if ((atP > 0.0 && atQ < 0.0) || (atP < 0.0 && atQ > 0.0)) {
+            const double s = atP / (atP - atQ);
+            left.add({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)});
+        }
+    }
+    return left;
+}
+
+Polygon commonPart(const FlatTriangle& a, const FlatTriangle& b) {
+    Polygon common;
+    for (const Flat& p : a) common.add(p);
+    for (std::size_t i = 0; i < 3; ++i) common = leftOf(common, b[i], b[(i + 1) % 3]);
+    return common;
+}
+
+double twiceAreaOf(const Polygon& polygon) {
+    double sum = 0.0;
+    for (std::size_t i = 2; i < polygon.size; ++i)
+        sum += turn(polygon.corner[0], polygon.corner[i - 1], polygon.corner[i]);
+    return sum;
+}
+
+}  // namespace
+
+LayerShape layerShape(const PointSet& points, const Triangle& t) {
+    const Vec3& a = points.position[t.a];
+    const Vec3& b = points.position[t.b];
+    const Vec3& c = points.position[t.c];
+    LayerShape shape;
+    shape.normal = areaVector(a, b, c);
+    shape.reach = (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
+    const double length = glm::length(shape.normal);
+    if (!(length > 0.0)) return shape;
+    shape.outward = shape.normal / (facing(points, t) < 0.0 ? -length : length);
+    return shape;
+}
+
+bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+                   const Triangle& b, const LayerShape& shapeB) {
+    // Also false where one is zero.
+    if (!(glm::dot(shapeA.outward, shapeB.outward) >= kLayerCosine)) return false;
+    const Vec3& origin = points.position[a.a];
+    const Projection projection(origin, shapeA.outward + shapeB.outward);
+    const FlatTriangle one = projection.flat(points, a);
+    const FlatTriangle other = projection.flat(points, b);
+    if (separates(one, other) || separates(other, one)) return false;
+    const Polygon common = commonPart(one, other);
+    const double smaller =
+        std::min(turn(one[0], one[1], one[2]), turn(other[0], other[1], other[2]));
+    if (common.size < 3 || twiceAreaOf(common) < kLayerShare * smaller) return false;
+    double gap = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < common.size; ++i) {
+        const Flat& p = common.corner[i];
+        const Vec3 at = origin + p.x * projection.right + p.y * projection.ahead;
+        const auto height = [&](const Triangle& t, const Vec3& normal) {
+            return glm::dot(points.position[t.a] - at, normal) / glm::dot(projection.up, normal);
+        };
+        gap = std::min(gap, std::abs(height(a, shapeA.normal) - height(b, shapeB.normal)));
+    }
+    return gap <= shapeA.reach + shapeB.reach;
+}
+
+bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b) {
+    // The angle alone tells most pairs apart where surfaces bend.
+    const Vec3 m = areaVector(points, a);
+    const Vec3 n = areaVector(points, b);
+    const double along = glm::dot(m, n);
+    if (along * along < 0.499 * glm::dot(m, m) * glm::dot(n, n)) return false;
+    return isSecondLayer(points, a, layerShape(points, a), b, layerShape(points, b));
+}
+
+ShapedTriangle::ShapedTriangle(const PointSet& points, const Triangle& t)
+    : triangle(t), box(boxOf(points, t)), shape(layerShape(points, t)) {}
+
+bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    if (!a.box.grown(a.shape.reach + b.shape.reach).meets(b.box)) return false;
+    if (a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle))
+        return true;
+    return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
+}
+
+bool conflict(const PointSet& points, const Triangle& a, const Triangle& b) {
+    const Box boxA = boxOf(points, a);
+    const Box boxB = boxOf(points, b);
+    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
+    const Vec3 sides = (boxA.high - boxA.low) + (boxB.high - boxB.low);
+    if (!boxA.grown(0.25 * (sides.x + sides.y + sides.z)).meets(boxB)) return false;
+    if (boxA.meets(boxB) && trianglesShareMore(points.position, a, b)) return true;
+    return isSecondLayer(points, a, b);
+}
+
+}  // namespace se

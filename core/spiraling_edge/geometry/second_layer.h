@@ -1,0 +1,47 @@
+/// Second layers: triangles that lie over or under another one and face the same way, as where a
+/// surface is made twice.
+#pragma once
+
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/points/point_set.h"
+
+namespace se {
+
+/// The values of one triangle that isSecondLayer() tests pairs by.
+struct LayerShape {
+    Vec3 normal{};       ///< By the order of the corners, any length.
+    Vec3 outward{};      ///< Unit normal on the side of the corners' normals; zero without area.
+    double reach = 0.0;  ///< A quarter of the mean edge length, scene units.
+};
+/// The shape of a triangle. `points.normal` may hold zeros: the order of the corners decides then.
+LayerShape layerShape(const PointSet& points, const Triangle& t);
+
+/// Normals of layers enclose less than this: the cosine of 45 degrees.
+inline constexpr double kLayerCosine = 0.70710678118654752;
+/// At least this share of the smaller triangle lies over or under the other.
+inline constexpr double kLayerShare = 0.02;
+
+/// True if one triangle is a second layer over the other: their normals, each turned outward, are
+/// within 45 degrees; seen along the sum of these, at least 2 % of the smaller one lies over or
+/// under the other; and the least gap there is at most half of the mean length of their six edges.
+/// False for a triangle without area.
+bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+                   const Triangle& b, const LayerShape& shapeB);
+
+/// The same for two triangles that are not tested more often.
+bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b);
+
+/// A triangle with the values that conflict() tests pairs by.
+struct ShapedTriangle {
+    ShapedTriangle(const PointSet& points, const Triangle& t);
+
+    Triangle triangle;
+    Box box;
+    LayerShape shape;
+};
+/// True if two triangles share more than their common corners, or one is a second layer of the
+/// other. Most pairs that are apart are told by their boxes alone.
+bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
+bool conflict(const PointSet& points, const Triangle& a, const Triangle& b);
+
+}  // namespace se

@@ -1,0 +1,127 @@
+/// Nearest triangles by a hierarchy of boxes over the triangles in the order of a Z-curve: eight
+/// consecutive ones share a box, eight boxes the next one, and so on. A box that is farther away
+/// than the best triangle so far is skipped with all in it.
+#include "spiraling_edge/mesh/fidelity.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/z_curve.h"
+#include "spiraling_edge/points/usable_points.h"
+
+namespace se {
+namespace {
+
+/// Entries under one box.
+constexpr std::size_t kFanOut = 8;
+
+double squaredDistance(const Box& box, const Vec3& x) {
+    const Vec3 d = glm::max(glm::max(box.low - x, x - box.high), Vec3(0.0));
+    return glm::dot(d, d);
+}
+
+/// The nearest point of a triangle by the region that `x` lies over: a corner, a side or the inside
+/// (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+Vec3 nearestPoint(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double d1 = glm::dot(ab, x - a);
+    const double d2 = glm::dot(ac, x - a);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const double d3 = glm::dot(ab, x - b);
+    const double d4 = glm::dot(ac, x - b);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+    const double d5 = glm::dot(ab, x - c);
+    const double d6 = glm::dot(ac, x - c);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    return a + (vb * ab + vc * ac) / (va + vb + vc);
+}
+
+class TriangleTree {
+  public:
+    TriangleTree(const PointSet& points, std::span<const Triangle> triangles) : points_(points) {
+        std::vector<Vec3> centers;
+        centers.reserve(triangles.size());
+        for (const Triangle& t : triangles) {
+            const Box box = boxOf(points, t);
+            centers.push_back(0.5 * (box.low + box.high));
+        }
+        for (const Index i : zCurveOrder(centers)) ordered_.push_back(triangles[i]);
+        std::vector<Box> boxes;
+        boxes.reserve(ordered_.size());
+        for (const Triangle& t : ordered_) boxes.push_back(boxOf(points, t));
+        while (boxes.size() > 1 || levels_.empty()) {
+            std::vector<Box> above;
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                if (i % kFanOut == 0) above.push_back(boxes[i]);
+                above.back().add(boxes[i].low);
+                above.back().add(boxes[i].high);
+            }
+            levels_.push_back(above);
+            boxes = std::move(above);
+        }
+    }
+
+    /// Distance from `x` to the nearest triangle. Requires one.
+    double distance(const Vec3& x) const {
+        double best = std::numeric_limits<double>::max();
+        visit(levels_.size() - 1, 0, x, best);
+        return std::sqrt(best);
+    }
+
+  private:
+    /// Lowers `best`, a squared distance, to the nearest triangle under a box.
+    void visit(std::size_t level, std::size_t box, const Vec3& x, double& best) const {
+        if (squaredDistance(levels_[level][box], x) >= best) return;
+        const std::size_t below = level == 0 ? ordered_.size() : levels_[level - 1].size();
+        const std::size_t end = std::min((box + 1) * kFanOut, below);
+        for (std::size_t i = box * kFanOut; i < end; ++i) {
+            if (level > 0) {
+                visit(level - 1, i, x, best);
+                continue;
+            }
+            const Triangle& t = ordered_[i];
+            const Vec3 d = x - nearestPoint(x, points_.position[t.a], points_.position[t.b],
+                                            points_.position[t.c]);
+            best = std::min(best, glm::dot(d, d));
+        }
+    }
+
+    const PointSet& points_;
+    std::vector<Triangle> ordered_;
+    std::vector<std::vector<Box>> levels_;  ///< Boxes of kFanOut entries of the level below.
+};
+
+}  // namespace
+
+Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points.size()));
+    Fidelity fidelity;
+    if (triangles.empty()) return fidelity;
+    const TriangleTree tree(points, triangles);
+    const std::vector<bool> used = usedPoints(points.size(), triangles);
+    std::size_t count = 0;
+    double sum = 0.0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!isFinite(points.position[p])) continue;
+        ++count;
+        if (used[p]) continue;
+        const double distance = tree.distance(points.position[p]);
+        fidelity.greatestDistance = std::max(fidelity.greatestDistance, distance);
+        sum += distance;
+    }
+    fidelity.meanDistance = sum / static_cast<double>(count);
+    return fidelity;
+}
+
+}  // namespace se

@@ -1,0 +1,21 @@
+/// Fidelity of a mesh to the points it was made of.
+#pragma once
+
+#include <span>
+
+#include "spiraling_edge/points/point_set.h"
+
+namespace se {
+
+/// How far the points lie from the mesh. A point in a triangle lies on it.
+struct Fidelity {
+    double greatestDistance = 0.0;  ///< Scene units.
+    double meanDistance = 0.0;      ///< Over all points with a finite position; scene units.
+};
+
+/// Measures the distance of each point to the nearest triangle; points without a finite position
+/// are left out. Both are 0 if there is no triangle. Requires corners below points.size() with
+/// finite positions. Deterministic. About O(t log t + n log t) for n points in no triangle.
+Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles);
+
+}  // namespace se

@@ -1,0 +1,77 @@
+#include "spiraling_edge/mesh/fidelity.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/clouds.h"
+#include "support/oracles.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// A triangle in the plane z = 0, and further points in no triangle.
+PointSet withPoints(std::vector<Vec3> others) {
+    PointSet points;
+    points.position = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
+    points.position.insert(points.position.end(), others.begin(), others.end());
+    return points;
+}
+double distanceTo(const Vec3& x) {
+    return fidelityOf(withPoints({x}), Triangles{{0, 1, 2}}).greatestDistance;
+}
+
+}  // namespace
+
+TEST_CASE("fidelity: points in triangles have no distance") {
+    const Fidelity fidelity = fidelityOf(withPoints({}), Triangles{{0, 1, 2}});
+    CHECK(fidelity.greatestDistance == 0.0);
+    CHECK(fidelity.meanDistance == 0.0);
+    CHECK(fidelityOf(withPoints({}), {}).greatestDistance == 0.0);
+}
+
+TEST_CASE("fidelity: the distance is to the inside, a side or a corner of the triangle") {
+    CHECK(distanceTo({1, 1, 2}) == doctest::Approx(2.0));
+    CHECK(distanceTo({1, -2, 0}) == doctest::Approx(2.0));
+    CHECK(distanceTo({-1, 1, 1}) == doctest::Approx(std::sqrt(2.0)));
+    CHECK(distanceTo({3.2, 3.1, 0}) == doctest::Approx(2.0));  // from 3x + 4y = 12
+    CHECK(distanceTo({-3, -4, 0}) == doctest::Approx(5.0));
+    CHECK(distanceTo({7, -4, 0}) == doctest::Approx(5.0));
+    CHECK(distanceTo({0, 5, 0}) == doctest::Approx(2.0));
+}
+
+TEST_CASE("fidelity: the mean is over all points with a finite position") {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const Fidelity fidelity =
+        fidelityOf(withPoints({{1, 1, 2}, {1, 1, -3}, {kNan, 0, 0}}), Triangles{{0, 1, 2}});
+    CHECK(fidelity.greatestDistance == doctest::Approx(3.0));
+    CHECK(fidelity.meanDistance == doctest::Approx(1.0));  // 5 over 5 points
+}
+
+TEST_CASE("fidelity: the nearest of many triangles is the one that trying all finds") {
+    Random random(7);
+    PointSet points;
+    Triangles triangles;
+    for (Index i = 0; i < 300; ++i) {
+        const Vec3 center = 10.0 * random.inCube();
+        for (int k = 0; k < 3; ++k) points.position.push_back(center + random.inCube());
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    for (int i = 0; i < 100; ++i) {
+        PointSet one = points;
+        one.position.push_back(15.0 * random.inCube());
+        double nearest = std::numeric_limits<double>::max();
+        for (const Triangle& t : triangles) {
+            PointSet alone;
+            alone.position = {points.position[t.a], points.position[t.b], points.position[t.c],
+                              one.position.back()};
+            const Fidelity fidelity = fidelityOf(alone, Triangles{{0, 1, 2}});
+            nearest = std::min(nearest, fidelity.greatestDistance);
+        }
+        CHECK(fidelityOf(one, triangles).greatestDistance == nearest);
+    }
+}
