@@ -29,8 +29,8 @@ echo "| off | sound of $# | faults | unused points | boundary loops | seconds |"
 echo "|---|---|---|---|---|---|"
 off=()
 echo "| nothing | $(measure "$@") |"
-for rule in tangent unblocked stepback wallsdone bothwalls guard gap nopillow nocross nofold nomeet rim delay \
-    fill reinsert flip reseat; do
+for rule in tangent unblocked stepback wallsdone bothwalls guard gap nopillow nocross nofold nomeet nolayer rim delay \
+    shelve fill reinsert flip reseat; do
     off=(--rule "$rule=off")
     echo "| \`$rule\` | $(measure "$@") |"
 done

@@ -120,6 +120,17 @@ void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& ou
     out.row("full circuit", counted(rings.front().points.size(), "pivot", "pivots"));
 }
 
+void addRows(const ShelveEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("ring", counted(e.length, "point", "points") + ", shelved");
+    out.row("on the shelf", counted(e.shelved + 1, "ring", "rings"));
+    out.row("until", "another component joins it, or no seed is left");
+}
+
+void addRows(const TakeUpEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("on the shelf", counted(e.rings, "ring", "rings") + ", taken up");
+    out.row("next pivot", std::to_string(e.to));
+}
+
 void addRows(const FreeEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("ring", counted(e.length, "point", "points") + ", freed");
     out.row("on walls", std::to_string(e.length - e.interior));

@@ -13,7 +13,7 @@ void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     out.row("start point", pointsText({e.first}));
     out.row("its neighbor", pointsText({e.second}));
     out.row("distance", numberText(e.distance));
-    out.row("nearer ones", nearer == 0 ? "none" : std::to_string(nearer) + ", all DONE");
+    out.row("nearer ones", nearer == 0 ? "none" : std::to_string(nearer) + ", none UNUSED");
     out.row("ring", "of two");
 }
 

@@ -76,6 +76,7 @@ struct LineOfPaper {
     std::size_t operator()(const ReinsertEvidence&) const { return 3; }
     std::size_t operator()(const FlipEvidence&) const { return 3; }
     std::size_t operator()(const RemoveFoldedEvidence&) const { return 2; }
+    std::size_t operator()(const ShelveEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }
     std::size_t operator()(const ComponentEvidence&) const { return 3; }
     template <typename Other>

@@ -248,4 +248,14 @@ void RingReplay::on(const CloseEvidence& e) {
     lost_ = true;
 }
 
+void RingReplay::on(const ShelveEvidence&) {
+    lost_ = !rings_.alive(pivot_) || rings_.ringOf(pivot_) != rings_.active();
+    if (!lost_) rings_.shelve(rings_.next(pivot_));
+}
+
+void RingReplay::on(const TakeUpEvidence&) {
+    rings_.unshelve();
+    rings_.pop();
+}
+
 }  // namespace se::view

@@ -57,6 +57,8 @@ class RingReplay {
     void on(const SplitEvidence& e);
     void on(const JoinEvidence& e);
     void on(const CloseEvidence& e);
+    void on(const ShelveEvidence& e);
+    void on(const TakeUpEvidence& e);
     /// Closes a finished edge within a longer ring.
     void closeWithin(const CloseEvidence& e);
     template <typename Other>

@@ -45,6 +45,8 @@ Key keyOf(const Event& event) {
             [&](const JoinEvidence& e) { return key(e.point, e.depthFromTop, e.length); },
             [&](const CloseEvidence& e) { return key(e.a, e.b); },
             [&](const AdvanceEvidence& e) { return key(e.to, e.circuit, e.popped); },
+            [&](const ShelveEvidence& e) { return key(e.length, e.shelved); },
+            [&](const TakeUpEvidence& e) { return key(e.to, e.rings); },
             [&](const FreeEvidence& e) { return key(e.length, e.interior); },
             [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
             [&](const AlertEvidence& e) { return key(e.kind, e.point); },

@@ -253,6 +253,14 @@ std::string text(const AdvanceEvidence& e) {
     return sentence("No triangle; the next pivot is {} ({} without one).", e.to,
                     counted(e.circuit, "pivot"));
 }
+std::string text(const ShelveEvidence& e) {
+    return sentence("A full circuit of {} without a triangle: the ring waits on the shelf.",
+                    e.length);
+}
+std::string text(const TakeUpEvidence& e) {
+    return sentence("No seed is left: {} on the shelf taken up; the next pivot is {}.",
+                    counted(e.rings, "ring"), e.to);
+}
 std::string text(const FreeEvidence& e) {
     return sentence("A full circuit of {} without a triangle: the ring is freed", e.length) +
            (e.interior == 0 ? "."

@@ -53,6 +53,10 @@ void LaneTracker::take(const Event& event) {
                               const bool next = advance.popped && !active_ && !stack_.empty();
                               if (next) activate(stack_.size() - 1);
                           },
+                          [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
+                          [&](const TakeUpEvidence&) {
+                              if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
+                          },
                           [&](const FreeEvidence&) { endActive(LaneChangeKind::Freed); },
                           [&](const AlertEvidence& alert) {
                               const bool freed = !changes_.empty() &&
@@ -169,6 +173,13 @@ void LaneTracker::endActive(LaneChangeKind kind) {
     const std::uint32_t lane = active_->lane;
     active_.reset();
     endLane(kind, lane, lane);
+}
+
+void LaneTracker::shelveActive(Index shelved) {
+    if (!active_) return;
+    const std::size_t place = std::min<std::size_t>(shelved, stack_.size());
+    stack_.insert(stack_.begin() + static_cast<std::ptrdiff_t>(place), *active_);
+    active_.reset();
 }
 
 void LaneTracker::activate(std::size_t place) {

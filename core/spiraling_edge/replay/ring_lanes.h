@@ -79,6 +79,8 @@ class LaneTracker {
     /// Removes a ring from the stack.
     Ring unstack(std::size_t place);
     void activate(std::size_t place);
+    /// Puts the active ring above the first `shelved` rings of the stack.
+    void shelveActive(Index shelved);
     void endActive(LaneChangeKind kind);
     void endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
     void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);

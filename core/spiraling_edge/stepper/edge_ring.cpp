@@ -36,10 +36,14 @@ void EdgeRings::removeFromStack(Index ring) {
     const Index position = rings_[ring].stackPosition;
     if (position == kNone) return;
     stack_.erase(stack_.begin() + position);
-    for (std::size_t i = position; i < stack_.size(); ++i) {
-        rings_[stack_[i]].stackPosition = static_cast<Index>(i);
-    }
+    if (position < shelved_) --shelved_;
+    numberStack(position);
     rings_[ring].stackPosition = kNone;
+}
+
+void EdgeRings::numberStack(std::size_t from) {
+    for (std::size_t i = from; i < stack_.size(); ++i)
+        rings_[stack_[i]].stackPosition = static_cast<Index>(i);
 }
 
 Index EdgeRings::newEntry(Index point, Index ring) {
@@ -175,11 +179,21 @@ void EdgeRings::push(Index ring, Index head) {
     stack_.push_back(ring);
 }
 
+void EdgeRings::shelve(Index head) {
+    assert(active_ != kNone && ringOf(head) == active_);
+    rings_[active_].head = head;
+    stack_.insert(stack_.begin() + shelved_, active_);
+    numberStack(shelved_);
+    ++shelved_;
+    active_ = kNone;
+}
+
 EdgeRings EdgeRings::withoutPoints() const {
     EdgeRings copy;
     copy.entries_ = entries_;
     copy.rings_ = rings_;
     copy.stack_ = stack_;
+    copy.shelved_ = shelved_;
     copy.freeRings_ = freeRings_;
     copy.freeEntry_ = freeEntry_;
     copy.active_ = active_;
@@ -210,8 +224,10 @@ std::size_t EdgeRings::bytesWithoutPoints() const {
            (stack_.size() + freeRings_.size()) * sizeof(Index);
 }
 
-Index EdgeRings::pop() { return stack_.empty() ? kNone : activate(stack_.back()); }
+Index EdgeRings::pop() { return stack_.size() == shelved_ ? kNone : activate(stack_.back()); }
 
-Index EdgeRings::popOldest() { return stack_.empty() ? kNone : activate(stack_.front()); }
+Index EdgeRings::popOldest() {
+    return stack_.size() == shelved_ ? kNone : activate(stack_[shelved_]);
+}
 
 }  // namespace se

@@ -63,6 +63,8 @@ class EdgeRings {
     Index active() const { return active_; }
     /// Stacked rings, the most recently pushed last.
     const std::vector<Index>& stack() const { return stack_; }
+    /// The number of rings at the bottom of the stack that are shelved: pop() leaves them there.
+    Index shelved() const { return shelved_; }
     /// Place of a ring on the stack counted from the top (0 = top), kNone if it is not on it.
     Index depthFromTop(Index ring) const;
     std::size_t pointCount() const { return headOfPoint_.size(); }
@@ -88,10 +90,15 @@ class EdgeRings {
     Index activate(Index ring);
     /// Puts a ring on top of the stack; `head` is where its traversal will begin.
     void push(Index ring, Index head);
+    /// Puts the active ring on the shelf, on top of the rings that are shelved; `head` is where its
+    /// traversal will begin.
+    void shelve(Index head);
+    /// Makes the shelved rings ordinary ones of the stack.
+    void unshelve() { shelved_ = 0; }
     /// Makes the top of the stack the active ring and returns its head; kNone if the stack is
-    /// empty.
+    /// empty but for shelved rings.
     Index pop();
-    /// As pop(), with the bottom of the stack: the ring pushed first.
+    /// As pop(), with the ring pushed first.
     Index popOldest();
 
     // Keyframes.
@@ -115,6 +122,8 @@ class EdgeRings {
     Index newRing();
     void freeRing(Index ring);
     void removeFromStack(Index ring);
+    /// Renews the positions of the rings on the stack from this one on.
+    void numberStack(std::size_t from);
     /// Assigns the entries from `from` to `to`, both included, to `ring`.
     void relabel(Index from, Index to, Index ring);
     Exchange finishSplit(Index x, Index y);
@@ -125,6 +134,7 @@ class EdgeRings {
     std::vector<Index> headOfPoint_;
     std::vector<Ring> rings_;
     std::vector<Index> stack_;
+    Index shelved_ = 0;
     std::vector<Index> freeRings_;
     Index freeEntry_ = kNone;
     Index active_ = kNone;

@@ -139,6 +139,7 @@ enum class Verdict : std::uint8_t {
     OverRim,        ///< Over 120 degrees between points where the surface ends (RobustRules::rim).
     Steep,          ///< A steep triangle, for now (RobustRules::delay).
     Meets,          ///< A triangle meets a finished one (RobustRules::noMeet).
+    Covers,         ///< A triangle is a second layer of a finished one (RobustRules::noLayer).
     // insert
     Before,
     After,
@@ -295,6 +296,16 @@ struct AdvanceEvidence {
     bool popped;          ///< The ring came off the stack.
     bool whatIf = false;  ///< Set by a what-if (what_if.h).
 };
+/// A ring without a triangle in a full circuit was shelved (RobustRules::shelve).
+struct ShelveEvidence {
+    Index length;
+    Index shelved;  ///< Rings on the shelf before it.
+};
+/// The rings on the shelf became ordinary ones of the stack, since no seed is left.
+struct TakeUpEvidence {
+    Index to;     ///< The next pivot.
+    Index rings;  ///< Their number.
+};
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {
     Index length;
@@ -319,8 +330,8 @@ using Evidence =
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
                  SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, ReinsertEvidence,
                  FlipEvidence, RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence,
-                 JoinEvidence, CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence,
-                 AlertEvidence>;
+                 JoinEvidence, CloseEvidence, AdvanceEvidence, ShelveEvidence, TakeUpEvidence,
+                 FreeEvidence, ComponentEvidence, AlertEvidence>;
 
 struct Event {
     Address address;

@@ -78,16 +78,21 @@ std::string checkAngles(const State& s, const Params& params) {
 }
 
 /// Invariants 11 and 13.
-std::string checkProgress(const State& s, const PointSet& points) {
+std::string checkProgress(const State& s, const PointSet& points, const Params& params) {
     const Index active = s.rings.active();
     if (active != kNone && s.circuit >= s.rings.length(active)) {
         return "11: a full circuit without a triangle was not freed";
     }
     for (Index i = 0; i < std::min<Index>(s.startPointer, static_cast<Index>(points.size())); ++i) {
         const Index p = points.inOrder(i);
-        if (s.phase == Phase::Seed && s.status[p] != kDone) {
-            return at("11: the start pointer passed a point that is not DONE", p);
-        }
+        if (s.phase != Phase::Seed || s.status[p] == kDone) continue;
+        // On a shelved ring, or beside one that may take it.
+        const auto list = points.neighbors[p];
+        const bool waits =
+            params.robust.shelve && (s.status[p] != kUnused ||
+                                     std::none_of(list.begin(), list.end(),
+                                                  [&](Index x) { return s.status[x] == kUnused; }));
+        if (!waits) return at("11: the start pointer passed a point that is not DONE", p);
     }
     if (!s.finished() || s.capped()) return {};
     for (Index p = 0; p < s.status.size(); ++p) {
@@ -101,8 +106,8 @@ std::uint64_t edgeKey(Index u, Index v) { return (std::uint64_t{u} << 32U) | v; 
 }  // namespace
 
 std::string checkInvariants(const State& state, const PointSet& points, const Params& params) {
-    for (const std::string& problem :
-         {checkRings(state, params), checkAngles(state, params), checkProgress(state, points)}) {
+    for (const std::string& problem : {checkRings(state, params), checkAngles(state, params),
+                                       checkProgress(state, points, params)}) {
         if (!problem.empty()) return problem;
     }
     return {};

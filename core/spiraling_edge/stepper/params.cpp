@@ -30,8 +30,9 @@ Params corrected() {
 Params robust() {
     Params params = corrected();
     RobustRules& r = params.robust;
-    r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
-    r.delay = r.fill = r.reinsert = r.flip = r.removeFolded = true;
+    r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.noLayer =
+        r.rim = true;
+    r.delay = r.shelve = r.fill = r.reinsert = r.flip = r.removeFolded = true;
     params.setNoiseAside = true;
     return params;
 }

@@ -71,11 +71,17 @@ struct RobustRules {
     bool noFold = false;
     /// A candidate with a triangle that meets a finished one nearby is dropped.
     bool noMeet = false;
+    /// A candidate with a triangle that is a second layer of a finished one nearby is dropped.
+    bool noLayer = false;
     /// Where the neighbors of all three corners leave a wide gap, the surface ends: no triangle
     /// over more than 120 degrees there, and a ring of mostly such points is an opening.
     bool rim = false;
     /// Fans with steep triangles wait until a circuit of the ring brought no triangle.
     bool delay = false;
+    /// A ring without a triangle in a full circuit, also of delayed fans, is shelved instead of
+    /// being freed: its points stay USED, and other components may join it. When no seed is left,
+    /// it is taken up again.
+    bool shelve = false;
     /// A ring that would be freed with interior points is closed by ears, best least angle first,
     /// unless it is too long or too wide, or longer than four and an opening.
     bool fill = false;
@@ -89,10 +95,12 @@ struct RobustRules {
 
     /// True if some rule examines the whole fan before it is made.
     bool looksAtFan() const {
-        return guard || gap || noPillow || noCross || noFold || noMeet || rim || delay;
+        return guard || gap || noPillow || noCross || noFold || noMeet || noLayer || rim || delay;
     }
     /// True if some rule examines finished triangles.
-    bool needsEdges() const { return guard || noPillow || noFold || noMeet || fill; }
+    bool needsEdges() const {
+        return guard || noPillow || noFold || noMeet || noLayer || rim || fill;
+    }
 
     friend bool operator==(const RobustRules&, const RobustRules&) = default;
 };

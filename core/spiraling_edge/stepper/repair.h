@@ -25,6 +25,8 @@ struct RepairState {
     /// Sides to examine, and the position of the next one.
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;
+    /// Per triangle: the flips it took part in that only made fewer conflicts.
+    std::vector<std::uint8_t> conflictFlips;
     Index nextPoint = 0;  ///< Position in PointSet::order.
     Index nextTriangle = 0;
     std::uint32_t takenOut = 0;
@@ -47,7 +49,8 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
 
 /// RobustRules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a
 /// larger least angle where the surface is flat. Nothing if none is left. Terminates: every flip
-/// reduces the faults, or keeps them and increases the least angle of its two triangles.
+/// makes fewer faults of shape, or keeps them and increases the least angle of its two triangles,
+/// or makes fewer conflicts, which each triangle may be flipped for a few times.
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& repair);
 

@@ -288,9 +288,11 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "foldangle", "6.4", "nofold: normals of two triangles at an edge are no farther apart",
         90)),
     robust<&RobustRules::noMeet>("nomeet", "6.4", "no triangle that meets a finished one nearby"),
+    robust<&RobustRules::noLayer>("nolayer", "6.4",
+                                  "no triangle that is a second layer of a finished one nearby"),
     beyondPaper(angle<kThresholds, &RobustThresholds::flatCosine>(
-        "flatangle", "6.4", "nomeet looks only where normals about the pivot are farther apart",
-        0)),
+        "flatangle", "6.4",
+        "nomeet, nolayer look only where normals about the pivot are farther apart", 0)),
     robust<&RobustRules::rim>("rim", "7", "the surface ends where neighbors leave a wide gap"),
     beyondPaper(angle<kThresholds, &RobustThresholds::rimGapCosine>(
         "rimgap", "7", "rim: the surface ends where neighbors leave more", 60)),
@@ -302,6 +304,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     robust<&RobustRules::delay>("delay", "6.5", "fans with steep triangles wait for a circuit"),
     beyondPaper(angle<kThresholds, &RobustThresholds::steepCosine>(
         "steepangle", "6.5", "delay: steep is farther than this off a corner's normal", 0)),
+    robust<&RobustRules::shelve>("shelve", "6.5",
+                                 "rings without a triangle wait until no seed is left"),
     robust<&RobustRules::fill>("fill", "6.5", "rings with interior points are closed by ears"),
     beyondPaper(number<&Params::maxFillLength>("filllength", "6.5",
                                                "fill closes rings of at most this many entries",

@@ -44,8 +44,8 @@ void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
 
 void addCounters(Hasher& hasher, const Counters& c) {
     hasher.add(c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded,
-               c.refused, c.splits, c.joins, c.closedRings, c.freedRings, c.holes, c.openings,
-               c.filled, c.lostSeeds, c.maxRingLength, c.maxStackDepth);
+               c.refused, c.splits, c.joins, c.closedRings, c.freedRings, c.shelved, c.holes,
+               c.openings, c.filled, c.lostSeeds, c.maxRingLength, c.maxStackDepth);
 }
 
 void addPivot(Hasher& hasher, const State& s) {
@@ -73,7 +73,7 @@ std::uint64_t stateHash(const State& s) {
         const bool atPivot = s.rings.alive(s.pivot.pivot);
         addRing(hasher, s.rings, atPivot ? s.pivot.pivot : s.rings.head(s.rings.active()));
     }
-    hasher.add(s.rings.stack().size());
+    hasher.add(s.rings.stack().size(), s.rings.shelved(), s.seedsSpent);
     for (const Index ring : s.rings.stack()) addRing(hasher, s.rings, s.rings.head(ring));
     addTriangles(hasher, s.triangles);
     addTriangles(hasher, s.repair.triangles);

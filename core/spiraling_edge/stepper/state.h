@@ -63,7 +63,8 @@ struct Counters {
     std::uint32_t joins = 0;
     std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Readings::closeTwo.
     std::uint32_t freedRings = 0;
-    std::uint32_t holes = 0;  ///< Freed rings with interior points.
+    std::uint32_t shelved = 0;  ///< Times that RobustRules::shelve put a ring on the shelf.
+    std::uint32_t holes = 0;    ///< Freed rings with interior points.
     /// Freed rings that RobustRules::rim treats as an end of the surface.
     std::uint32_t openings = 0;
     std::uint32_t filled = 0;     ///< Triangles made by RobustRules::fill.
@@ -91,8 +92,9 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;  ///< §4: position in PointSet::order; never moves back.
-    Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
+    Index startPointer = 0;   ///< §4: position in PointSet::order; never moves back.
+    bool seedsSpent = false;  ///< RobustRules::shelve: the shelved rings came back to the stack.
+    Index circuit = 0;        ///< Pivots since the last triangle, in the active ring.
     /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last
     /// triangle: 0, kDelayedAllowed, kCornerAllowed or kFillFailed.
     std::uint32_t retryLevel = 0;
@@ -105,7 +107,6 @@ struct State {
     EdgeRings rings;
     EdgeTable edges;                  ///< Edges of `triangles`; kept only where a rule needs it.
     std::vector<Triangle> triangles;  ///< Append-only (§6.4).
-    Index componentBegin = 0;  ///< Position of the first triangle of the current component (§4).
     /// The mesh edited by the steps after the last pivot; empty before them. `triangles` is
     /// unchanged.
     RepairState repair;

@@ -47,6 +47,7 @@ constexpr std::array<VerdictRow, kVerdictCount> kVerdictTable{{
     {Verdict::OverRim, "over the rim", Outcome::Refused, kKeep},
     {Verdict::Steep, "steep, waits", Outcome::Refused, kKeep},
     {Verdict::Meets, "meets a triangle", Outcome::Refused, kKeep},
+    {Verdict::Covers, "second layer", Outcome::Refused, kKeep},
     {Verdict::Before, "before", Outcome::Taken, kNoWhatIf},
     {Verdict::After, "after", Outcome::Taken, kNoWhatIf},
     {Verdict::OtherSideOpen, "other side open", Outcome::Refused, kNoWhatIf},

@@ -2,6 +2,7 @@
 /// and the numbers measured on the shared data. robust_clean_test.cpp has the clean clouds.
 #include <doctest/doctest.h>
 
+#include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
@@ -90,7 +91,10 @@ TEST_CASE("robust: the numbers of Table 1, on stand-ins") {
     }
     const auto cloud = shared("table1_electron_cloud");
     if (!cloud) return;
-    CHECK(describeFaults(*cloud, runAll(*cloud, robust()).state.mesh()) == "");
+    const Run run = runAll(*cloud, robust());
+    CHECK(run.mesh.unusedPoints == 0);
+    // What is left: three loops inside, and a point where two of the surface's parts touch.
+    CHECK(describeFaults(*cloud, run.state.mesh()) == "non_manifold_vertices 1 holes 3 ");
 }
 
 TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossings") {
@@ -102,7 +106,9 @@ TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossing
     MESSAGE("unused ", run.mesh.unusedPoints, ", intersecting ", crossings);
     CHECK(isOrientedManifold(run.mesh));
     CHECK(100 * run.mesh.unusedPoints < points->size());
-    CHECK(crossings < 500);
+    CHECK(crossings < 200);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::SecondLayer)] < 400);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Flipped)] < 30);
 }
 
 TEST_CASE("robust: every shared set gives an oriented manifold, most of them a sound mesh") {
@@ -125,7 +131,7 @@ TEST_CASE("robust: every shared set gives an oriented manifold, most of them a s
     for (const char* name : kSmall) look(shared(name), name);
     for (const char* name : kLarge) look(sharedLarge(name), name);
     if (seen < std::size(kSmall)) return;
-    CHECK(sound >= 9);
+    CHECK(sound >= 10);
 }
 
 TEST_CASE("robust: sets without an opening come out closed, and faces and sheets with one border") {
@@ -153,16 +159,17 @@ TEST_CASE("robust: the bunny keeps its five holes") {
     CHECK(run.mesh.eulerCharacteristic == -3);
 }
 
-TEST_CASE("robust: the mannequin is open at its neck, and no hole is left elsewhere") {
+TEST_CASE("robust: the mannequin is open at its neck, with few faults elsewhere") {
     const auto points = sharedLarge("mannequin_devil");
     if (!points) return;
     const Run run = runAll(*points, robust());
     CHECK(isOrientedManifold(run.mesh));
-    CHECK(run.state.counters.holes == 0);
-    // Besides the neck there is one border, of a patch of eleven triangles at a tooth.
+    // Spacings vary by a factor of 500. Closing the eleven holes by triangles with faults would
+    // make some 950 more.
+    const MeshInspection found = inspectWithTotals(*points, run.state.mesh());
+    CHECK(faultCount(found.totals) < 500);
     CHECK(run.mesh.components == 2);
-    CHECK(run.mesh.boundaryLoops == 2);
-    CHECK(run.mesh.boundaryEdges == 82 + 7);
+    CHECK(run.mesh.boundaryLoops == 13);
 }
 
 // ---- the run as a run ---------------------------------------------------------------------------

@@ -340,6 +340,8 @@ std::string_view wordOf(const Event& event) {
         return ring->inserted ? "in" : "out";
     }
     if (std::holds_alternative<StrandEvidence>(event.evidence)) return "stranded";
+    if (std::holds_alternative<ShelveEvidence>(event.evidence)) return "ring shelved";
+    if (std::holds_alternative<TakeUpEvidence>(event.evidence)) return "taken up";
     if (std::holds_alternative<FreeEvidence>(event.evidence)) return "ring freed";
     if (std::holds_alternative<ComponentEvidence>(event.evidence)) return "complete";
     if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {

@@ -332,12 +332,39 @@ bool relaxRules(AnyContext auto& context) {
     return false;
 }
 
+/// True if the active ring is to wait for other components (RobustRules::shelve), after delayed
+/// fans were tried. A seed without a triangle is not.
+bool mayShelve(const AnyContext auto& context) {
+    const State& s = context.state;
+    const RobustRules& rules = context.params.robust;
+    if (!rules.shelve || s.seedsSpent) return false;
+    if (rules.delay && s.retryLevel < kDelayedAllowed) return false;
+    const Index head = s.rings.head(s.rings.active());
+    return s.rings.length(s.rings.active()) > 2 || !s.rings.open(head) ||
+           !s.rings.open(s.rings.next(head));
+}
+
+/// Puts the active ring on the shelf.
+void shelveActiveRing(AnyContext auto& context) {
+    State& s = context.state;
+    note(context, Stage::Done, [&] {
+        return ShelveEvidence{s.rings.length(s.rings.active()), s.rings.shelved()};
+    });
+    s.rings.shelve(s.rings.next(s.pivot.pivot));
+    ++s.counters.shelved;
+}
+
 void advanceWithoutTriangles(AnyContext auto& context) {
     State& s = context.state;
     removeThirdPoint(context);
     ++s.circuit;
     if (s.retryLevel < kFillFailed && s.circuit < s.rings.length(s.rings.active())) {
         continueAt(context, s.rings.next(s.pivot.pivot));
+        return;
+    }
+    if (mayShelve(context)) {
+        shelveActiveRing(context);
+        popRingOrFinish(context);
         return;
     }
     if (relaxRules(context)) return;

@@ -7,12 +7,29 @@
 namespace se {
 namespace {
 
-/// The nearest listed neighbor that is not DONE, kNone if there is none.
-Index nearestNotDone(const PointSet& points, const State& state, Index p) {
+/// The nearest listed neighbor that is UNUSED, kNone if there is none.
+Index nearestUnused(const PointSet& points, const State& state, Index p) {
     const auto list = points.neighbors[p];
     const auto found =
-        std::find_if(list.begin(), list.end(), [&](Index x) { return state.status[x] != kDone; });
+        std::find_if(list.begin(), list.end(), [&](Index x) { return state.status[x] == kUnused; });
     return found == list.end() ? kNone : *found;
+}
+
+/// True if a listed neighbor is USED: its ring is shelved, and may yet take the point.
+bool hasUsedNeighbor(const PointSet& points, const State& state, Index p) {
+    const auto list = points.neighbors[p];
+    return std::any_of(list.begin(), list.end(), [&](Index x) { return state.status[x] > 0; });
+}
+
+/// Marks a point DONE that no fan took (§4).
+void strand(AnyContext auto& context, Index p) {
+    State& s = context.state;
+    s.finish(p);
+    const bool isolated = context.points.neighbors[p].empty();
+    ++(isolated ? s.counters.isolated : s.counters.stranded);
+    noteAt(context, s.counters.pivots + 1, Stage::Strand, [&] {
+        return StrandEvidence{p, isolated};
+    });
 }
 
 void beginRing(AnyContext auto& context, Index p, Index q) {
@@ -22,12 +39,26 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     s.pivot.pivot = s.rings.start(p, q);
     s.circuit = 0;
     ++s.counters.seeds;
-    s.componentBegin = static_cast<Index>(s.triangles.size());
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
     noteAt(context, s.counters.pivots + 1, Stage::Seed, [&] {
         const Vec3 d = context.points.position[q] - context.points.position[p];
         return SeedEvidence{p, q, std::sqrt(glm::dot(d, d))};
+    });
+}
+
+/// Takes up the rings that were shelved, since no seed is left that could join them.
+void takeUpShelved(AnyContext auto& context) {
+    State& s = context.state;
+    const Index shelved = s.rings.shelved();
+    s.seedsSpent = true;
+    s.rings.unshelve();
+    s.circuit = 0;
+    s.retryLevel = 0;
+    s.pivot.pivot = s.rings.pop();
+    s.phase = Phase::Pivot;
+    noteAt(context, s.counters.pivots + 1, Stage::Seed, [&] {
+        return TakeUpEvidence{s.rings.point(s.pivot.pivot), shelved};
     });
 }
 
@@ -83,18 +114,21 @@ void phaseSeed(AnyContext auto& context) {
     State& s = context.state;
     for (; s.startPointer < s.status.size(); ++s.startPointer) {
         const Index p = context.points.inOrder(s.startPointer);
-        if (s.status[p] == kDone) continue;
-        const Index q = nearestNotDone(context.points, s, p);
+        if (s.status[p] != kUnused) continue;
+        const Index q = nearestUnused(context.points, s, p);
         if (q != kNone) {
             beginRing(context, p, q);
             return;
         }
-        s.finish(p);
-        const bool isolated = context.points.neighbors[p].empty();
-        ++(isolated ? s.counters.isolated : s.counters.stranded);
-        noteAt(context, s.counters.pivots + 1, Stage::Strand, [&] {
-            return StrandEvidence{p, isolated};
-        });
+        if (!hasUsedNeighbor(context.points, s, p)) strand(context, p);
+    }
+    if (s.rings.shelved() > 0) {
+        takeUpShelved(context);
+        return;
+    }
+    for (Index i = 0; s.seedsSpent && i < s.status.size(); ++i) {
+        const Index p = context.points.inOrder(i);
+        if (s.status[p] == kUnused) strand(context, p);
     }
     beginRepairPhases(context);
 }

@@ -28,5 +28,7 @@ Objection steep(const StepContext& context);
 Objection crossing(const StepContext& context);
 /// A triangle that meets a finished one nearby (RobustRules::noMeet).
 Objection meetsFinished(const StepContext& context);
+/// A triangle that is a second layer of a finished one nearby (RobustRules::noLayer).
+Objection coversFinished(const StepContext& context);
 
 }  // namespace se

@@ -1,6 +1,6 @@
 /// Rules on the shape of a fan: nofold, rim, delay; and on other parts of the mesh in its place:
-/// nocross, nomeet. These two search only around the points that the pivot lists: the cost of a fan
-/// is its length times the ring steps or triangles there.
+/// nocross, nomeet, nolayer. These search only around the points that the pivot lists: the cost of
+/// a fan is its length times the ring steps or triangles there.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +8,7 @@
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/fan_rules.h"
 
@@ -200,7 +201,7 @@ class CrossingSearch {
     Vec3 x_, y_;
 };
 
-// ---- nomeet -------------------------------------------------------------------------------------
+// ---- nomeet, nolayer ----------------------------------------------------------------------------
 
 /// Neighborhoods whose normals all lie within 45 degrees of the pivot's, as is usual, are flat
 /// enough for RobustRules::noCross to see every overlap.
@@ -211,33 +212,54 @@ bool isFlat(const PointSet& points, Index p, double cosine) {
     });
 }
 
-}  // namespace
-
-Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
-
-Objection meetsFinished(const StepContext& context) {
+/// Objects to the first triangle of the fan for which test(it, a finished one nearby) holds. Boxes
+/// are wider by `reach` lengths of the triangle's box.
+template <typename Test>
+Objection againstFinished(const StepContext& context, Verdict verdict, double reach, Test&& test) {
     const State& s = context.state;
     const Fan& fan = s.pivot.fan;
     const PointSet& points = context.points;
     const Index p = s.rings.point(s.pivot.pivot);
     if (isFlat(points, p, context.params.thresholds.flatCosine)) return {};
+    const auto wide = [&](const Box& box) {
+        const Vec3 size = box.high - box.low;
+        return reach == 0.0 ? box : box.grown(reach * (size.x + size.y + size.z));
+    };
     Box all(points.position[p]);
     for (const FanPoint& x : fan) all.add(points.position[x.point]);
+    all = wide(all);
     for (const Index x : points.neighbors[p]) {
         for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
             const Triangle& old = s.triangles[h / 3];
-            const Box oldBox = boxOf(points, old);
+            const Box oldBox = wide(boxOf(points, old));
             if (!oldBox.meets(all)) continue;
             for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
                 const Triangle made{p, fan[i].point, fan[i + 1].point};
-                if (boxOf(points, made).meets(oldBox) &&
-                    trianglesShareMore(points.position, made, old)) {
-                    return {Verdict::Meets, i, true};
-                }
+                if (wide(boxOf(points, made)).meets(oldBox) && test(made, old))
+                    return {verdict, i, true};
             }
         }
     }
     return {};
+}
+
+}  // namespace
+
+Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
+
+Objection meetsFinished(const StepContext& context) {
+    return againstFinished(context, Verdict::Meets, 0.0,
+                           [&](const Triangle& made, const Triangle& old) {
+                               return trianglesShareMore(context.points.position, made, old);
+                           });
+}
+
+Objection coversFinished(const StepContext& context) {
+    constexpr double kReach = 0.25;  // LayerShape::reach, of an edge as long as the box.
+    return againstFinished(context, Verdict::Covers, kReach,
+                           [&](const Triangle& made, const Triangle& old) {
+                               return isSecondLayer(context.points, made, old);
+                           });
 }
 
 }  // namespace se

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <unordered_set>
 
 #include "spiraling_edge/geometry/loop_shape.h"
+#include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -21,12 +23,16 @@ void setEar(StepContext& context, Index entry) {
 /// A ring as short as this is a hole even where neighbors leave wide gaps.
 constexpr Index kNeverAnOpening = 5;
 
+/// The longest ring in which an ear may have a fault.
+constexpr Index kMayForce = 4;
+
 struct Ear {
     Index entry = kNone;
     double cosine = 2.0;
-    bool faulty = true;
+    int faults = 0;
+    bool faulty() const { return faults > 0; }
     friend bool operator<(const Ear& a, const Ear& b) {
-        return a.faulty != b.faulty ? !a.faulty : a.cosine < b.cosine;
+        return a.faults != b.faults ? a.faults < b.faults : a.cosine < b.cosine;
     }
 };
 
@@ -43,14 +49,31 @@ LoopShape shapeOfRing(const StepContext& context) {
     return sum.shape();
 }
 
-/// Least width at which the sense of rotation is significant.
-constexpr double kClosed = 1.0;
+/// True if the triangles at the active ring, and those that hang together with them by edges, are
+/// at most `most`. O(most).
+bool isPatchOf(const StepContext& context, std::size_t most) {
+    const State& s = context.state;
+    std::vector<Index> found;
+    std::unordered_set<Index> seen;
+    const auto add = [&](HalfEdge h) {
+        if (h != kNone && seen.insert(h / 3).second) found.push_back(h / 3);
+    };
+    s.rings.forEachEntry(s.rings.active(), [&](Index entry) {
+        add(s.edges.find(s.rings.point(entry), s.rings.point(s.rings.next(entry))));
+    });
+    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) {
+        const Triangle& t = s.triangles[found[i]];
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+            add(s.edges.find(v, u));
+    }
+    return found.size() <= most;
+}
 
-/// True if the ring runs around the whole component, of `triangles` triangles, instead of around a
-/// hole in it. A round patch has 0.18 per square of its border's length; one of more than 1 would
-/// be folded.
-bool runsRoundPatch(const LoopShape& shape, std::size_t triangles) {
-    return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
+/// True if the ring runs around a whole patch of the surface instead of around a hole in it. A
+/// round patch has 0.18 triangles per square of its border's length; one of more than 1 would be
+/// folded.
+bool runsRoundPatch(const StepContext& context, const LoopShape& shape) {
+    return shape.turnsRoundPatch && isPatchOf(context, std::size_t{shape.length} * shape.length);
 }
 
 /// True if the active ring holds a boundary point, of a wall or of a rim.
@@ -86,19 +109,34 @@ bool isOpening(const StepContext& context, const LoopShape& shape) {
     if (most(flagged)) return true;
     if (!context.params.robust.rim) return false;
     if (most(boundary)) return true;
-    const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
-    return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
+    return (length > kNeverAnOpening && runsRoundPatch(context, shape)) ||
            (most(rim) && shape.widthInEdges() >= context.params.thresholds.openingWidth);
 }
 
-/// True if an ear may have a fault: not where the surface may end, nor where a wide ring turns as
-/// around a patch, since sheets touch there and one fault leads to more.
+/// True if an ear may have a fault: only in the smallest rings, since one fault leads to more, and
+/// not where the surface may end.
 bool mayForce(const StepContext& context) {
-    if (touchesBoundary(context)) return false;
-    const LoopShape shape = shapeOfRing(context);
-    if (isOpening(context, shape)) return false;
-    return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
-           shape.widthInEdges() < kClosed;
+    const EdgeRings& rings = context.state.rings;
+    return rings.length(rings.active()) <= kMayForce && !touchesBoundary(context) &&
+           !isOpening(context, shapeOfRing(context));
+}
+
+/// The faults of a triangle that a rule refuses: of its shape, and conflicts with finished ones
+/// near.
+int faultsOf(const StepContext& context, const Triangle& made) {
+    const State& s = context.state;
+    std::vector<Index> near;
+    for (const Index corner : {made.a, made.b, made.c}) {
+        for (const Index x : context.points.neighbors[corner]) {
+            for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h))
+                near.push_back(h / 3);
+        }
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    int faults = 1 + shapeFaults(context.points, made);
+    for (const Index t : near) faults += conflict(context.points, made, s.triangles[t]) ? 1 : 0;
+    return faults;
 }
 
 /// The best ear of the active ring; no entry if the guard refuses all. O(ring).
@@ -116,10 +154,13 @@ Ear bestEar(StepContext& context) {
         const double cosine = leastAngleCosine(
             context.points,
             {s.rings.point(entry), s.rings.point(before), s.rings.point(s.rings.next(entry))});
-        Ear ear{entry, cosine, false};
+        Ear ear{entry, cosine, 0};
         if (best.entry != kNone && !(ear < best)) continue;
-        ear.faulty = overlapsAsTwoPointRing(s.pivot.lastAngle) || shapeRefuses(context);
-        if (ear.faulty && !force) continue;
+        if (overlapsAsTwoPointRing(s.pivot.lastAngle) || shapeRefuses(context)) {
+            if (!force) continue;
+            ear.faults = faultsOf(context, {s.rings.point(entry), s.rings.point(before),
+                                            s.rings.point(s.rings.next(entry))});
+        }
         if (best.entry == kNone || ear < best) best = ear;
     }
     return best;
@@ -174,7 +215,7 @@ void phaseFill(AnyContext auto& context) {
                             s.rings.point(s.pivot.last),
                             s.rings.length(s.rings.active()),
                             std::acos(std::clamp(ear.cosine, -1.0, 1.0)) * kDegrees,
-                            ear.faulty};
+                            ear.faulty()};
     });
     s.phase = Phase::Emit;
 }

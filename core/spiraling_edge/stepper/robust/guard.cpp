@@ -115,6 +115,7 @@ constexpr std::array kShapeRules{
     FanRule{&RobustRules::noCross, crossing},
     FanRule{&RobustRules::noFold, fold},
     FanRule{&RobustRules::noMeet, meetsFinished},
+    FanRule{&RobustRules::noLayer, coversFinished},
 };
 /// These drop no candidate: the fan is refused.
 constexpr std::array kWaitingRules{

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -46,8 +45,8 @@ class FlipScore {
                outerFold(following(h_), quad_.flippedV()) +
                outerFold(preceding(g_), quad_.flippedV());
     }
-    /// Triangles nearby that the two given ones meet.
-    int meetings(const Triangle& a, const Triangle& b) const {
+    /// Triangles at the four points that the two given ones meet, or are a second layer of.
+    int conflicts(const Triangle& a, const Triangle& b) const {
         int count = 0;
         std::vector<Index> seen{h_ / 3, g_ / 3};
         for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
@@ -56,14 +55,14 @@ class FlipScore {
                 if (std::find(seen.begin(), seen.end(), t) != seen.end()) return;
                 seen.push_back(t);
                 for (const Triangle& mine : {a, b}) {
-                    count += trianglesShareMore(points_.position, mine, m_.triangles[t]) ? 1 : 0;
+                    count += conflict(points_, mine, m_.triangles[t]) ? 1 : 0;
                 }
             });
         }
         return count;
     }
-    /// True if one of the two given triangles meets a triangle at a neighbor.
-    bool meetNearby(const Triangle& a, const Triangle& b) const {
+    /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
+    bool conflictNearby(const Triangle& a, const Triangle& b) const {
         bool found = false;
         for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
             for (const Index near : points_.neighbors[p]) {
@@ -71,8 +70,8 @@ class FlipScore {
                 forEachSideOf(m_, near, [&](HalfEdge side) {
                     const Index t = side / 3;
                     if (found || t == h_ / 3 || t == g_ / 3) return;
-                    found = trianglesShareMore(points_.position, a, m_.triangles[t]) ||
-                            trianglesShareMore(points_.position, b, m_.triangles[t]);
+                    found = conflict(points_, a, m_.triangles[t]) ||
+                            conflict(points_, b, m_.triangles[t]);
                 });
             }
         }
@@ -128,30 +127,54 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
         return false;
     if (isFlat(points, thresholds, q)) return score.after() == 0;
     return standsOnFlat(points, thresholds, q) && score.after() == 0 &&
-           !score.meetNearby(q.flippedU(), q.flippedV());
+           !score.conflictNearby(q.flippedU(), q.flippedV());
 }
 
-bool givesFewerFaults(const FlipScore& score) {
+/// A conflict may move to triangles that are not looked at, and come back: each triangle takes part
+/// in at most so many flips that change nothing else.
+constexpr std::uint8_t kMaxConflictFlips = 4;
+
+/// What a flip is good for.
+enum class Gain : std::uint8_t { None, Angles, Shape, Conflicts };
+
+/// Whether a flip leaves fewer faults.
+Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
     const Quad& q = score.quad();
     const int before = score.before();
     const int after = score.after();
-    return after <= before && after + score.meetings(q.flippedU(), q.flippedV()) <
-                                  before + score.meetings(q.left(), q.right());
+    const bool fewer = after <= before && after + score.conflicts(q.flippedU(), q.flippedV()) <
+                                              before + score.conflicts(q.left(), q.right());
+    if (!fewer) return Gain::None;
+    if (after < before) return Gain::Shape;
+    const auto flips = std::max(m.conflictFlips[h / 3], m.conflictFlips[m.twin[h] / 3]);
+    return flips < kMaxConflictFlips ? Gain::Conflicts : Gain::None;
 }
 
-bool isBetterFlipped(const PointSet& points, const RobustThresholds& thresholds,
-                     const RepairState& m, HalfEdge h) {
+/// True if one of the triangles is far off the normals of its corners, and in conflict with
+/// another.
+bool isRough(const PointSet& points, const Quad& q, const FlipScore& score) {
+    return (isSteep(points, q.left(), kRough) || isSteep(points, q.right(), kRough)) &&
+           score.conflicts(q.left(), q.right()) > 0;
+}
+
+Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, const RepairState& m,
+                HalfEdge h) {
     // RobustRules::removeFolded shortens the list, so that a side in the queue may no longer exist.
-    if (h >= m.twin.size() || m.twin[h] == kNone) return false;
+    if (h >= m.twin.size() || m.twin[h] == kNone) return Gain::None;
     const FlipScore score(points, m, h);
     const Quad& q = score.quad();
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
-        return false;
+        return Gain::None;
     }
-    const bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
-    const bool better =
-        sound ? givesBetterAngles(points, thresholds, score) : givesFewerFaults(score);
-    return better && !joined(m, q.x, q.y);
+    const bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0) &&
+                       !isRough(points, q, score);
+    Gain gain = Gain::None;
+    if (!sound) {
+        gain = gainInFaults(m, h, score);
+    } else if (givesBetterAngles(points, thresholds, score)) {
+        gain = Gain::Angles;
+    }
+    return gain == Gain::None || joined(m, q.x, q.y) ? Gain::None : gain;
 }
 
 void flipEdge(RepairState& m, HalfEdge h) {
@@ -181,9 +204,14 @@ void flipEdge(RepairState& m, HalfEdge h) {
 
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& m) {
+    m.conflictFlips.resize(m.triangles.size(), 0);
     while (m.queueFront < m.queue.size()) {
         const HalfEdge h = m.queue[m.queueFront++];
-        if (!isBetterFlipped(points, thresholds, m, h)) continue;
+        const Gain gain = gainOfFlip(points, thresholds, m, h);
+        if (gain == Gain::None) continue;
+        if (gain == Gain::Conflicts) {
+            for (const HalfEdge side : {h, m.twin[h]}) ++m.conflictFlips[side / 3];
+        }
         const Quad q = quadAt(m, h);
         flipEdge(m, h);
         ++m.flipped;

@@ -1,146 +1,210 @@
-/// RobustRules::reinsert: a stranded point splits the triangle or the edge it lies over, or is
-/// joined to the border next to it, whichever has the best angles without a fault.
+/// RobustRules::reinsert: a stranded point gets the place of a triangle nearby, and of as many of
+/// its neighbors as must go with it so that none of the new triangles has a fault; or a side at the
+/// border, which it divides or is joined to. Of all places the one with the best angles is taken.
+/// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
 #include <algorithm>
 #include <array>
 
-#include "spiraling_edge/geometry/exact_predicates.h"
-#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
 namespace {
 
-enum class Way : std::uint8_t { SplitTriangle, SplitEdge, JoinBorder };
+/// Largest number of triangles that make room for a point.
+constexpr std::size_t kMaxGone = 8;
+constexpr std::size_t kMaxMade = kMaxGone + 2;
 
-/// A place for the point, and the quality of its triangles.
-struct Insertion {
-    Way way = Way::SplitTriangle;
-    HalfEdge side = kNone;
-    double cosine =
-        2.0;  ///< Cosine of the least angle of the new triangles: the smaller, the better.
-};
+/// The new triangles of a place, around the point, and the old ones that they replace.
+class Change {
+  public:
+    Change(const RepairState& m, Index x) : m_(&m), x_(x) {}
 
-/// The new triangles of one way, and the old ones that they replace.
-struct Change {
-    std::array<Triangle, 4> made{};
-    std::array<HalfEdge, 4> outer{};  ///< Side of each one's old edge, as the old triangle has it.
-    std::size_t count = 0;
-    std::array<Index, 2> gone{kNone, kNone};
-
-    void add(const RepairState& m, HalfEdge side, Index x) {
-        made[count] = {cornerOf(m, side), cornerOf(m, following(side)), x};
-        outer[count++] = m.twin[side];
+    /// Takes the place of a triangle.
+    void replace(Index t) {
+        gone_[goneCount_++] = t;
+        for (Index k = 0; k < 3; ++k) put(count_++, 3 * t + k);
     }
-};
+    /// Adds a triangle on the outer side of a border.
+    void join(HalfEdge border) {
+        made_[0] = {cornerOf(*m_, following(border)), cornerOf(*m_, border), x_};
+        outer_[0] = border;
+        count_ = 1;
+    }
+    /// Avoids the new triangle `i`: the old one across its side goes as well; at a border, the
+    /// point divides the side. False if neither is possible.
+    bool avoid(std::size_t i) {
+        if (goneCount_ == 0) return false;
+        return outer_[i] == kNone ? divideBorder(i) : widen(i);
+    }
 
-Change changeFor(const RepairState& m, Way way, HalfEdge h, Index x) {
-    Change c;
-    switch (way) {
-        case Way::SplitTriangle:
-            for (const HalfEdge side : {h, following(h), preceding(h)}) c.add(m, side, x);
-            c.gone[0] = h / 3;
-            break;
-        case Way::SplitEdge: {
-            const HalfEdge g = m.twin[h];
-            for (const HalfEdge side : {following(h), preceding(h), following(g), preceding(g)}) {
-                c.add(m, side, x);
-            }
-            c.gone = {h / 3, g / 3};
-            break;
+    std::size_t size() const { return count_; }
+    const Triangle& operator[](std::size_t i) const { return made_[i]; }
+    /// The side across the old edge of triangle `i`, kNone at a border.
+    HalfEdge across(std::size_t i) const { return outer_[i]; }
+    bool removes(Index t) const {
+        const auto end = gone_.begin() + static_cast<std::ptrdiff_t>(goneCount_);
+        return std::find(gone_.begin(), end, t) != end;
+    }
+    void apply(RepairState& m) const;
+
+  private:
+    /// Makes triangle `i` that of an old side.
+    void put(std::size_t i, HalfEdge side) {
+        made_[i] = {cornerOf(*m_, side), cornerOf(*m_, following(side)), x_};
+        outer_[i] = m_->twin[side];
+    }
+    bool hasCorner(Index p) const {
+        const auto end = made_.begin() + static_cast<std::ptrdiff_t>(count_);
+        return std::any_of(made_.begin(), end,
+                           [&](const Triangle& t) { return t.a == p || t.b == p; });
+    }
+    bool widen(std::size_t i) {
+        const HalfEdge other = outer_[i];
+        const Index tip = cornerOf(*m_, preceding(other));
+        if (goneCount_ == kMaxGone || m_->pinched[tip] || hasCorner(tip)) return false;
+        gone_[goneCount_++] = other / 3;
+        for (std::size_t k = count_++; k > i + 1; --k) {
+            made_[k] = made_[k - 1];
+            outer_[k] = outer_[k - 1];
         }
-        case Way::JoinBorder:
-            c.made[0] = {cornerOf(m, following(h)), cornerOf(m, h), x};
-            c.outer[0] = h;
-            c.count = 1;
-            break;
+        put(i, following(other));
+        put(i + 1, preceding(other));
+        return true;
     }
-    return c;
-}
-
-/// True if the new triangles meet any other one nearby.
-bool meetsOthers(const PointSet& points, const RepairState& m, const Change& change, Index x) {
-    bool found = false;
-    const auto test = [&](Index t) {
-        if (found || t == change.gone[0] || t == change.gone[1]) return;
-        for (std::size_t i = 0; i < change.count && !found; ++i) {
-            found = trianglesShareMore(points.position, change.made[i], m.triangles[t]);
+    bool divideBorder(std::size_t i) {
+        if (dividesBorder_ || count_ < 3) return false;
+        dividesBorder_ = true;
+        --count_;
+        for (std::size_t k = i; k < count_; ++k) {
+            made_[k] = made_[k + 1];
+            outer_[k] = outer_[k + 1];
         }
-    };
-    for (const Index near : points.neighbors[x]) {
-        forEachSideOf(m, near, [&](HalfEdge side) { test(side / 3); });
+        return true;
     }
-    return found;
-}
 
-/// The least angle's cosine, 2 if a triangle would have a fault.
-double leastAngleCosineOf(const PointSet& points, const Change& change, const RepairState& m) {
-    double worst = -1.0;
-    for (std::size_t i = 0; i < change.count; ++i) {
-        const Triangle& t = change.made[i];
-        // In the last round a single corner's normal may be against it, as in the last circuit of
-        // a ring (kCornerAllowed).
-        if (shapeFaults(points, t) > (m.round + 1 < kRepairRounds ? 0 : 1)) return 2.0;
-        const HalfEdge outer = change.outer[i];
-        if (outer != kNone && folded(points, t, m.triangles[outer / 3])) return 2.0;
-        worst = std::max(worst, leastAngleCosine(points, t));
-    }
-    // Triangles almost without width are worse than a point that is left out.
-    constexpr double kThin = 0.9998;  // 1.1 degrees.
-    return worst < kThin ? worst : 2.0;
-}
-
-/// Tries one way; keeps it if it is better than the best so far.
-void consider(const PointSet& points, const RepairState& m, Way way, HalfEdge side, Index x,
-              Insertion& best) {
-    const Change change = changeFor(m, way, side, x);
-    const double cosine = leastAngleCosineOf(points, change, m);
-    if (cosine < best.cosine && !meetsOthers(points, m, change, x)) best = {way, side, cosine};
-}
-
-Insertion findInsertion(const PointSet& points, const RepairState& m, Index x) {
-    Insertion best;
-    for (const Index near : points.neighbors[x]) {
-        if (m.pinched[near]) continue;
-        forEachSideOf(m, near, [&](HalfEdge h) {
-            consider(points, m, Way::SplitTriangle, h, x, best);
-            for (const HalfEdge side : {h, following(h)}) {
-                const bool border = m.twin[side] == kNone;
-                consider(points, m, border ? Way::JoinBorder : Way::SplitEdge, side, x, best);
-            }
-        });
-    }
-    return best;
-}
+    const RepairState* m_;
+    Index x_;
+    std::array<Triangle, kMaxMade> made_{};
+    std::array<HalfEdge, kMaxMade> outer_{};
+    std::size_t count_ = 0;
+    std::array<Index, kMaxGone> gone_{};
+    std::size_t goneCount_ = 0;
+    bool dividesBorder_ = false;
+};
 
 /// Stores the new triangles in the places of the old ones and at the end of the list.
-void apply(RepairState& m, const Change& change, Index x) {
-    std::array<HalfEdge, 4> base{};
-    for (std::size_t i = 0; i < change.count; ++i) {
-        const bool reuse = i < 2 && change.gone[i] != kNone;
-        const auto t = reuse ? change.gone[i] : static_cast<Index>(m.triangles.size());
+void Change::apply(RepairState& m) const {
+    std::array<HalfEdge, kMaxMade> base{};
+    for (std::size_t i = 0; i < count_; ++i) {
+        const bool reuse = i < goneCount_;
+        const auto t = reuse ? gone_[i] : static_cast<Index>(m.triangles.size());
         if (!reuse) {
             m.triangles.emplace_back();
             m.twin.resize(m.twin.size() + 3, kNone);
         }
         base[i] = 3 * t;
-        m.triangles[t] = change.made[i];
+        m.triangles[t] = made_[i];
     }
-    for (std::size_t i = 0; i < change.count; ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
         for (const HalfEdge side : {base[i], base[i] + 1, base[i] + 2}) m.twin[side] = kNone;
     }
-    for (std::size_t i = 0; i < change.count; ++i) {
-        pair(m, base[i], change.outer[i]);
-        m.sideOf[change.made[i].a] = base[i];
-        m.sideOf[change.made[i].b] = base[i] + 1;
-        for (std::size_t j = 0; j < change.count; ++j) {
+    for (std::size_t i = 0; i < count_; ++i) {
+        pair(m, base[i], outer_[i]);
+        m.sideOf[made_[i].a] = base[i];
+        m.sideOf[made_[i].b] = base[i] + 1;
+        for (std::size_t j = 0; j < count_; ++j) {
             // The side b -> x of one lies on the side x -> a of the next.
-            if (change.made[j].a == change.made[i].b) pair(m, base[i] + 1, base[j] + 2);
+            if (made_[j].a == made_[i].b) pair(m, base[i] + 1, base[j] + 2);
         }
         m.queue.push_back(base[i]);
         m.queue.push_back(base[i] + 1);
     }
-    m.sideOf[x] = base[0] + 2;
+    m.sideOf[x_] = base[0] + 2;
 }
+
+/// A place for a point, and the quality of its triangles.
+struct Insertion {
+    std::optional<Change> change;
+    double cosine = 2.0;  ///< Of the least angle of the new triangles: the smaller, the better.
+};
+
+struct NearTriangle {
+    Index index;
+    ShapedTriangle shaped;
+};
+
+/// Finds the best place for one point.
+class PlaceSearch {
+  public:
+    PlaceSearch(const PointSet& points, const RepairState& m, Index x)
+        : points_(points), m_(m), x_(x) {}
+
+    std::optional<Change> find() {
+        // All triangles here: a place may take any of them, and none may be in conflict.
+        std::vector<Index> near;
+        for (const Index p : points_.neighbors[x_]) {
+            forEachSideOf(m_, p, [&](HalfEdge side) {
+                if (std::find(near.begin(), near.end(), side / 3) == near.end())
+                    near.push_back(side / 3);
+            });
+        }
+        for (const Index t : near) near_.push_back({t, ShapedTriangle(points_, m_.triangles[t])});
+        for (const Index t : near) {
+            const Triangle& old = m_.triangles[t];
+            if (m_.pinched[old.a] || m_.pinched[old.b] || m_.pinched[old.c]) continue;
+            Change inside(m_, x_);
+            inside.replace(t);
+            consider(std::move(inside));
+            for (Index k = 0; k < 3; ++k) {
+                if (m_.twin[3 * t + k] != kNone) continue;
+                Change outside(m_, x_);
+                outside.join(3 * t + k);
+                consider(std::move(outside));
+            }
+        }
+        return best_.change;
+    }
+
+  private:
+    /// Widens a place until no new triangle has a fault; keeps it if it is the best so far.
+    void consider(Change change) {
+        double worst = -1.0;
+        for (std::size_t i = 0; i < change.size();) {
+            if (isFaulty(change, i)) {
+                // Those before stay as they are: only old triangles go.
+                if (!change.avoid(i)) return;
+                continue;
+            }
+            worst = std::max(worst, leastAngleCosine(points_, change[i++]));
+        }
+        if (worst < best_.cosine) best_ = {std::move(change), worst};
+    }
+
+    bool isFaulty(const Change& change, std::size_t i) const {
+        const Triangle& t = change[i];
+        // In the last round a single corner's normal may be against it, as in the last circuit of
+        // a ring (kCornerAllowed).
+        if (shapeFaults(points_, t) > (m_.round + 1 < kRepairRounds ? 0 : 1)) return true;
+        // Triangles almost without width are worse than a point that is left out.
+        constexpr double kThin = 0.9998;  // 1.1 degrees.
+        if (leastAngleCosine(points_, t) >= kThin) return true;
+        const HalfEdge outer = change.across(i);
+        if (outer != kNone && folded(points_, t, m_.triangles[outer / 3])) return true;
+        const ShapedTriangle made(points_, t);
+        for (std::size_t k = 0; k < i; ++k) {
+            if (conflict(points_, made, ShapedTriangle(points_, change[k]))) return true;
+        }
+        return std::any_of(near_.begin(), near_.end(), [&](const NearTriangle& other) {
+            return !change.removes(other.index) && conflict(points_, made, other.shaped);
+        });
+    }
+
+    const PointSet& points_;
+    const RepairState& m_;
+    Index x_;
+    std::vector<NearTriangle> near_;  ///< Triangles at the points that x lists.
+    Insertion best_;
+};
 
 }  // namespace
 
@@ -148,9 +212,9 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
     for (; m.nextPoint < points.size(); ++m.nextPoint) {
         const Index x = points.inOrder(m.nextPoint);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
-        const Insertion place = findInsertion(points, m, x);
-        if (place.side == kNone) continue;
-        apply(m, changeFor(m, place.way, place.side, x), x);
+        const std::optional<Change> change = PlaceSearch(points, m, x).find();
+        if (!change) continue;
+        change->apply(m);
         ++m.reinserted;
         ++m.nextPoint;
         return ReinsertEvidence{x};

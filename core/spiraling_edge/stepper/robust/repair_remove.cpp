@@ -1,10 +1,9 @@
-/// RobustRules::removeFolded: a point at a flipped triangle is taken out and the hole of its
+/// RobustRules::removeFolded: a point at a faulty triangle is taken out and the hole of its
 /// triangles closed without a fault; RobustRules::reinsert may put it back where it fits. The hole
 /// is filled by dynamic programming over its ring, O(n^3) for the at most 14 points of it.
 #include <algorithm>
 #include <array>
 
-#include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -20,7 +19,7 @@ struct Star {
     std::vector<Index> ring;    ///< Points: where rim[i] begins.
 };
 
-/// Empty unless the triangles form one closed fan of 4 to kMaxSides.
+/// Empty unless the triangles form one closed fan of 4 to kMaxSides, with no pinched point.
 Star starOf(const RepairState& m, Index x) {
     Star star;
     HalfEdge h = m.sideOf[x];
@@ -32,6 +31,9 @@ Star starOf(const RepairState& m, Index x) {
         h = m.twin[preceding(h)];
     } while (h != kNone && h != begin && star.rim.size() <= kMaxSides);
     if (h != begin || star.rim.size() < 4 || star.rim.size() > kMaxSides) return {};
+    // joined() sees only one fan of a pinched point.
+    if (std::any_of(star.ring.begin(), star.ring.end(), [&](Index p) { return m.pinched[p]; }))
+        return {};
     return star;
 }
 
@@ -124,9 +126,9 @@ bool foldsOutside(const PointSet& points, const RepairState& m, const Star& star
     return false;
 }
 
-/// True if a triangle of the filling meets one near the ring that is not of the star.
-bool meetsOthers(const PointSet& points, const RepairState& m, const Star& star,
-                 const Filling& filling) {
+/// True if a triangle of the filling is in conflict with one near the ring that is not of the star.
+bool isInConflict(const PointSet& points, const RepairState& m, const Star& star,
+                  const Filling& filling) {
     bool meets = false;
     for (const Index p : star.ring) {
         forEachSideOf(m, p, [&](HalfEdge side) {
@@ -134,8 +136,7 @@ bool meetsOthers(const PointSet& points, const RepairState& m, const Star& star,
                                          [&](HalfEdge r) { return r / 3 == side / 3; });
             if (own || meets) return;
             meets = std::any_of(filling.begin(), filling.end(), [&](const RingTriangle& t) {
-                return trianglesShareMore(points.position, triangleOf(star, t),
-                                          m.triangles[side / 3]);
+                return conflict(points, triangleOf(star, t), m.triangles[side / 3]);
             });
         });
     }
@@ -197,7 +198,7 @@ bool takeOut(const PointSet& points, RepairState& m, Index x) {
     if (star.ring.empty()) return false;
     const Filling filling = RingFill(points, m, star).find();
     if (filling.empty() || foldsInside(points, star, filling) ||
-        foldsOutside(points, m, star, filling) || meetsOthers(points, m, star, filling)) {
+        foldsOutside(points, m, star, filling) || isInConflict(points, m, star, filling)) {
         return false;
     }
     replaceStar(m, star, filling, x);
@@ -209,7 +210,7 @@ bool takeOut(const PointSet& points, RepairState& m, Index x) {
 std::optional<RemoveFoldedEvidence> removeFoldedPoint(const PointSet& points, RepairState& m) {
     for (; m.nextTriangle < m.triangles.size(); ++m.nextTriangle) {
         const Index t = m.nextTriangle;
-        if (shapeFaults(points, m.triangles[t]) < kFlippedFault) continue;
+        if (!isFaulty(points, m, t)) continue;
         std::vector<Index> near{m.triangles[t].a, m.triangles[t].b, m.triangles[t].c};
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge other = m.twin[3 * t + k];
