@@ -126,6 +126,10 @@ while read -r file; do
     [ "$found" = yes ] || breach "in no CMakeLists.txt: $file"
 done < <(find core app tests -name '*.cpp' -not -path 'tests/consumer/*')
 
+# CMake splits lists at semicolons: such a test would be registered in two halves, and never run.
+mapfile -t tests < <(sources tests)
+no '^TEST_CASE\(.*;.*"\)|^ +"[^"]*;[^"]*"\) \{$' "no semicolon in the name of a test" "${tests[@]}"
+
 # Limits of size.
 while read -r file; do
     lines=$(wc -l <"$file")

@@ -39,7 +39,7 @@ TEST_CASE("Without a file there is a start page, and nothing to go to") {
     CHECK_FALSE(parse({"--goto", "12"}).options.has_value());
 }
 
-TEST_CASE("Rules, layout and place are read; invalid ones are wrong usage") {
+TEST_CASE("Rules, layout and place are read, invalid ones are wrong usage") {
     const ParsedOptions parsed =
         parse({"scene:torus", "--rules", "printed", "--rule", "fill=on", "--rule", "closetwo=off",
                "--layout", "present", "--place",
@@ -169,7 +169,7 @@ TEST_CASE("The command line comes before the session, the session before the def
     CHECK(std::get<KNearest>(given.input.neighbors.reach).k == 9);
 }
 
-TEST_CASE("A session that cannot be read is an error; other files are left unchanged") {
+TEST_CASE("A session that cannot be read is an error, other files are left unchanged") {
     Options missing = *parse({"/nowhere/a.sesession"}).options;
     CHECK_FALSE(adoptSession(missing).ok());
     Options points = *parse({"/nowhere/a.ply"}).options;

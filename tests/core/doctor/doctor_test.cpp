@@ -304,7 +304,7 @@ TEST_CASE("doctor: close_sheets accuses if it is the set as a whole") {
 // ---- lists --------------------------------------------------------------------------------------
 
 TEST_CASE(
-    "doctor: lists of the nearest points are not accused; that they are unsymmetric is noted") {
+    "doctor: lists of the nearest points are not accused, that they are unsymmetric is noted") {
     const PointFile file = withLists(ball());
     const Diagnosis diagnosis = examined(file);
     CHECK(problemNames(diagnosis) == "");

@@ -84,7 +84,7 @@ TEST_CASE("closest calls: a lattice decides at the very limit") {
     CHECK(std::abs(decisions.decisions[0].reading.margin) < 1e-9);
 }
 
-TEST_CASE("closest calls: zero requested; cancelled") {
+TEST_CASE("closest calls: zero requested, cancelled") {
     const PointSet points = prepared(closedFamilies()[0].sample(2));
     CHECK(nearestOf(points, paper(), 0).decisions.empty());
     CHECK_FALSE(nearestDecisions(points, paper(), 5, [](double) { return false; }).ok());

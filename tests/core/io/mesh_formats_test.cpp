@@ -128,7 +128,7 @@ TEST_CASE("STL: a mesh that no shift helps, or without size, is written without 
     CHECK_FALSE(shiftOf(stl, points, two).has_value());
 }
 
-TEST_CASE("OFF: plain unless normals are requested; STL has no place for them") {
+TEST_CASE("OFF: plain unless normals are requested, STL has no place for them") {
     const TemporaryFolder folder;
     const FarMesh mesh = torusAt({0, 0, 0}, 2.0);
     const auto plain = folder / "a.off";

@@ -144,7 +144,7 @@ TEST_CASE("GLB: the box of the positions is that of the floats in the file") {
     CHECK(numbersAfter("\"max\":") == high);
 }
 
-TEST_CASE("mesh files: the extension decides, in any case; others are named in the error") {
+TEST_CASE("mesh files: the extension decides, in any case, others are named in the error") {
     CHECK(meshFormatOf("a.OBJ")->extension == ".obj");
     CHECK(meshFormatOf("folder.obj/a")->extension == ".ply");
     CHECK(meshFormatOf("a.fbx") == nullptr);

@@ -56,7 +56,7 @@ TEST_CASE("used points: lists lose the entries of points that went, and keep the
     CHECK(list(3) == std::vector<Index>{2});
 }
 
-TEST_CASE("used points: a mesh that uses all points is as it was; without triangles none is left") {
+TEST_CASE("used points: a mesh that uses all points is as it was, without triangles none is left") {
     PointFile all = sixPoints();
     all.neighbors = {};
     const std::vector<Triangle> every = {{0, 1, 2}, {3, 4, 5}};

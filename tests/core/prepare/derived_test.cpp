@@ -63,7 +63,7 @@ TEST_CASE("prepare: given normals are turned, or replaced, only on request") {
     }
 }
 
-TEST_CASE("prepare: nothing can be derived from points in line; they are set aside and counted") {
+TEST_CASE("prepare: nothing can be derived from points in line, they are set aside and counted") {
     PointFile line;
     for (int i = 0; i < 20; ++i) line.position.push_back({1.0 * i, 0, 0});
     const Prepared prepared = prepareOrFail(line);
@@ -93,7 +93,7 @@ TEST_CASE("prepare: wall types from a box replace those of the file") {
     CHECK(prepare(sheet, options).value().points.type == truth);
 }
 
-TEST_CASE("walls: the tolerance is in units of the largest side; outside is interior") {
+TEST_CASE("walls: the tolerance is in units of the largest side, outside is interior") {
     const WallBox box{Vec3(0.0), Vec3(10, 10, 1), 0.01};
     const std::vector<Vec3> position{{0.09, 5, 0.5},  {0.11, 5, 0.5}, {-0.09, 5, 0.5},
                                      {-0.11, 5, 0.5}, {0, 10, 0.5},   {0, 0, 0.5}};

@@ -178,7 +178,7 @@ TEST_CASE("breakpoints: hit counts run from the start, in both directions") {
     }
 }
 
-TEST_CASE("breakpoints: of several the nearest stops; those that are off or log-only do not") {
+TEST_CASE("breakpoints: of several the nearest stops, those that are off or log-only do not") {
     const PointSet points = sceneOf("linked-tori");
     const HitList splits = hitsOf(points, "stage=split");
     const HitList ends = hitsOf(points, "component");

@@ -92,7 +92,7 @@ TEST_CASE("every hazard ends, read whole or refused") {
     }
 }
 
-TEST_CASE("even closed surfaces come out closed, but for one in twenty; printed far fewer") {
+TEST_CASE("even closed surfaces come out closed, but for one in twenty, printed far fewer") {
     std::size_t closed = 0;
     std::size_t closedAsPrinted = 0;
     for (const Family& family : closedFamilies(2.0)) {

@@ -57,7 +57,7 @@ TEST_CASE("robust: an oriented manifold from random points, lists, normals and t
     CHECK(triangles > 1000);  // They did something.
 }
 
-TEST_CASE("guard: alone, it keeps random points an oriented manifold; without it they are none") {
+TEST_CASE("guard: alone, it keeps random points an oriented manifold, without it they are none") {
     std::size_t tangled = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const PointSet points = randomPoints(seed);

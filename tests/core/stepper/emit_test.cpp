@@ -42,7 +42,7 @@ TEST_CASE("6.4 the test is for rings of two points only") {
     CHECK(one.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
 }
 
-TEST_CASE("6.4 Figure 10: triangles run p, first, t; counterclockwise about the normal") {
+TEST_CASE("6.4 Figure 10: triangles run p, first, t, counterclockwise about the normal") {
     Rig rig(inSector(170, {polar(40), polar(80), polar(120)}));
     rig.listAll().ring(kRing).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 2}});

@@ -214,7 +214,7 @@ TEST_CASE("reinsert: no triangle that meets another one nearby") {
     CHECK_FALSE(reinsertNext(points, cut));
 }
 
-TEST_CASE("reinsert: with the rule, points that a run stranded are used; without, they are not") {
+TEST_CASE("reinsert: with the rule, points that a run stranded are used, without, they are not") {
     std::size_t with = 0;
     std::size_t without = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {

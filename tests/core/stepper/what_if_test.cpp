@@ -369,7 +369,7 @@ TEST_CASE("forks are the same with a log and without, stepped, run, and revisite
 }
 
 TEST_CASE(
-    "every fork that is not refused keeps the invariants and ends; taken back, all is as before") {
+    "every fork that is not refused keeps the invariants and ends, taken back, all is as before") {
     std::mt19937 random(20);
     std::size_t accepted = 0;
     std::size_t refused = 0;

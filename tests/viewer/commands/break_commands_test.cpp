@@ -99,7 +99,7 @@ TEST_CASE("F5 continues from the target of the previous move") {
     }
 }
 
-TEST_CASE("F9 breaks on the selection, otherwise on this kind of decision; again removes it") {
+TEST_CASE("F9 breaks on the selection, otherwise on this kind of decision, again removes it") {
     Bench b;
     b.press("F9");
     CHECK(b.ui.breakpoints.empty());

@@ -143,7 +143,7 @@ TEST_CASE("Layer keys switch their layer") {
     CHECK(app.ui.settings.layers == LayerModes{});
 }
 
-TEST_CASE("Framing moves the camera to the selection or the pivot; stepping does not") {
+TEST_CASE("Framing moves the camera to the selection or the pivot, stepping does not") {
     CommandApp app;
     const Camera before = app.camera;
     app.press("F10");

@@ -205,7 +205,7 @@ TEST_CASE("--alert opens on any alert, at a position if one is named too, and fa
     // The number that it names is that of the class.
     AlertApp other("scene:stranded-point", "holes:1");
     REQUIRE_FALSE(other.alerts.status());
-    CHECK(other.alerts.status().error().message.find("0 of this class and 4 in all") !=
+    CHECK(other.alerts.status().error().message.find("0 of this class and 6 in all") !=
           std::string::npos);
     AlertApp unknown("scene:sphere", "dragons:1");
     REQUIRE_FALSE(unknown.alerts.status());

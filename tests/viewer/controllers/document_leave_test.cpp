@@ -51,7 +51,7 @@ TEST_CASE("There is no question without annotations, or after they were undone")
     CHECK(app.ui.quitting);
 }
 
-TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
+TEST_CASE("Quitting with notes asks, cancelling stays, discarding quits") {
     LeavingApp app;
     app.ui.notes = "odd";
     app.quit();
@@ -94,7 +94,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
     CHECK(app.ui.notes.empty());
 }
 
-TEST_CASE("Opening and reloading ask as well; discarding restores the content of the file") {
+TEST_CASE("Opening and reloading ask as well, discarding restores the content of the file") {
     LeavingApp app;
     app.ui.notes = "saved";
     app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();

@@ -178,7 +178,7 @@ TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
     CHECK(app.document.unsaved().empty());
 }
 
-TEST_CASE("A session older than the up axis opens with z up; a new one keeps its own") {
+TEST_CASE("A session older than the up axis opens with z up, a new one keeps its own") {
     DocumentApp app;
     const auto openWith = [&](const std::string& camera) {
         const fs::path path = app.folder / "up.sesession";

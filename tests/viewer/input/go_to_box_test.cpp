@@ -91,7 +91,7 @@ TEST_CASE("The text of the box is edited at the caret") {
     CHECK(box.caret() == 6);
 }
 
-TEST_CASE("Ctrl+A selects the text of the box; the next input replaces it") {
+TEST_CASE("Ctrl+A selects the text of the box, the next input replaces it") {
     GoToBox box;
     box.open();
     type(box, "137");

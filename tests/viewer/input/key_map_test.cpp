@@ -29,7 +29,7 @@ TEST_CASE("Without changes the keys are those of the table") {
     }
 }
 
-TEST_CASE("A bound key is removed from the action that had it; reset brings both back") {
+TEST_CASE("A bound key is removed from the action that had it, reset brings both back") {
     KeyMap map;
     const Command& next = command("step.pivot.next");
     const Command& play = command("run.play");

@@ -53,7 +53,7 @@ KeyPress sign(unsigned code) {
 
 }  // namespace
 
-TEST_CASE("A text field keeps editing keys; other chords and function keys pass") {
+TEST_CASE("A text field keeps editing keys, other chords and function keys pass") {
     const Keyboard typing{true, false, false};
     for (const char* mine : {"A", "Shift+A", "Space", "Enter", "Ctrl+C", "Ctrl+V", "Ctrl+X",
                              "Ctrl+A", "Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Left", "Ctrl+Left",
@@ -127,7 +127,7 @@ TEST_CASE("Text typed before and after a chord or an arrow keeps its order") {
     CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
 }
 
-TEST_CASE("The character of a key belongs to its press; later text does not") {
+TEST_CASE("The character of a key belongs to its press, later text does not") {
     const std::vector<KeyPress> typed = {down("W"), sign('w'), up("W"), down("8"), sign('8')};
     CHECK(isSignOfKeyBefore(typed, 1));
     CHECK(isSignOfKeyBefore(typed, 4));

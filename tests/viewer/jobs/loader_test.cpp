@@ -76,7 +76,7 @@ TEST_CASE("A session whose opening is cancelled continues with the open input, a
     CHECK(empty.startPage());
 }
 
-TEST_CASE("A file is hashed as it is read; an unreadable one is reported by its name") {
+TEST_CASE("A file is hashed as it is read, an unreadable one is reported by its name") {
     const fs::path path = test::ownPlace("loader-test.xyz");
     std::ofstream(path) << "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n";
     LoadProgress progress;

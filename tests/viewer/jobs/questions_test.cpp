@@ -290,7 +290,7 @@ TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     CHECK(app.session().questions().subject().kind == SelectionKind::None);
 }
 
-TEST_CASE("Margins have steps by decades; the least contrasts most with the background") {
+TEST_CASE("Margins have steps by decades, the least contrasts most with the background") {
     CHECK(marginStep(0.0) == 0U);
     CHECK(marginStep(-9e-7) == 0U);
     CHECK(marginStep(1e-6) == 1U);

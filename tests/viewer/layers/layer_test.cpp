@@ -58,7 +58,7 @@ TEST_CASE("Finished triangles are counted, those of the pivot are new") {
     for (const Face& face : list.faces) CHECK(face.hatched);
 }
 
-TEST_CASE("The active ring is closed and has arrows; stacked rings are dashed and numbered") {
+TEST_CASE("The active ring is closed and has arrows, stacked rings are dashed and numbered") {
     OpenSession open("scene:torus");
     std::uint32_t pivot = 0;
     const RunOverview& run = open.session.overview();

@@ -7,7 +7,7 @@ using namespace se;
 using namespace se::view;
 using namespace se::view::test;
 
-TEST_CASE("A seed highlights the skipped points, once; permanently in saved pictures") {
+TEST_CASE("A seed highlights the skipped points, once, permanently in saved pictures") {
     OpenSession open;
     const Model& model = open.session.model();
     const auto nearest = model.points.neighbors[50];

@@ -38,7 +38,7 @@ TEST_CASE("Every format that can be read is offered") {
     CHECK_FALSE(canBeOpened("a"));
 }
 
-TEST_CASE("A folder is listed, folders first; one that cannot be read leaves the old list") {
+TEST_CASE("A folder is listed, folders first, one that cannot be read leaves the old list") {
     const fs::path folder = test::ownPlace("browsing-test");
     fs::create_directories(folder / "z");
     for (const char* name : {"b.pcd", "a.ply", "c.png", ".hidden.ply"})

@@ -56,7 +56,7 @@ TEST_CASE("A field that is wrong is named") {
           std::string::npos);
 }
 
-TEST_CASE("On the page with new points keys act on them; keys of the run have no effect") {
+TEST_CASE("On the page with new points keys act on them, keys of the run have no effect") {
     test::HeadlessApp app("growth-keys");
     UiState& ui = app.ui;
     openGrowthPage(app.context, GrowthSource::Shape);
@@ -145,7 +145,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
     CHECK(again.spec(spec.value()).error().message.starts_with("Box:"));
 }
 
-TEST_CASE("The form shows the choices of fixes; other choices there take precedence") {
+TEST_CASE("The form shows the choices of fixes, other choices there take precedence") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     InputSpec fixed{"scene:sphere", {}, "paper"};
@@ -206,7 +206,7 @@ TEST_CASE("7 the walls of a given box make boundary points of a sphere cut in ha
     CHECK(derived.value().model->report.derived.types);
 }
 
-TEST_CASE("Sampled points are opened at the camera's position; others discard the box") {
+TEST_CASE("Sampled points are opened at the camera's position, others discard the box") {
     test::HeadlessApp app("growth-open");
     const Result<PointFile> points =
         samplePoints(sampleFromSource("sample:torus,n=300").value(), {});

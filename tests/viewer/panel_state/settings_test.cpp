@@ -73,7 +73,7 @@ TEST_CASE("Text that is no JSON object is an error, not a crash") {
     }
 }
 
-TEST_CASE("Files go to the XDG folders; without a file there are defaults") {
+TEST_CASE("Files go to the XDG folders, without a file there are defaults") {
     const std::filesystem::path folder = test::ownPlace("settings-test");
     std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
@@ -89,7 +89,7 @@ TEST_CASE("Files go to the XDG folders; without a file there are defaults") {
     unsetenv("XDG_CONFIG_HOME");
 }
 
-TEST_CASE("The chosen up axis is kept; without one it is guessed") {
+TEST_CASE("The chosen up axis is kept, without one it is guessed") {
     ViewSettings settings;
     CHECK_FALSE(settingsFromJson(settingsToJson(settings)).value().up.has_value());
     settings.up = UpAxis::X;
@@ -108,7 +108,7 @@ TEST_CASE("The latest file is first and listed once, and the oldest ones are dro
     CHECK(state.recent.back() == "/data/4.ply");
 }
 
-TEST_CASE("Scenes and nothing are no recent files; relative paths become absolute") {
+TEST_CASE("Scenes and nothing are no recent files, relative paths become absolute") {
     KeptState state;
     remember(state, "scene:torus");
     remember(state, "");

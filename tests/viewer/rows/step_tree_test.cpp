@@ -73,7 +73,7 @@ TEST_CASE("The tree shows the component and the pivot of the cursor opened") {
     CHECK_FALSE(tree.canOpen({StepRowKind::Stage, 1, 50, 0, 0}));
 }
 
-TEST_CASE("Rows can be folded and opened; the cursor's row is then the enclosing one") {
+TEST_CASE("Rows can be folded and opened, the cursor's row is then the enclosing one") {
     const RunOverview run = runOf(100, {1, 41});
     const PivotRecord record = recordOf(50);
     StepTree tree;

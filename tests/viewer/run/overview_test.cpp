@@ -92,7 +92,7 @@ TEST_CASE("Mesh styles have names that are read back, and form a cycle") {
 }
 
 TEST_CASE(
-    "Components begin where a seed made triangles; the scale of births goes to the last one") {
+    "Components begin where a seed made triangles, the scale of births goes to the last one") {
     RunOverview run;
     run.triangles = {2, 4, 4, 7, 9};
     run.marks = {{1, MarkKind::Seed}, {3, MarkKind::Seed}, {4, MarkKind::Seed}};

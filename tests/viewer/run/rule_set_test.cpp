@@ -68,7 +68,7 @@ TEST_CASE("A rule with the value of its set is no choice") {
     CHECK(withRule({"robust", {}, {}}, "fill", 0.0).choices.size() == 1);
 }
 
-TEST_CASE("The rows have all rules by section; words of name, section and sentence find them") {
+TEST_CASE("The rows have all rules by section, words of name, section and sentence find them") {
     std::size_t count = 0;
     for (const RuleGroup& group : ruleGroups({}, "")) count += group.rows.size();
     CHECK(count == ruleSettings().size());

@@ -114,7 +114,7 @@ TEST_CASE("While blinking, before and after are shown twice a second, before fir
     CHECK(turns == 40);  // In ten seconds: two full turns each.
 }
 
-TEST_CASE("Looking back lasts while its key is held; Shift makes it blink") {
+TEST_CASE("Looking back lasts while its key is held, Shift makes it blink") {
     LookBack look;
     look.begin(LookBack::Mode::Before, '`', 1.0);
     CHECK(look.showsBefore(1.3));

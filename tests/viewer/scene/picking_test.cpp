@@ -176,7 +176,7 @@ TEST_CASE("The index of triangles finds the same as a search of all of them") {
     CHECK(compared > 40);
 }
 
-TEST_CASE("Only things present at the cursor are picked; steps of rings are edges as well") {
+TEST_CASE("Only things present at the cursor are picked, steps of rings are edges as well") {
     test::OpenSession open;
     open.session.moves().goToPivot(40);
     open.session.waitUntilDone();
@@ -249,7 +249,7 @@ TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its prese
     CHECK_FALSE(pivotOfTriangle(run, run.triangles.back()).has_value());
 }
 
-TEST_CASE("An edge of the ring is reported as such; an edge of nothing is not present") {
+TEST_CASE("An edge of the ring is reported as such, an edge of nothing is not present") {
     test::OpenSession open;
     open.session.moves().goToPivot(30);
     open.session.waitUntilDone();
@@ -305,7 +305,7 @@ TEST_CASE("Points left of a line are not enclosed by one around the right half")
     for (const Index p : points) CHECK(project(camera, model->place[p], kSize).x >= 320.0F);
 }
 
-TEST_CASE("A concave line excludes the points in its notch; two corners enclose nothing") {
+TEST_CASE("A concave line excludes the points in its notch, two corners enclose nothing") {
     const auto model = test::sphereModel();
     const CameraMatrices camera = front();
     // A U open at the top: the middle is outside.

@@ -25,7 +25,7 @@ TEST_CASE("Bookmarks keep the order of the run, in any order of setting them") {
     CHECK(bookmarkAt(marks, at("40.sort.4")) == std::nullopt);
 }
 
-TEST_CASE("A second toggle removes a bookmark; an inserted one replaces that of its address") {
+TEST_CASE("A second toggle removes a bookmark, an inserted one replaces that of its address") {
     Bookmarks marks;
     insertBookmark(marks, {at("5.sort.1"), "first"});
     insertBookmark(marks, {at("5.sort.1"), "second"});

@@ -6,7 +6,7 @@ using namespace se;
 using namespace se::view;
 using test::OpenSession;
 
-TEST_CASE("A notice goes away after a while; the message is kept until the next move") {
+TEST_CASE("A notice goes away after a while, the message is kept until the next move") {
     using namespace std::chrono_literals;
     OpenSession open;
     open.session.messages().say("Saved.");

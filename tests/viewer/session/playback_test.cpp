@@ -65,7 +65,7 @@ TEST_CASE("The units form a cycle and have names") {
     CHECK(unitName(PlayUnit::Event) == "event");
 }
 
-TEST_CASE("A loop needs two marks in the order of the run; the newer mark wins") {
+TEST_CASE("A loop needs two marks in the order of the run, the newer mark wins") {
     PlayLoop loop;
     CHECK(loop.empty());
     loop.setTo({20, se::Stage::Pivot, 0});

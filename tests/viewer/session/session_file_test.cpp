@@ -96,7 +96,7 @@ TEST_CASE("A session file is read back as written, the path relative to the file
 }
 
 TEST_CASE(
-    "What is derived, and points that are grown, come back; the path of a volume moves along") {
+    "What is derived, and points that are grown, come back, the path of a volume moves along") {
     SessionFile session;
     session.input.source = "sample:/data/scans/lobster.nhdr,n=900,iso=40";
     session.input.neighbors = {KNearest{9}, true, 0, true, true};
@@ -147,7 +147,7 @@ TEST_CASE("Unknown fields are kept, at any position") {
     }
 }
 
-TEST_CASE("Unknown layers and modes are skipped and reported; the others are used") {
+TEST_CASE("Unknown layers and modes are skipped and reported, the others are used") {
     const auto read = sessionFromJson(
         minimal(R"(, "layers": {"points": 1, "hologram": "on", "normals": "on", "links": "no"})"),
         "folder/a.sesession", "");

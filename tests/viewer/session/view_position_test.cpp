@@ -97,7 +97,7 @@ TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of
     }
 }
 
-TEST_CASE("The axis that is up is part of a position; a position without it has z up") {
+TEST_CASE("The axis that is up is part of a position, a position without it has z up") {
     Camera camera;
     camera.setUp(UpAxis::Y);
     const auto read = viewPositionFromText(toText(ViewPosition{"1", camera.pose()}));

@@ -111,7 +111,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     CHECK(pair.comparison.other() == nullptr);
 }
 
-TEST_CASE("A mesh of another program is matched with the points; one without triangles is not") {
+TEST_CASE("A mesh of another program is matched with the points, one without triangles is not") {
     Pair pair;
     pair.run.moves().toEnd();
     pair.waitUntilDone();
