@@ -8,6 +8,7 @@ namespace se::cli {
 
 std::string faultTotalText(std::span<const ClassTotal> totals) {
     if (isSound(totals)) return "sound";
+    if (faultCount(totals) == 0) return "no fault found, but the search ended early";
     const bool exact =
         std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
     return (exact ? "" : "at least ") + counted(faultCount(totals), "fault");

@@ -46,6 +46,7 @@ void addCounters(const Counters& counters, Json& json) {
     json["joins"] = counters.joins;
     json["closed_rings"] = counters.closedRings;
     json["freed_rings"] = counters.freedRings;
+    json["shelved"] = counters.shelved;
     json["holes"] = counters.holes;
     json["openings"] = counters.openings;
     json["filled"] = counters.filled;
@@ -77,11 +78,11 @@ void addMesh(const MeshReport& mesh, Json& json) {
 
 /// The name of a class among the faults of a run: that of version 0.1.0, where it had one.
 std::string faultKey(const FailureClass& kind) {
-    constexpr std::pair<std::string_view, std::string_view> kFirst[] = {
+    constexpr std::pair<std::string_view, std::string_view> kEarlier[] = {
         {"non_manifold_edges", "non_manifold_edge"}, {"inconsistent_edges", "inconsistent_edge"},
         {"degenerate_triangles", "degenerate"},      {"flipped_triangles", "flipped"},
         {"intersecting_triangles", "intersecting"},  {"folded_edges", "folded"}};
-    for (const auto& [name, key] : kFirst) {
+    for (const auto& [name, key] : kEarlier) {
         if (kind.name == name) return std::string(key);
     }
     return std::string(kind.name);
@@ -259,6 +260,7 @@ std::string faultSentence(const RunOutcome& outcome) {
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
     const bool exact =
         std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+    if (count == 0) return "possibly faults: the search for pairs of triangles ended early";
     std::string text = outcome.pairs && !exact ? "at least " : "";
     text += counted(count, "fault") + ": " + faultCounts(outcome);
     if (!outcome.pairs)

@@ -179,8 +179,7 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
     write(used, used.faces);
 }
 
-/// Reason why a finished run must not pass `--check` although its mesh, if any, has no fault;
-/// empty if it passes.
+/// Reason why a finished run fails `--check` whatever its faults are; empty if there is none.
 std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)

@@ -53,6 +53,8 @@ class AlertSearch {
     }
     /// All failures of the run are listed, or it is not done.
     bool complete() const { return !done() || isComplete(query_.answer()->totals); }
+    /// The search is done, and the mesh has no fault (isSound()).
+    bool sound() const { return done() && isSound(query_.answer()->totals); }
     std::span<const AlertGroup> groups() const { return groups_; }
     /// Positions in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }

@@ -51,7 +51,8 @@ void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
 
 const char* wayOf(const Picture& picture, const MeshEdges& edges) {
     if (picture.goneTriangles.empty()) return "joins the border";
-    return edges.gone.empty() ? "splits its triangle" : "splits an edge";
+    if (edges.gone.empty()) return "splits its triangle";
+    return edges.gone.size() == 1 ? "splits an edge" : "replaces triangles";
 }
 
 void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out) {

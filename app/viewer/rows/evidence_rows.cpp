@@ -123,7 +123,7 @@ void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& ou
 void addRows(const ShelveEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("ring", counted(e.length, "point", "points") + ", shelved");
     out.row("on the shelf", counted(e.shelved + 1, "ring", "rings"));
-    out.row("until", "another component joins it, or no seed is left");
+    out.row("waits for", "a join, or the last seed");
 }
 
 void addRows(const TakeUpEvidence& e, const EvidenceInput&, EvidenceRows& out) {
@@ -282,6 +282,8 @@ void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& o
         out.row("put", "beside the border");
     } else if (edges.gone.empty()) {
         out.row("put", "into a triangle");
+    } else if (edges.gone.size() > 1) {
+        out.row("put", "in the place of several triangles");
     } else {
         out.row("put", "on the edge " + pointsText({edges.gone[0][0], edges.gone[0][1]}));
     }

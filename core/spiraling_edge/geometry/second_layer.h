@@ -28,7 +28,7 @@ inline constexpr double kLayerShare = 0.02;
 bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
                    const Triangle& b, const LayerShape& shapeB);
 
-/// The same for two triangles that are not tested more often.
+/// As above, for triangles tested once.
 bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b);
 
 /// A triangle with the values that conflict() tests pairs by.
@@ -42,6 +42,7 @@ struct ShapedTriangle {
 /// True if two triangles share more than their common corners, or one is a second layer of the
 /// other. Most pairs that are apart are told by their boxes alone.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
+/// As above, for triangles tested once.
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b);
 
 }  // namespace se

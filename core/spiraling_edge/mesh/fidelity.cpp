@@ -1,13 +1,15 @@
 /// Nearest triangles by a hierarchy of boxes over the triangles in the order of a Z-curve: eight
-/// consecutive ones share a box, eight boxes the next one, and so on. A box that is farther away
-/// than the best triangle so far is skipped with all in it.
+/// consecutive ones share a box, eight boxes the next one, and so on. The nearest box is searched
+/// first, and one that is farther away than the best triangle so far is skipped.
 #include "spiraling_edge/mesh/fidelity.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/z_curve.h"
@@ -85,11 +87,16 @@ class TriangleTree {
         if (squaredDistance(levels_[level][box], x) >= best) return;
         const std::size_t below = level == 0 ? ordered_.size() : levels_[level - 1].size();
         const std::size_t end = std::min((box + 1) * kFanOut, below);
+        if (level > 0) {
+            std::array<std::pair<double, std::size_t>, kFanOut> nearest;
+            std::size_t count = 0;
+            for (std::size_t i = box * kFanOut; i < end; ++i)
+                nearest[count++] = {squaredDistance(levels_[level - 1][i], x), i};
+            std::sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count));
+            for (std::size_t k = 0; k < count; ++k) visit(level - 1, nearest[k].second, x, best);
+            return;
+        }
         for (std::size_t i = box * kFanOut; i < end; ++i) {
-            if (level > 0) {
-                visit(level - 1, i, x, best);
-                continue;
-            }
             const Triangle& t = ordered_[i];
             const Vec3 d = x - nearestPoint(x, points_.position[t.a], points_.position[t.b],
                                             points_.position[t.c]);

@@ -19,7 +19,7 @@ struct MeshReport {
     std::size_t nonManifoldEdges = 0;     ///< Edges of three or more triangles.
     std::size_t nonManifoldVertices = 0;  ///< Points whose triangles form more than one fan.
     std::size_t inconsistentEdges = 0;    ///< Edges passed twice in the same direction.
-    std::size_t degenerateTriangles = 0;  ///< A corner twice, or no area at all.
+    std::size_t degenerateTriangles = 0;  ///< As FaultKind::Degenerate.
     std::size_t flippedTriangles = 0;  ///< Against the sum of the normals of their three corners.
     std::size_t components = 0;        ///< Sets of triangles joined by common points.
     /// Points - edges + triangles, over the used points.

@@ -209,7 +209,7 @@ std::string text(const ReinsertEvidence& e) {
     return sentence("Stranded point {} goes into the triangle it lies over.", e.point);
 }
 std::string text(const RemoveFoldedEvidence& e) {
-    return sentence("Point {} has a flipped triangle: taken out, its hole is closed.", e.point);
+    return sentence("Point {} has a faulty triangle: taken out, its hole is closed.", e.point);
 }
 std::string text(const FlipEvidence& e) {
     return sentence("Edge {} - {} is better as {} - {}: flipped.", e.u, e.v, e.x, e.y);

@@ -279,7 +279,7 @@ std::string describe(const LiveFailure& failure) {
         return made + " passes the edge " + names + " in the same direction as " + other + ".";
     if (kind == "duplicate_triangles")
         return made + " has the points of " + other + ": a duplicate.";
-    if (kind == "degenerate_triangles") return made + " has no area.";
+    if (kind == "degenerate_triangles") return made + " is a needle, or has a corner twice.";
     if (kind == "flipped_triangles") return made + " faces away from the normals of its points.";
     if (kind == "second_layers") return made + " is a second layer of " + other + ".";
     if (kind == "folded_edges") return made + " lies folded onto " + other + ".";

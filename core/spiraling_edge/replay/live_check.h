@@ -32,11 +32,11 @@ inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
 
 /// Follows a run event by event. For each triangle that is made it reports at most one failure of
 /// each class: an edge of three triangles, an edge passed twice in one direction, three points that
-/// have a triangle, no area, a crossing or a fold with an earlier triangle, a second layer of one,
-/// a face against the normals; and for each point that becomes DONE whether it is in no triangle,
-/// or its triangles are more than one fan. The predicates are those of inspectMesh(), exact where
-/// those are. Rules that edit the mesh after the last pivot are not followed: the failures they
-/// repair were failures when they were made. Deterministic.
+/// have a triangle, almost no height, a crossing or a fold with an earlier triangle, a second layer
+/// of one, a face against the normals; and for each point that becomes DONE whether it is in no
+/// triangle, or its triangles are more than one fan. The predicates are those of inspectMesh(),
+/// exact where those are. Rules that edit the mesh after the last pivot are not followed: the
+/// failures they repair were failures when they were made. Deterministic.
 class LiveCheck {
   public:
     /// `points` must outlive this object. Requires a valid PointSet.

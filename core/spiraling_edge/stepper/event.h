@@ -19,27 +19,27 @@ namespace se {
 
 /// The stages of a pivot, in order, and those outside one. The same words everywhere.
 enum class Stage : std::uint8_t {
-    Seed,        ///< §4: a new ring of two.
-    Strand,      ///< §4: a point that cannot begin a ring.
-    Pivot,       ///< The ring entry that becomes the pivot.
-    Skip,        ///< §7: a boundary point, passed over.
-    Insert,      ///< §7.1, §7.2: a third boundary point joins the ring.
-    Sort,        ///< §6.1, Fig. 3
-    Limits,      ///< §6.1, Fig. 4
-    Convex,      ///< §6.1, Fig. 5
-    Reciprocal,  ///< §6.1, Fig. 6
-    Hole,        ///< §6.2, Fig. 7
-    Sphere,      ///< §6.3, Fig. 8
-    TwoPoint,    ///< §6.4, Fig. 9
-    Guard,       ///< Beyond the paper: the whole fan is examined (docs/robust.md).
-    Fill,        ///< Beyond the paper: an ear of a hole.
-    Emit,        ///< §6.4, Fig. 10
-    Ring,        ///< §6.5, Fig. 11
-    Split,       ///< §6.5, Fig. 11
-    Join,        ///< §6.5, Fig. 12
-    Advance,     ///< §6.5: the next pivot.
-    Reinsert,  ///< Beyond the paper, after the last pivot: a stranded point is put into a triangle.
-    Flip,      ///< Beyond the paper, after the last pivot: an edge is flipped.
+    Seed,          ///< §4: a new ring of two.
+    Strand,        ///< §4: a point that cannot begin a ring.
+    Pivot,         ///< The ring entry that becomes the pivot.
+    Skip,          ///< §7: a boundary point, passed over.
+    Insert,        ///< §7.1, §7.2: a third boundary point joins the ring.
+    Sort,          ///< §6.1, Fig. 3
+    Limits,        ///< §6.1, Fig. 4
+    Convex,        ///< §6.1, Fig. 5
+    Reciprocal,    ///< §6.1, Fig. 6
+    Hole,          ///< §6.2, Fig. 7
+    Sphere,        ///< §6.3, Fig. 8
+    TwoPoint,      ///< §6.4, Fig. 9
+    Guard,         ///< Beyond the paper: the whole fan is examined (docs/robust.md).
+    Fill,          ///< Beyond the paper: an ear of a hole.
+    Emit,          ///< §6.4, Fig. 10
+    Ring,          ///< §6.5, Fig. 11
+    Split,         ///< §6.5, Fig. 11
+    Join,          ///< §6.5, Fig. 12
+    Advance,       ///< §6.5: the next pivot.
+    Reinsert,      ///< Beyond the paper, after the last pivot: a stranded point is put in.
+    Flip,          ///< Beyond the paper, after the last pivot: an edge is flipped.
     RemoveFolded,  ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
     Done,          ///< §3, §7: a ring is freed or a component complete.
 };
@@ -252,11 +252,12 @@ struct FillEvidence {
     double leastDegrees;  ///< The ear's least angle.
     bool forced;          ///< No ear without a fault was left.
 };
-/// A stranded point went into a triangle (RobustRules::reinsert).
+/// A stranded point took the place of triangles, or divided or joined the border
+/// (RobustRules::reinsert).
 struct ReinsertEvidence {
     Index point;
 };
-/// A point at a flipped triangle was taken out (RobustRules::removeFolded).
+/// A point at a faulty triangle was taken out (RobustRules::removeFolded).
 struct RemoveFoldedEvidence {
     Index point;
 };

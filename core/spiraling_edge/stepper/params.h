@@ -78,18 +78,18 @@ struct RobustRules {
     bool rim = false;
     /// Fans with steep triangles wait until a circuit of the ring brought no triangle.
     bool delay = false;
-    /// A ring without a triangle in a full circuit, also of delayed fans, is shelved instead of
-    /// being freed: its points stay USED, and other components may join it. When no seed is left,
-    /// it is taken up again.
+    /// A ring without a triangle in a full circuit, after delayed fans were tried, is shelved
+    /// instead of being freed: its points stay USED, and other components may join it. When no seed
+    /// is left, it is taken up again.
     bool shelve = false;
     /// A ring that would be freed with interior points is closed by ears, best least angle first,
-    /// unless it is too long or too wide, or longer than four and an opening.
+    /// unless it is too long or too wide, or longer than five and an opening.
     bool fill = false;
-    /// After the last pivot: a stranded point goes into the triangle it lies over.
+    /// After the last pivot: a stranded point takes the place of the triangles it lies over.
     bool reinsert = false;
     /// After the last pivot: edges whose flip improves the two triangles are flipped.
     bool flip = false;
-    /// After the last pivot: a point at a flipped triangle is taken out if its hole can be closed
+    /// After the last pivot: a point at a faulty triangle is taken out if its hole can be closed
     /// without a fault; `reinsert` may put it back.
     bool removeFolded = false;
 

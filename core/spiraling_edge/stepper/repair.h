@@ -43,8 +43,9 @@ inline constexpr std::uint32_t kRepairRounds = 3;
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
 
-/// RobustRules::reinsert: puts the next stranded point into the triangle it lies over, if that
-/// makes three triangles without a fault. Nothing if no point is left to try.
+/// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
+/// a side of the border or beside it, if no new triangle has a fault. Nothing if no point is left
+/// to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a
@@ -54,7 +55,7 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& repair);
 
-/// RobustRules::removeFolded: takes out a point at the next flipped triangle, if the hole of its
+/// RobustRules::removeFolded: takes out a point at the next faulty triangle, if the hole of its
 /// triangles can be closed without a fault. Nothing if none is left. Terminates: every point taken
 /// out leaves two triangles less.
 std::optional<RemoveFoldedEvidence> removeFoldedPoint(const PointSet& points, RepairState& repair);

@@ -313,7 +313,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     beyondPaper(number<&Params::maxFillWidth>("fillwidth", "6.5", "... and of at most this width",
                                               1.0, 4096.0, "spacings")),
     robust<&RobustRules::reinsert>("reinsert", "4",
-                                   "stranded points go into the triangle they lie over"),
+                                   "stranded points take the place of triangles nearby"),
     robust<&RobustRules::flip>("flip", "6.3",
                                "edges that are better the other way round are flipped"),
     beyondPaper(number<kThresholds, &RobustThresholds::flipFlatCosine>(
@@ -323,8 +323,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "flipnarrow", "6.3",
         "flip: a triangle is narrow if its least angle has this cosine or more", 0.5, 1.0,
         "cosine")),
-    robust<&RobustRules::removeFolded>(
-        "reseat", "4", "points at flipped triangles are taken out where that mends"),
+    robust<&RobustRules::removeFolded>("reseat", "4",
+                                       "points at faulty triangles are taken out where that mends"),
 });
 
 }  // namespace

@@ -113,14 +113,16 @@ void phaseGuard(AnyContext auto& context);
 /// refuse the fan.
 bool manifoldRefuses(const StepContext& context);
 /// True if a rule on faults of shape (RobustRules::noFold, RobustRules::noCross,
-/// RobustRules::noMeet) would refuse the fan.
+/// RobustRules::noMeet, RobustRules::noLayer) would refuse the fan.
 bool shapeRefuses(const StepContext& context);
 // robust/fill.cpp: beyond the paper
 void phaseFill(AnyContext auto& context);
 /// True if the active ring should be closed by ears instead of being freed.
 bool mayFill(const StepContext& context);
-/// RobustRules::rim is on, and the active ring, of more than four, runs around a patch of the
-/// surface, or more than two in three of its points lie where the surface ends.
+/// True if the surface may end at the active ring: more than two in three of its points are rim
+/// points by type; or, with RobustRules::rim, boundary points, or points where the surface ends and
+/// the ring is wide; or the ring, of more than five, runs around a patch. The last needs
+/// State::edges.
 bool isOpening(const StepContext& context);
 // phases/ring_update.cpp: §6.5
 void phaseRing(AnyContext auto& context);

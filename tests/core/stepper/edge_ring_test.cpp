@@ -301,3 +301,37 @@ TEST_CASE("edge rings reuse what was freed") {
     CHECK(rings.entryCapacity() <= 3);
     CHECK(rings.ringCapacity() <= 2);
 }
+
+TEST_CASE("shelved rings stay at the bottom of the stack, and are not popped") {
+    EdgeRings rings(8);
+    const Index a = rings.start(0, 1);
+    rings.shelve(a);
+    CHECK(rings.active() == kNone);
+    CHECK(rings.shelved() == 1);
+    CHECK(rings.pop() == kNone);
+    CHECK(rings.popOldest() == kNone);
+    const Index b = rings.start(2, 3);
+    rings.push(rings.ringOf(b), b);
+    const Index c = rings.start(4, 5);
+    rings.shelve(c);
+    CHECK(rings.stack() == std::vector<Index>{rings.ringOf(a), rings.ringOf(c), rings.ringOf(b)});
+    CHECK(rings.depthFromTop(rings.ringOf(c)) == 1);
+    CHECK(rings.pop() == b);
+    CHECK(rings.pop() == kNone);
+    rings.unshelve();
+    CHECK(rings.shelved() == 0);
+    rings.push(rings.ringOf(b), b);
+    CHECK(rings.popOldest() == a);
+}
+
+TEST_CASE("a shelved ring that joins the active one leaves the shelf") {
+    EdgeRings rings(8);
+    const Index a = rings.start(0, 1);
+    rings.shelve(a);
+    const Index b = rings.start(2, 3);
+    CHECK_FALSE(rings.exchangeSuccessors(a, b).split);
+    CHECK(rings.shelved() == 0);
+    CHECK(rings.stack().empty());
+    CHECK(rings.length(rings.active()) == 4);
+    CHECK(rings.withoutPoints().shelved() == 0);
+}

@@ -121,6 +121,33 @@ TEST_CASE("nomeet: a triangle at a common edge or corner does not meet the old o
     CHECK(rig.newTriangles() == kWith5);
 }
 
+// ---- nolayer ------------------------------------------------------------------------------------
+
+TEST_CASE("nolayer: a triangle that is a second layer of a finished one nearby is not made") {
+    // A small finished triangle lies over 0, 1, 5 at a height; 9 makes the place count as bent.
+    const auto run = [](double height, const Vec3& normal, const Params& params) {
+        Rig rig(underHalf({{0, 1, 0},
+                           {0.3, 0.35, height},
+                           {0.5, 0.35, height},
+                           {0.35, 0.55, height},
+                           {0.5, -2, 0}}),
+                params);
+        for (const Index p : {6U, 7U, 8U}) rig.normal(p, normal);
+        rig.normal(9, {1, 0, 0});
+        rig.mesh({{6, 7, 8}}).done({6, 7, 8, 9}).list(0, {5, 6, 7, 9}).ring(kRing).pivot();
+        return std::pair(rig.newTriangles(), objections(rig));
+    };
+    const Params layer = paperBut(&RobustRules::noLayer);
+    const Vec3 up(0, 0, 1);
+    CHECK(run(0.1, up, paper()).first == kWith5);
+    const auto [made, said] = run(0.1, up, layer);
+    CHECK(made == kWithout5);
+    CHECK(said == Verdicts{Verdict::Covers});
+    // Too far above; and the other side of a thin wall.
+    CHECK(run(2.0, up, layer).first == kWith5);
+    CHECK(run(0.1, -up, layer).first == kWith5);
+}
+
 // ---- rim ----------------------------------------------------------------------------------------
 
 namespace {

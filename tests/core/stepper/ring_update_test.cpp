@@ -257,3 +257,49 @@ TEST_CASE("6.5 status counts the entries, after every phase of a run") {
     CHECK(stepper.state().counters.splits > 0);
     CHECK(stepper.state().counters.joins > 0);
 }
+
+// ---- beyond the paper: shelve -------------------------------------------------------------------
+
+namespace {
+
+/// A ring of 0, 1, 2, which list nothing, and two points that list each other.
+std::vector<Vec3> ringAndSeed() { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 0, 0}, {9, 1, 0}}; }
+
+}  // namespace
+
+TEST_CASE("shelve: a ring without a triangle waits until no seed is left, and is judged then") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::shelve));
+    rig.list(3, {4}).list(4, {3}).ring({0, 1, 2}).pivot().pivot().pivot();
+    CHECK(rig.state().rings.shelved() == 1);
+    CHECK(rig.status(0) == 1);
+    CHECK(rig.state().counters.freedRings == 0);
+    rig.run();
+    const auto shelved = rig.all<ShelveEvidence>();
+    REQUIRE(shelved.size() == 1);  // The seed of two, without a triangle, is freed at once.
+    CHECK(shelved[0].length == 3);
+    REQUIRE(rig.all<TakeUpEvidence>().size() == 1);
+    CHECK(rig.all<TakeUpEvidence>()[0].rings == 1);
+    CHECK(rig.all<SeedEvidence>().size() == 1);
+    const auto freed = rig.all<FreeEvidence>();
+    REQUIRE(freed.size() == 2);
+    CHECK(freed[0].length == 2);
+    CHECK(freed[1].length == 3);
+    CHECK(rig.state().rings.shelved() == 0);
+    CHECK(rig.state().finished());
+}
+
+TEST_CASE("shelve: without the rule the ring is freed before the next seed") {
+    Rig rig(ringAndSeed());
+    rig.list(3, {4}).list(4, {3}).ring({0, 1, 2}).run();
+    CHECK(rig.all<ShelveEvidence>().empty());
+    CHECK(rig.all<FreeEvidence>()[0].length == 3);
+}
+
+TEST_CASE("shelve: a point beside a shelved ring alone is no seed, and stranded at the end") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::shelve));
+    rig.list(3, {0}).ring({0, 1, 2}).run();
+    CHECK(rig.all<SeedEvidence>().empty());
+    CHECK(rig.state().counters.stranded == 1);  // 3
+    CHECK(rig.state().counters.isolated == 1);  // 4
+    CHECK(rig.status(3) == kDone);
+}

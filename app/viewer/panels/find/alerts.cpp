@@ -281,7 +281,7 @@ void drawList(const PanelContext& context) {
 
 /// List of the checks, if nothing was found.
 void drawNothing() {
-    ImGui::TextUnformatted("No failures found.");
+    ImGui::TextUnformatted("No failures found: the mesh is sound.");
     ImGui::Spacing();
     std::string checked;
     for (const FailureClass& each : failureClasses())
@@ -310,7 +310,7 @@ std::string headingNote(const AlertSearch& alerts) {
     const std::size_t count = alerts.failures().size();
     if (!alerts.done() || count == 0) return {};
     if (!alerts.complete()) return "first " + grouped(count) + " alerts";
-    return withS(count, "alert");
+    return withS(count, "alert") + (alerts.sound() ? ", the mesh is sound" : "");
 }
 
 }  // namespace

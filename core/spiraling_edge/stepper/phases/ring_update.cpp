@@ -281,7 +281,8 @@ void popRingOrFinish(AnyContext auto& context) {
         const bool popped = s.pivot.pivot != kNone;
         return AdvanceEvidence{popped ? s.rings.point(s.pivot.pivot) : kNone, 0, popped};
     });
-    if (s.pivot.pivot != kNone) return;
+    // A component with a ring on the shelf may go on.
+    if (s.pivot.pivot != kNone || s.rings.shelved() > 0) return;
     note(context, Stage::Done, [&] {
         return ComponentEvidence{s.counters.seeds, static_cast<std::uint32_t>(s.triangles.size())};
     });
@@ -352,6 +353,8 @@ void shelveActiveRing(AnyContext auto& context) {
     });
     s.rings.shelve(s.rings.next(s.pivot.pivot));
     ++s.counters.shelved;
+    s.counters.maxStackDepth =
+        std::max(s.counters.maxStackDepth, static_cast<std::uint32_t>(s.rings.stack().size()));
 }
 
 void advanceWithoutTriangles(AnyContext auto& context) {

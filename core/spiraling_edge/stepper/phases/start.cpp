@@ -47,7 +47,8 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     });
 }
 
-/// Takes up the rings that were shelved, since no seed is left that could join them.
+/// Takes up the rings that were shelved, since no seed is left that could join them; the last one
+/// first, whatever PaperRules::stack.
 void takeUpShelved(AnyContext auto& context) {
     State& s = context.state;
     const Index shelved = s.rings.shelved();
@@ -126,7 +127,8 @@ void phaseSeed(AnyContext auto& context) {
         takeUpShelved(context);
         return;
     }
-    for (Index i = 0; s.seedsSpent && i < s.status.size(); ++i) {
+    // Points that waited for a shelved ring in vain.
+    for (Index i = 0; s.counters.shelved > 0 && i < s.status.size(); ++i) {
         const Index p = context.points.inOrder(i);
         if (s.status[p] == kUnused) strand(context, p);
     }

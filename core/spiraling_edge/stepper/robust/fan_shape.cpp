@@ -212,8 +212,8 @@ bool isFlat(const PointSet& points, Index p, double cosine) {
     });
 }
 
-/// Objects to the first triangle of the fan for which test(it, a finished one nearby) holds. Boxes
-/// are wider by `reach` lengths of the triangle's box.
+/// Objects to the first triangle of the fan for which test(it, a finished one nearby) holds. Each
+/// box is grown by `reach` times the sum of its sides.
 template <typename Test>
 Objection againstFinished(const StepContext& context, Verdict verdict, double reach, Test&& test) {
     const State& s = context.state;
@@ -255,7 +255,7 @@ Objection meetsFinished(const StepContext& context) {
 }
 
 Objection coversFinished(const StepContext& context) {
-    constexpr double kReach = 0.25;  // LayerShape::reach, of an edge as long as the box.
+    constexpr double kReach = 0.25;  // LayerShape::reach is a quarter of an edge.
     return againstFinished(context, Verdict::Covers, kReach,
                            [&](const Triangle& made, const Triangle& old) {
                                return isSecondLayer(context.points, made, old);

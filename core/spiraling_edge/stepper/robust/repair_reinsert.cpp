@@ -140,7 +140,7 @@ class PlaceSearch {
         : points_(points), m_(m), x_(x) {}
 
     std::optional<Change> find() {
-        // All triangles here: a place may take any of them, and none may be in conflict.
+        // A place begins at one of these, and no new triangle may be in conflict with any of them.
         std::vector<Index> near;
         for (const Index p : points_.neighbors[x_]) {
             forEachSideOf(m_, p, [&](HalfEdge side) {

@@ -146,6 +146,9 @@ bool isInConflict(const PointSet& points, const RepairState& m, const Star& star
 /// Moves the last triangle into the place of `t`, so that the list has no gaps.
 void dropTriangle(RepairState& m, Index t) {
     const auto last = static_cast<Index>(m.triangles.size() - 1);
+    m.conflictFlips.resize(m.triangles.size(), 0);
+    m.conflictFlips[t] = m.conflictFlips[last];
+    m.conflictFlips.pop_back();
     for (Index k = 0; k < 3; ++k) m.twin[3 * t + k] = kNone;
     if (t != last) {
         m.triangles[t] = m.triangles[last];
