@@ -154,12 +154,12 @@ class PlaceSearch {
             if (m_.pinched[old.a] || m_.pinched[old.b] || m_.pinched[old.c]) continue;
             Change inside(m_, x_);
             inside.replace(t);
-            consider(std::move(inside));
+            consider(inside);
             for (Index k = 0; k < 3; ++k) {
                 if (m_.twin[3 * t + k] != kNone) continue;
                 Change outside(m_, x_);
                 outside.join(3 * t + k);
-                consider(std::move(outside));
+                consider(outside);
             }
         }
         return best_.change;
@@ -177,7 +177,7 @@ class PlaceSearch {
             }
             worst = std::max(worst, leastAngleCosine(points_, change[i++]));
         }
-        if (worst < best_.cosine) best_ = {std::move(change), worst};
+        if (worst < best_.cosine) best_ = {change, worst};
     }
 
     bool isFaulty(const Change& change, std::size_t i) const {
