@@ -1,7 +1,5 @@
 #include "failure_totals.h"
 
-#include <algorithm>
-
 #include "sentences.h"
 
 namespace se::cli {
@@ -9,9 +7,7 @@ namespace se::cli {
 std::string faultTotalText(std::span<const ClassTotal> totals) {
     if (isSound(totals)) return "sound";
     if (faultCount(totals) == 0) return "no fault found, but the search ended early";
-    const bool exact =
-        std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
-    return (exact ? "" : "at least ") + counted(faultCount(totals), "fault");
+    return (isExact(totals) ? "" : "at least ") + counted(faultCount(totals), "fault");
 }
 
 nlohmann::ordered_json failureRow(const MeshFailure& failure) {

@@ -120,12 +120,10 @@ std::size_t lostPoints(const MeshInspection& inspection) {
 void addFaults(const RunOutcome& outcome, Json& json) {
     if (!outcome.inspection) return;
     const MeshInspection& inspection = *outcome.inspection;
-    bool exact = true;
     forEachFault(inspection, [&](const FailureClass& each, const ClassTotal& total) {
         json["faults"][faultKey(each)] = total.total;
-        exact = exact && total.exact;
     });
-    if (!exact) json["faults_at_least"] = true;
+    if (!isExact(inspection.totals)) json["faults_at_least"] = true;
     json["sound"] = isSound(inspection.totals);
     Json list = Json::array();
     std::size_t openings = 0;
@@ -258,10 +256,8 @@ std::string faultSentence(const RunOutcome& outcome) {
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
-    const bool exact =
-        std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
     if (count == 0) return "possibly faults: the search for pairs of triangles ended early";
-    std::string text = outcome.pairs && !exact ? "at least " : "";
+    std::string text = outcome.pairs && !isExact(totals) ? "at least " : "";
     text += counted(count, "fault") + ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";

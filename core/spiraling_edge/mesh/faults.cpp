@@ -29,7 +29,7 @@ struct Placed {
 /// a few such pairs for each triangle: only those beyond this number count with their full cost.
 constexpr std::uint64_t kFlatPairsPerTriangle = 16;
 constexpr std::uint64_t kFlatPairWork = 2048;
-/// Of a pair whose wider boxes meet: the normals of most are compared, and no more.
+/// Of a pair whose wider boxes meet: for most only the normals are compared.
 constexpr std::uint64_t kLayerTestWork = 4;
 
 /// True if the corners of `b` lie in the plane of `a`, up to rounding.

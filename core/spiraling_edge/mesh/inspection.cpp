@@ -226,9 +226,12 @@ std::size_t faultCount(std::span<const ClassTotal> totals) {
     return sum;
 }
 
+bool isExact(std::span<const ClassTotal> totals) {
+    return std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+}
+
 bool isSound(std::span<const ClassTotal> totals) {
-    return faultCount(totals) == 0 &&
-           std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
+    return faultCount(totals) == 0 && isExact(totals);
 }
 
 bool isLoop(const MeshFailure& failure) {

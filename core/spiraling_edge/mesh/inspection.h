@@ -74,6 +74,8 @@ struct MeshInspection {
 };
 /// True if every failure is listed and the search was complete.
 bool isComplete(std::span<const ClassTotal> totals);
+/// True if the search for every class was complete, so that no total is a lower bound.
+bool isExact(std::span<const ClassTotal> totals);
 /// The number of failures of the classes that are faults.
 std::size_t faultCount(std::span<const ClassTotal> totals);
 /// The definition of a sound mesh, for every program and panel: no failure of a class that is a

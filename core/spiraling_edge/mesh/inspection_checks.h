@@ -1,6 +1,7 @@
 /// The checks of inspection.h and their common input.
 #pragma once
 
+#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
@@ -11,6 +12,7 @@ namespace se {
 /// through common points.
 struct BoundaryLoop {
     std::vector<TriangleSide> sides;
+    LoopShape shape;
     bool isOpening = false;  ///< The surface ends there; else it is a hole.
 };
 

@@ -9,7 +9,6 @@
 #include <map>
 
 #include "spiraling_edge/base/disjoint_sets.h"
-#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
 
 namespace se::inspect {
@@ -79,12 +78,12 @@ bool runsAlongWalls(const InspectedMesh& mesh, const std::vector<TriangleSide>& 
     return isMost(walls, loop.size());
 }
 
-bool isOpening(const InspectedMesh& mesh, const std::vector<TriangleSide>& loop) {
+bool isOpening(const InspectedMesh& mesh, const std::vector<TriangleSide>& loop,
+               const LoopShape& shape) {
     const bool known = std::all_of(loop.begin(), loop.end(), [&](const TriangleSide& side) {
         return mesh.points.normal[from(side)] != Vec3(0.0);
     });
     if (!known || runsAlongWalls(mesh, loop)) return true;
-    const LoopShape shape = shapeOf(mesh, loop);
     const std::size_t triangles = mesh.trianglesAround(loop.front().low);
     if (shape.turnsRoundPatch && triangles <= loop.size() * loop.size()) return true;
     return shape.widthInEdges() >= kNarrowestOpening && endsAtMost(mesh, loop);
@@ -100,10 +99,9 @@ void ofLoops(const InspectedMesh& mesh, bool wanted, Failures& failures) {
             points.insert(points.end(), {side.low, side.high});
             triangles.push_back(side.triangle);
         }
-        const LoopShape shape = shapeOf(mesh, loop.sides);
         MeshFailure failure = mesh.at(std::move(points), std::move(triangles));
-        failure.length = shape.perimeter;
-        failure.area = shape.area;
+        failure.length = loop.shape.perimeter;
+        failure.area = loop.shape.area;
         failures.push_back(std::move(failure));
     }
 }
@@ -122,8 +120,9 @@ std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
     for (const TriangleSide& side : border) sides[joined.find(side.low)].push_back(side);
     std::vector<BoundaryLoop> loops;
     for (auto& [least, loop] : sides) {
-        const bool opening = isOpening(mesh, loop);
-        loops.push_back({std::move(loop), opening});
+        const LoopShape shape = shapeOf(mesh, loop);
+        const bool opening = isOpening(mesh, loop, shape);
+        loops.push_back({std::move(loop), shape, opening});
     }
     return loops;
 }

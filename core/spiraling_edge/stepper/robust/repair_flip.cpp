@@ -131,10 +131,10 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
 }
 
 /// A conflict may move to triangles that are not looked at, and come back: each triangle takes part
-/// in at most so many flips that change nothing else.
+/// in at most this many flips that change nothing else.
 constexpr std::uint8_t kMaxConflictFlips = 4;
 
-/// What a flip is good for.
+/// The gain of a flip.
 enum class Gain : std::uint8_t { None, Angles, Shape, Conflicts };
 
 /// Whether a flip leaves fewer faults.

@@ -196,6 +196,23 @@ void replaceStar(RepairState& m, const Star& star, const Filling& filling, Index
     dropTriangle(m, std::min(a, b));
 }
 
+/// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
+bool isFaulty(const PointSet& points, const RepairState& m, Index t) {
+    const Triangle& mine = m.triangles[t];
+    if (isFlipped(points, mine)) return true;
+    if (!isSteep(points, mine, kRough)) return false;
+    std::vector<Index> near;
+    for (const Index corner : {mine.a, mine.b, mine.c}) {
+        for (const Index p : points.neighbors[corner])
+            forEachSideOf(m, p, [&](HalfEdge side) { near.push_back(side / 3); });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return std::any_of(near.begin(), near.end(), [&](Index other) {
+        return other != t && conflict(points, mine, m.triangles[other]);
+    });
+}
+
 bool takeOut(const PointSet& points, RepairState& m, Index x) {
     const Star star = starOf(m, x);
     if (star.ring.empty()) return false;

@@ -1,8 +1,5 @@
-/// Navigation in a RepairState: sides, corners, twins; and its faults of pairs.
+/// Navigation in a RepairState: sides, corners, twins.
 #pragma once
-
-#include <algorithm>
-#include <vector>
 
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -46,23 +43,6 @@ inline bool joined(const RepairState& m, Index u, Index v) {
 
 /// Triangles farther than 25 degrees off the normal of a corner may be in conflict with others.
 inline constexpr double kRough = 0.9;
-
-/// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
-inline bool isFaulty(const PointSet& points, const RepairState& m, Index t) {
-    const Triangle& mine = m.triangles[t];
-    if (isFlipped(points, mine)) return true;
-    if (!isSteep(points, mine, kRough)) return false;
-    std::vector<Index> near;
-    for (const Index corner : {mine.a, mine.b, mine.c}) {
-        for (const Index p : points.neighbors[corner])
-            forEachSideOf(m, p, [&](HalfEdge side) { near.push_back(side / 3); });
-    }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    return std::any_of(near.begin(), near.end(), [&](Index other) {
-        return other != t && conflict(points, mine, m.triangles[other]);
-    });
-}
 
 inline void pair(RepairState& m, HalfEdge a, HalfEdge b) {
     m.twin[a] = b;
