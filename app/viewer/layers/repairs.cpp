@@ -85,6 +85,23 @@ void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawLi
     }
 }
 
+void addCloseHole(const LayerInput& in, const CloseHoleEvidence& e, DrawList& out) {
+    addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
+    out.label(in.middleOf(e.first, e.second), "hole of " + std::to_string(e.length) + " filled",
+              in.palette.used, true);
+}
+
+void addRemesh(const LayerInput& in, const RemeshEvidence& e, DrawList& out) {
+    addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
+    out.label(in.middleOf(e.faulty.a, e.faulty.b), leastAngles(in), in.palette.used, true);
+}
+
+void addDropPatch(const LayerInput& in, const DropPatchEvidence& e, DrawList& out) {
+    addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
+    addPoint(in, e.point, std::to_string(e.triangles) + " triangles taken out", Shape::Cross,
+             in.palette.rejected, out);
+}
+
 }  // namespace
 
 void addRepairs(const LayerInput& in, DrawList& out) {
@@ -95,6 +112,11 @@ void addRepairs(const LayerInput& in, DrawList& out) {
     }
     if (const auto* flip = p.evidence<FlipEvidence>(Stage::Flip)) addFlip(in, *flip, out);
     if (const auto* put = p.evidence<ReinsertEvidence>(Stage::Reinsert)) addReinsert(in, *put, out);
+    if (const auto* hole = p.evidence<CloseHoleEvidence>(Stage::CloseHole))
+        addCloseHole(in, *hole, out);
+    if (const auto* patch = p.evidence<DropPatchEvidence>(Stage::DropPatch))
+        addDropPatch(in, *patch, out);
+    if (const auto* faulty = p.evidence<RemeshEvidence>(Stage::Remesh)) addRemesh(in, *faulty, out);
     if (const auto* taken = p.evidence<RemoveFoldedEvidence>(Stage::RemoveFolded))
         addRemoveFolded(in, *taken, out);
 }

@@ -101,8 +101,11 @@ std::string noOfferText(const Event& event) {
             return "Boundary points follow the walls of section 7: turn walls, thirdpoint or "
                    "corners off in Rules, or move the point.";
         case Stage::Fill:
+        case Stage::DropPatch:
         case Stage::Reinsert:
+        case Stage::CloseHole:
         case Stage::Flip:
+        case Stage::Remesh:
         case Stage::RemoveFolded:
             return "Chosen as the best of the whole ring or mesh, not by a test: turn " +
                    std::string(stageName(event.address.stage)) + " off in Rules.";

@@ -291,6 +291,24 @@ void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& o
     addLeastAngles(in, out);
 }
 
+void addRows(const DropPatchEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("triangles", grouped(e.triangles) + ", taken out");
+    out.row("point", pointsText({e.point}));
+}
+
+void addRows(const CloseHoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("hole", grouped(e.length) + " points, at " + pointsText({e.first, e.second}));
+    out.row("triangles", countsText(in.picture));
+    addLeastAngles(in, out);
+}
+
+void addRows(const RemeshEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("faulty", pointsText({e.faulty.a, e.faulty.b, e.faulty.c}));
+    out.row("triangles", countsText(in.picture));
+    addFlipped(in, out);
+    addLeastAngles(in, out);
+}
+
 void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("point", pointsText({e.point}) + ", taken out");
     out.row("triangles", countsText(in.picture));

@@ -75,6 +75,9 @@ struct LineOfPaper {
     std::size_t operator()(const FillEvidence& e) const { return e.forced ? 4 : 3; }
     std::size_t operator()(const ReinsertEvidence&) const { return 3; }
     std::size_t operator()(const FlipEvidence&) const { return 3; }
+    std::size_t operator()(const DropPatchEvidence&) const { return 2; }
+    std::size_t operator()(const CloseHoleEvidence&) const { return 2; }
+    std::size_t operator()(const RemeshEvidence&) const { return 3; }
     std::size_t operator()(const RemoveFoldedEvidence&) const { return 2; }
     std::size_t operator()(const ShelveEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }

@@ -168,11 +168,8 @@ void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
 /// Steps after the last pivot edit the mesh: each has one such event, which shows the new mesh.
 /// Before that event, for example at a point that was stranded, the mesh is the old one.
 void addRepaired(Picture& picture, const PivotRecord& record) {
-    const bool repairs =
-        std::any_of(picture.latest.begin(), picture.latest.end(), [](const Event& e) {
-            const Stage stage = e.address.stage;
-            return stage == Stage::Reinsert || stage == Stage::Flip || stage == Stage::RemoveFolded;
-        });
+    const bool repairs = std::any_of(picture.latest.begin(), picture.latest.end(),
+                                     [](const Event& e) { return isRepair(e.address.stage); });
     if (!repairs || record.after.repaired == nullptr) return;
     picture.repaired = record.after.repaired;
     const auto& before = record.before.repaired ? record.before.repaired : record.unrepaired;

@@ -26,6 +26,9 @@ void forEachPointOf(const Event& event, Index pivot, const Visit& visit) {
     visitAll({testedPoint(event), pivot});
     if (const auto* seed = as<SeedEvidence>(event)) visitAll({seed->first, seed->second});
     if (const auto* flip = as<FlipEvidence>(event)) visitAll({flip->x, flip->y});
+    if (const auto* hole = as<CloseHoleEvidence>(event)) visitAll({hole->first, hole->second});
+    if (const auto* remesh = as<RemeshEvidence>(event))
+        visitAll({remesh->faulty.a, remesh->faulty.b, remesh->faulty.c});
     if (const auto* sphere = as<SphereEvidence>(event)) visitAll({sphere->t, sphere->s});
     if (const auto* emit = as<EmitEvidence>(event))
         visitAll({emit->corners.a, emit->corners.b, emit->corners.c});

@@ -296,6 +296,12 @@ class LedgerBuilder {
                                      [&](const FlipEvidence& e) {
                                          return any({e.u, e.v, e.x, e.y});
                                      },
+                                     [&](const CloseHoleEvidence& e) {
+                                         return any({e.first, e.second});
+                                     },
+                                     [&](const RemeshEvidence& e) {
+                                         return any({e.faulty.a, e.faulty.b, e.faulty.c});
+                                     },
                                      [&](const EmitEvidence& e) {
                                          return countIn(subject_,
                                                         {e.corners.a, e.corners.b, e.corners.c}) >=

@@ -166,6 +166,10 @@ bool MomentFinder::isThere() const {
 bool MomentFinder::isRepair(const Event& event) const {
     if (!editsMesh(event)) return false;
     if (const auto* flip = as<FlipEvidence>(event)) return mine(flip->x) && mine(flip->y);
+    if (const auto* hole = as<CloseHoleEvidence>(event))
+        return mine(hole->first) && mine(hole->second);
+    if (const auto* remesh = as<RemeshEvidence>(event))
+        return mine(remesh->faulty.a) && mine(remesh->faulty.b) && mine(remesh->faulty.c);
     return mine(testedPoint(event));
 }
 

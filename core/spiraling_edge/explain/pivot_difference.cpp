@@ -34,6 +34,9 @@ Key keyOf(const Event& event) {
             [&](const TwoPointEvidence&) { return key(); },
             [&](const GuardEvidence& e) { return key(e.a, e.b, e.dropped); },
             [&](const FillEvidence& e) { return key(e.pivot, e.first, e.last); },
+            [&](const DropPatchEvidence& e) { return key(e.point, e.triangles); },
+            [&](const CloseHoleEvidence& e) { return key(e.first, e.second, e.length); },
+            [&](const RemeshEvidence& e) { return key(e.faulty.a, e.faulty.b, e.faulty.c); },
             [&](const FlipEvidence& e) { return key(e.u, e.v, e.x, e.y); },
             [&](const EmitEvidence& e) {
                 return key(e.triangle, e.corners.a, e.corners.b, e.corners.c);

@@ -65,10 +65,15 @@ class TriangleOrigins {
             const auto* point = as<ReinsertEvidence>(event);
             return point != nullptr && hasCorner(t, point->point);
         };
+        const auto fillsHole = [](const Event& event) {
+            return isA<RemoveFoldedEvidence>(event) || isA<CloseHoleEvidence>(event) ||
+                   isA<RemeshEvidence>(event);
+        };
         auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
-        // The others closed the hole of a point that was taken out; the events do not name them.
+        // The others filled a hole, or that of a point that was taken out; the events do not name
+        // them.
         if (found == repairs_.rend())
-            found = std::find_if(repairs_.rbegin(), repairs_.rend(), isA<RemoveFoldedEvidence>);
+            found = std::find_if(repairs_.rbegin(), repairs_.rend(), fillsHole);
         return found != repairs_.rend() ? found->address : Address{};
     }
 

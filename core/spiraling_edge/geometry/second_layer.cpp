@@ -156,6 +156,14 @@ bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTrian
     return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
+bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
+    const Box box = boxOf(points, b);
+    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
+    const Vec3 sides = box.high - box.low;
+    if (!a.box.grown(a.shape.reach + 0.25 * (sides.x + sides.y + sides.z)).meets(box)) return false;
+    return conflict(points, a, ShapedTriangle(points, b));
+}
+
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b) {
     const Box boxA = boxOf(points, a);
     const Box boxB = boxOf(points, b);

@@ -43,6 +43,7 @@ struct ShapedTriangle {
 /// other. Most pairs that are apart are told by their boxes alone.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
 /// As above, for triangles tested once.
+bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b);
 
 }  // namespace se

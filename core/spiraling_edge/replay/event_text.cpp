@@ -208,6 +208,17 @@ std::string text(const FillEvidence& e) {
 std::string text(const ReinsertEvidence& e) {
     return sentence("Stranded point {} goes into the triangle it lies over.", e.point);
 }
+std::string text(const DropPatchEvidence& e) {
+    return sentence("The {} triangles at point {} lie beside a larger component: taken out.",
+                    e.triangles, e.point);
+}
+std::string text(const CloseHoleEvidence& e) {
+    return sentence("The hole of {} at {} - {} is filled.", e.length, e.first, e.second);
+}
+std::string text(const RemeshEvidence& e) {
+    return sentence("Triangle ({}, {}, {}) has a fault: those about it are replaced.", e.faulty.a,
+                    e.faulty.b, e.faulty.c);
+}
 std::string text(const RemoveFoldedEvidence& e) {
     return sentence("Point {} has a faulty triangle: taken out, its hole is closed.", e.point);
 }

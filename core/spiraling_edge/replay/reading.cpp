@@ -135,9 +135,6 @@ bool wasSettledBefore(const Event& event) {
            (sort->verdict == Verdict::AlreadyDone || sort->verdict == Verdict::OnRingEnd);
 }
 
-bool editsMesh(const Event& event) {
-    return isA<FlipEvidence>(event) || isA<RemoveFoldedEvidence>(event) ||
-           isA<ReinsertEvidence>(event);
-}
+bool editsMesh(const Event& event) { return isRepair(event.address.stage); }
 
 }  // namespace se

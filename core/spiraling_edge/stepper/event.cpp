@@ -33,8 +33,11 @@ constexpr std::array<StageRow, kStageCount> kStageTable{{
     {Stage::Split, "split", "6.5", kNoTests},
     {Stage::Join, "join", "6.5", kNoTests},
     {Stage::Advance, "advance", "6.5", kNoTests},
+    {Stage::DropPatch, "droppatches", "", kNoTests},
     {Stage::Reinsert, "reinsert", "", kNoTests},
+    {Stage::CloseHole, "closeholes", "", kNoTests},
     {Stage::Flip, "flip", "", kNoTests},
+    {Stage::Remesh, "remesh", "", kNoTests},
     {Stage::RemoveFolded, "reseat", "", kNoTests},
     {Stage::Done, "done", "7", kNoTests},
 }};

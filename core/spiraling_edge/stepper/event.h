@@ -19,31 +19,40 @@ namespace se {
 
 /// The stages of a pivot, in order, and those outside one. The same words everywhere.
 enum class Stage : std::uint8_t {
-    Seed,          ///< §4: a new ring of two.
-    Strand,        ///< §4: a point that cannot begin a ring.
-    Pivot,         ///< The ring entry that becomes the pivot.
-    Skip,          ///< §7: a boundary point, passed over.
-    Insert,        ///< §7.1, §7.2: a third boundary point joins the ring.
-    Sort,          ///< §6.1, Fig. 3
-    Limits,        ///< §6.1, Fig. 4
-    Convex,        ///< §6.1, Fig. 5
-    Reciprocal,    ///< §6.1, Fig. 6
-    Hole,          ///< §6.2, Fig. 7
-    Sphere,        ///< §6.3, Fig. 8
-    TwoPoint,      ///< §6.4, Fig. 9
-    Guard,         ///< Beyond the paper: the whole fan is examined (docs/robust.md).
-    Fill,          ///< Beyond the paper: an ear of a hole.
-    Emit,          ///< §6.4, Fig. 10
-    Ring,          ///< §6.5, Fig. 11
-    Split,         ///< §6.5, Fig. 11
-    Join,          ///< §6.5, Fig. 12
-    Advance,       ///< §6.5: the next pivot.
-    Reinsert,      ///< Beyond the paper, after the last pivot: a stranded point is put in.
-    Flip,          ///< Beyond the paper, after the last pivot: an edge is flipped.
-    RemoveFolded,  ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
+    Seed,        ///< §4: a new ring of two.
+    Strand,      ///< §4: a point that cannot begin a ring.
+    Pivot,       ///< The ring entry that becomes the pivot.
+    Skip,        ///< §7: a boundary point, passed over.
+    Insert,      ///< §7.1, §7.2: a third boundary point joins the ring.
+    Sort,        ///< §6.1, Fig. 3
+    Limits,      ///< §6.1, Fig. 4
+    Convex,      ///< §6.1, Fig. 5
+    Reciprocal,  ///< §6.1, Fig. 6
+    Hole,        ///< §6.2, Fig. 7
+    Sphere,      ///< §6.3, Fig. 8
+    TwoPoint,    ///< §6.4, Fig. 9
+    Guard,       ///< Beyond the paper: the whole fan is examined (docs/robust.md).
+    Fill,        ///< Beyond the paper: an ear of a hole.
+    Emit,        ///< §6.4, Fig. 10
+    Ring,        ///< §6.5, Fig. 11
+    Split,       ///< §6.5, Fig. 11
+    Join,        ///< §6.5, Fig. 12
+    Advance,     ///< §6.5: the next pivot.
+    // Beyond the paper, after the last pivot:
+    DropPatch,     ///< A small patch beside a larger component is taken out.
+    Reinsert,      ///< A stranded point is put in.
+    CloseHole,     ///< A hole is filled.
+    Flip,          ///< An edge is flipped.
+    Remesh,        ///< The triangles about a fault are replaced.
+    RemoveFolded,  ///< A point at a fault is taken out.
     Done,          ///< §3, §7: a ring is freed or a component complete.
 };
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Done) + 1;
+
+/// True for the stages after the last pivot, which edit the mesh.
+constexpr bool isRepair(Stage stage) {
+    return stage >= Stage::DropPatch && stage <= Stage::RemoveFolded;
+}
 
 /// The tests of a stage that a what-if can override (what_if.h).
 enum class StageTests : std::uint8_t {
@@ -252,14 +261,30 @@ struct FillEvidence {
     double leastDegrees;  ///< The ear's least angle.
     bool forced;          ///< No ear without a fault was left.
 };
+/// A small component beside a larger one was taken out (RobustRules::dropPatches).
+struct DropPatchEvidence {
+    Index point;      ///< The least of its points.
+    Index triangles;  ///< Their number.
+};
 /// A stranded point took the place of triangles, or divided or joined the border
 /// (RobustRules::reinsert).
 struct ReinsertEvidence {
     Index point;
 };
+/// A hole of the finished mesh was filled with triangles between its points
+/// (RobustRules::closeHoles).
+struct CloseHoleEvidence {
+    Index first, second;  ///< The side of the hole with which its ring begins.
+    Index length;         ///< Of the ring: two more than the new triangles.
+};
 /// A point at a faulty triangle was taken out (RobustRules::removeFolded).
 struct RemoveFoldedEvidence {
     Index point;
+};
+/// The triangles about a faulty one were replaced by others between the same points
+/// (RobustRules::remesh).
+struct RemeshEvidence {
+    Triangle faulty;
 };
 /// The edge u v became x y (RobustRules::flip).
 struct FlipEvidence {
@@ -329,10 +354,11 @@ struct AlertEvidence {
 using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
-                 SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, ReinsertEvidence,
-                 FlipEvidence, RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence,
-                 JoinEvidence, CloseEvidence, AdvanceEvidence, ShelveEvidence, TakeUpEvidence,
-                 FreeEvidence, ComponentEvidence, AlertEvidence>;
+                 SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, DropPatchEvidence,
+                 ReinsertEvidence, CloseHoleEvidence, FlipEvidence, RemeshEvidence,
+                 RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence, JoinEvidence,
+                 CloseEvidence, AdvanceEvidence, ShelveEvidence, TakeUpEvidence, FreeEvidence,
+                 ComponentEvidence, AlertEvidence>;
 
 struct Event {
     Address address;

@@ -32,7 +32,8 @@ Params robust() {
     RobustRules& r = params.robust;
     r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.noLayer =
         r.rim = true;
-    r.delay = r.shelve = r.fill = r.reinsert = r.flip = r.removeFolded = true;
+    r.delay = r.shelve = r.fill = r.dropPatches = r.reinsert = r.closeHoles = r.flip = r.remesh =
+        r.removeFolded = true;
     params.setNoiseAside = true;
     return params;
 }

@@ -85,10 +85,19 @@ struct RobustRules {
     /// A ring that would be freed with interior points is closed by ears, best least angle first,
     /// unless it is too long or too wide, or longer than five and an opening.
     bool fill = false;
+    /// After the last pivot: a component of a few triangles beside a larger one is taken out;
+    /// `reinsert` may put its points back.
+    bool dropPatches = false;
     /// After the last pivot: a stranded point takes the place of the triangles it lies over.
     bool reinsert = false;
+    /// After the last pivot: a hole is filled with triangles between its points, if none of them
+    /// has a fault.
+    bool closeHoles = false;
     /// After the last pivot: edges whose flip improves the two triangles are flipped.
     bool flip = false;
+    /// After the last pivot: the triangles about a faulty one are replaced by others between the
+    /// same points, if none of them has a fault.
+    bool remesh = false;
     /// After the last pivot: a point at a faulty triangle is taken out if its hole can be closed
     /// without a fault; `reinsert` may put it back.
     bool removeFolded = false;

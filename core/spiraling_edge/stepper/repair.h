@@ -2,15 +2,23 @@
 /// triangles is unchanged; the repairs edit a copy, one step at a time.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "spiraling_edge/geometry/point_tree.h"
 #include "spiraling_edge/mesh/edge_table.h"
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se {
+
+/// A side that leaves a pinched point.
+struct PinchedSide {
+    Index point;
+    HalfEdge leaving;
+};
 
 /// Triangles with their neighbors, for local changes. A plain value: a copy is a place to return
 /// to.
@@ -22,13 +30,20 @@ struct RepairState {
     std::vector<HalfEdge> sideOf;
     /// Points whose triangles form more than one fan: left alone.
     std::vector<bool> pinched;
+    /// All points, to find triangles near a place; made when first needed.
+    std::shared_ptr<const PointTree> tree;
     /// Sides to examine, and the position of the next one.
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;
     /// Per triangle: the flips it took part in that only made fewer conflicts.
     std::vector<std::uint8_t> conflictFlips;
-    Index nextPoint = 0;  ///< Position in PointSet::order.
-    Index nextTriangle = 0;
+    /// Per triangle: its corners when it was last found without a fault.
+    std::vector<Triangle> sound;
+    /// Sides at pinched points, by point; up to date while holes are closed.
+    std::vector<PinchedSide> pinchedSides;
+    /// The next place for the present phase to look at: a position in PointSet::order, a triangle,
+    /// or a side.
+    Index next = 0;
     std::uint32_t takenOut = 0;
     std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kRepairRounds times.
     std::uint32_t reinserted = 0;
@@ -43,10 +58,20 @@ inline constexpr std::uint32_t kRepairRounds = 3;
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
 
+/// RobustRules::dropPatches: takes out the next component of under kSmallComponent triangles with a
+/// point that lists one of a component of more. Nothing if none is left.
+std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& repair);
+
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
 /// a side of the border or beside it, if no new triangle has a fault. Nothing if no point is left
 /// to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
+
+/// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most
+/// Params::maxFillLength points and Params::maxFillWidth, if no new triangle has a fault. Nothing
+/// if none is left.
+std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
+                                               RepairState& repair);
 
 /// RobustRules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a
 /// larger least angle where the surface is flat. Nothing if none is left. Terminates: every flip
@@ -55,9 +80,11 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& repair);
 
-/// RobustRules::removeFolded: takes out a point at the next faulty triangle, if the hole of its
-/// triangles can be closed without a fault. Nothing if none is left. Terminates: every point taken
-/// out leaves two triangles less.
-std::optional<RemoveFoldedEvidence> removeFoldedPoint(const PointSet& points, RepairState& repair);
+/// RobustRules::remesh and RobustRules::removeFolded: mends the next faulty triangle, if that
+/// leaves no other fault: those about it are replaced by others between the same points
+/// (RemeshEvidence), or a point near it is taken out and the hole filled (RemoveFoldedEvidence; not
+/// in the last round, after which it could not be put back). Nothing if none is left.
+std::optional<Evidence> mendNextFault(const PointSet& points, const RobustRules& rules,
+                                      RepairState& repair);
 
 }  // namespace se

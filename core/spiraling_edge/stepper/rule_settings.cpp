@@ -312,8 +312,11 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
                                                3.0, 4096.0, "entries")),
     beyondPaper(number<&Params::maxFillWidth>("fillwidth", "6.5", "... and of at most this width",
                                               1.0, 4096.0, "spacings")),
+    robust<&RobustRules::dropPatches>("droppatches", "4",
+                                      "small patches beside a larger component are taken out"),
     robust<&RobustRules::reinsert>("reinsert", "4",
                                    "stranded points take the place of triangles nearby"),
+    robust<&RobustRules::closeHoles>("closeholes", "6.5", "holes of the finished mesh are filled"),
     robust<&RobustRules::flip>("flip", "6.3",
                                "edges that are better the other way round are flipped"),
     beyondPaper(number<kThresholds, &RobustThresholds::flipFlatCosine>(
@@ -323,6 +326,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "flipnarrow", "6.3",
         "flip: a triangle is narrow if its least angle has this cosine or more", 0.5, 1.0,
         "cosine")),
+    robust<&RobustRules::remesh>("remesh", "6.3",
+                                 "triangles about a faulty one are replaced by others"),
     robust<&RobustRules::removeFolded>("reseat", "4",
                                        "points at faulty triangles are taken out where that mends"),
 });

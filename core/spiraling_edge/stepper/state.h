@@ -17,24 +17,30 @@ namespace se {
 enum class Phase : std::uint8_t {
     Seed,  ///< §4
     Pivot,  ///< Takes the entry as pivot; passes over it (§7) or inserts a third point (§7.1, 7.2).
-    Sort,          ///< §6.1
-    Limits,        ///< §6.1
-    Convex,        ///< §6.1
-    Reciprocal,    ///< §6.1
-    Hole,          ///< §6.2
-    Sphere,        ///< §6.3
-    TwoPoint,      ///< §6.4
-    Guard,         ///< Beyond the paper: the rules that examine the whole fan.
-    Emit,          ///< §6.4
-    Ring,          ///< §6.5
-    Link,          ///< §6.5: splits and joins.
-    Fill,          ///< Beyond the paper: the next ear of a hole.
-    Advance,       ///< §6.5, §7
-    Reinsert,      ///< Beyond the paper: after the last pivot, one stranded point.
-    Flip,          ///< Beyond the paper: after the last pivot, one edge.
-    RemoveFolded,  ///< Beyond the paper: after the last pivot, one point at a fault.
+    Sort,        ///< §6.1
+    Limits,      ///< §6.1
+    Convex,      ///< §6.1
+    Reciprocal,  ///< §6.1
+    Hole,        ///< §6.2
+    Sphere,      ///< §6.3
+    TwoPoint,    ///< §6.4
+    Guard,       ///< Beyond the paper: the rules that examine the whole fan.
+    Emit,        ///< §6.4
+    Ring,        ///< §6.5
+    Link,        ///< §6.5: splits and joins.
+    Fill,        ///< Beyond the paper: the next ear of a hole.
+    Advance,     ///< §6.5, §7
+    // Beyond the paper, after the last pivot (repair.h):
+    DropPatch,  ///< One small patch.
+    Reinsert,   ///< One stranded point.
+    CloseHole,  ///< One hole.
+    Flip,       ///< One edge.
+    Mend,       ///< One triangle with a fault.
     Finished,
 };
+
+/// True for the phases after the last pivot, which edit the mesh.
+constexpr bool isRepair(Phase phase) { return phase >= Phase::DropPatch && phase <= Phase::Mend; }
 
 /// Status of a point (§4): UNUSED 0, USED n > 0 = number of its ring entries, DONE -1.
 using PointStatus = std::int32_t;

@@ -133,7 +133,9 @@ void phaseAdvance(AnyContext auto& context);
 void beginRepairPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
-void phaseRemoveFolded(AnyContext auto& context);
+void phaseMend(AnyContext auto& context);
+void phaseDropPatch(AnyContext auto& context);
+void phaseCloseHole(AnyContext auto& context);
 // phases/boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot; if so, inserts the third point of §7.1 or §7.2.
 /// False: pass over it.

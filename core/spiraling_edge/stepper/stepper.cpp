@@ -20,24 +20,16 @@ struct PhaseRow {
 /// All phases but Finished, which is never run.
 template <AnyContext Context>
 constexpr std::array<PhaseRow<Context>, static_cast<std::size_t>(Phase::Finished)> kPhases{
-    {{Phase::Seed, phaseSeed},
-     {Phase::Pivot, phasePivot},
-     {Phase::Sort, phaseSort},
-     {Phase::Limits, phaseLimits},
-     {Phase::Convex, phaseConvex},
-     {Phase::Reciprocal, phaseReciprocal},
-     {Phase::Hole, phaseHole},
-     {Phase::Sphere, phaseSphere},
-     {Phase::TwoPoint, phaseTwoPoint},
-     {Phase::Guard, phaseGuard},
-     {Phase::Emit, phaseEmit},
-     {Phase::Ring, phaseRing},
-     {Phase::Link, phaseLink},
-     {Phase::Fill, phaseFill},
-     {Phase::Advance, phaseAdvance},
-     {Phase::Reinsert, phaseReinsert},
-     {Phase::Flip, phaseFlip},
-     {Phase::RemoveFolded, phaseRemoveFolded}}};
+    {{Phase::Seed, phaseSeed},         {Phase::Pivot, phasePivot},
+     {Phase::Sort, phaseSort},         {Phase::Limits, phaseLimits},
+     {Phase::Convex, phaseConvex},     {Phase::Reciprocal, phaseReciprocal},
+     {Phase::Hole, phaseHole},         {Phase::Sphere, phaseSphere},
+     {Phase::TwoPoint, phaseTwoPoint}, {Phase::Guard, phaseGuard},
+     {Phase::Emit, phaseEmit},         {Phase::Ring, phaseRing},
+     {Phase::Link, phaseLink},         {Phase::Fill, phaseFill},
+     {Phase::Advance, phaseAdvance},   {Phase::DropPatch, phaseDropPatch},
+     {Phase::Reinsert, phaseReinsert}, {Phase::CloseHole, phaseCloseHole},
+     {Phase::Flip, phaseFlip},         {Phase::Mend, phaseMend}}};
 static_assert(isInOrder(kPhases<UnloggedContext>));
 
 /// Inline, since it only dispatches on the phase, 12 times per pivot. Requires an unfinished run.
@@ -48,10 +40,7 @@ template <AnyContext Context>
 }
 
 /// True for the phases after which the run is between two pivots.
-bool endsStep(Phase phase) {
-    return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip ||
-           phase == Phase::RemoveFolded;
-}
+bool endsStep(Phase phase) { return phase == Phase::Advance || isRepair(phase); }
 
 State freshState(const PointSet& points, const Params& params) {
     State state(points.size());
@@ -63,17 +52,9 @@ State freshState(const PointSet& points, const Params& params) {
 
 /// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
-    switch (state.phase) {
-        case Phase::Seed:
-        case Phase::Pivot:
-        case Phase::Fill:
-        case Phase::Reinsert:
-        case Phase::Flip:
-        case Phase::RemoveFolded:
-            return state.counters.pivots + 1;
-        default:
-            return state.counters.pivots;
-    }
+    const Phase phase = state.phase;
+    const bool begins = phase == Phase::Seed || phase == Phase::Pivot || phase == Phase::Fill;
+    return state.counters.pivots + (begins || isRepair(phase) ? 1 : 0);
 }
 
 bool forksAt(const Params& params, std::uint32_t pivot) {

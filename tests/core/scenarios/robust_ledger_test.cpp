@@ -10,6 +10,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
+#include "support/random_points.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -60,7 +61,10 @@ std::vector<Sign> signs() {
         {"delay", objects({Verdict::Steep})},
         {"fill", of<FillEvidence>()},
         {"reinsert", of<ReinsertEvidence>()},
+        {"droppatches", of<DropPatchEvidence>()},
+        {"closeholes", of<CloseHoleEvidence>()},
         {"flip", of<FlipEvidence>()},
+        {"remesh", of<RemeshEvidence>()},
         {"reseat", of<RemoveFoldedEvidence>()},
     };
 }
@@ -69,6 +73,10 @@ std::vector<Sign> signs() {
 Subject subjectOf(const Event& event) {
     if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
         return Subject::edge(flip->x, flip->y);
+    if (const auto* hole = std::get_if<CloseHoleEvidence>(&event.evidence))
+        return Subject::point(hole->first);
+    if (const auto* remesh = std::get_if<RemeshEvidence>(&event.evidence))
+        return Subject::point(remesh->faulty.a);
     if (const auto* fill = std::get_if<FillEvidence>(&event.evidence))
         return Subject::point(fill->pivot);
     if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
@@ -82,6 +90,7 @@ std::vector<PointSet> inputs() {
     std::vector<PointSet> all;
     for (const FailureScene& each : failureScenes()) all.push_back(prepared(each.scene.build()));
     for (const Scene& each : scenes()) all.push_back(prepared(each.build()));
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) all.push_back(randomPoints(seed));
     return all;
 }
 

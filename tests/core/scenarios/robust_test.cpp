@@ -93,8 +93,8 @@ TEST_CASE("robust: the numbers of Table 1, on stand-ins") {
     if (!cloud) return;
     const Run run = runAll(*cloud, robust());
     CHECK(run.mesh.unusedPoints == 0);
-    // What is left: three loops inside, and a point where two of the surface's parts touch.
-    CHECK(describeFaults(*cloud, run.state.mesh()) == "non_manifold_vertices 1 holes 3 ");
+    // What is left: two loops inside, and a point where two of the surface's parts touch.
+    CHECK(describeFaults(*cloud, run.state.mesh()) == "non_manifold_vertices 1 holes 2 ");
 }
 
 TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossings") {
@@ -106,9 +106,9 @@ TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossing
     MESSAGE("unused ", run.mesh.unusedPoints, ", intersecting ", crossings);
     CHECK(isOrientedManifold(run.mesh));
     CHECK(100 * run.mesh.unusedPoints < points->size());
-    CHECK(crossings < 200);
-    CHECK(counts[static_cast<std::size_t>(FaultKind::SecondLayer)] < 400);
-    CHECK(counts[static_cast<std::size_t>(FaultKind::Flipped)] < 30);
+    CHECK(crossings < 40);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::SecondLayer)] < 60);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Flipped)] < 10);
 }
 
 TEST_CASE("robust: every shared set gives an oriented manifold, most of them a sound mesh") {
@@ -122,9 +122,9 @@ TEST_CASE("robust: every shared set gives an oriented manifold, most of them a s
           Set{"torus_knot", shared, true}, Set{"bunny_small", shared, true},
           Set{"elephant", shared, true}, Set{"hippo", shared, true}, Set{"blobs", shared, true},
           Set{"nefertiti", shared, true}, Set{"three_peaks", shared, true},
-          Set{"fandisk", shared, false}, Set{"oni", shared, false}, Set{"fin90", shared, false},
+          Set{"fandisk", shared, true}, Set{"oni", shared, false}, Set{"fin90", shared, false},
           Set{"armadillo", sharedLarge, true}, Set{"mannequin_devil", sharedLarge, false},
-          Set{"sphere_noisy", sharedLarge, false}}) {
+          Set{"sphere_noisy", sharedLarge, true}}) {
         const auto points = set.read(set.name);
         if (!points) continue;
         const Run run = runAll(*points, robust());
@@ -166,12 +166,12 @@ TEST_CASE("robust: the mannequin is open at its neck, with few faults elsewhere"
     if (!points) return;
     const Run run = runAll(*points, robust());
     CHECK(isOrientedManifold(run.mesh));
-    // Spacings vary by a factor of 500. Closing the eleven holes by triangles with faults would
-    // make some 950 more.
+    // Spacings vary by a factor of 500. Closing all holes by triangles with faults would make
+    // some 950 more.
     const MeshInspection found = inspectWithTotals(*points, run.state.mesh());
     CHECK(faultCount(found.totals) < 500);
-    CHECK(run.mesh.components == 2);
-    CHECK(run.mesh.boundaryLoops == 13);
+    CHECK(run.mesh.components == 1);
+    CHECK(run.mesh.boundaryLoops < 13);
 }
 
 // ---- the run as a run ---------------------------------------------------------------------------
@@ -285,11 +285,13 @@ TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());
     for (const auto rule :
-         {&RobustRules::tangent, &RobustRules::unblocked, &RobustRules::stepBack,
-          &RobustRules::wallsDone, &RobustRules::bothWalls, &RobustRules::guard, &RobustRules::gap,
-          &RobustRules::noPillow, &RobustRules::noCross, &RobustRules::noFold, &RobustRules::noMeet,
-          &RobustRules::rim, &RobustRules::delay, &RobustRules::fill, &RobustRules::reinsert,
-          &RobustRules::flip, &RobustRules::removeFolded}) {
+         {&RobustRules::tangent,   &RobustRules::unblocked,   &RobustRules::stepBack,
+          &RobustRules::wallsDone, &RobustRules::bothWalls,   &RobustRules::guard,
+          &RobustRules::gap,       &RobustRules::noPillow,    &RobustRules::noCross,
+          &RobustRules::noFold,    &RobustRules::noMeet,      &RobustRules::rim,
+          &RobustRules::delay,     &RobustRules::fill,        &RobustRules::dropPatches,
+          &RobustRules::reinsert,  &RobustRules::closeHoles,  &RobustRules::flip,
+          &RobustRules::remesh,    &RobustRules::removeFolded}) {
         CHECK_FALSE(rules.*rule);
         CHECK(robust().robust.*rule);
     }
@@ -305,10 +307,7 @@ TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
         std::size_t beyond = 0;
         for (const Event& event : log.events()) {
             const Stage stage = event.address.stage;
-            beyond += stage == Stage::Guard || stage == Stage::Fill || stage == Stage::Reinsert ||
-                              stage == Stage::Flip || stage == Stage::RemoveFolded
-                          ? 1
-                          : 0;
+            beyond += stage == Stage::Guard || stage == Stage::Fill || isRepair(stage) ? 1 : 0;
         }
         CHECK(beyond == 0);
     }

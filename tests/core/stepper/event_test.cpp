@@ -99,9 +99,7 @@ TEST_CASE("stages have different names, and sections 3 to 7 or none if they are 
         const auto stage = static_cast<Stage>(i);
         names.insert(stageName(stage));
         CHECK(stageFromName(stageName(stage)) == stage);
-        const bool beyond = stage == Stage::Guard || stage == Stage::Fill ||
-                            stage == Stage::Reinsert || stage == Stage::Flip ||
-                            stage == Stage::RemoveFolded;
+        const bool beyond = stage == Stage::Guard || stage == Stage::Fill || isRepair(stage);
         CHECK(stageSection(stage).empty() == beyond);
         if (beyond) continue;
         CHECK(stageSection(stage)[0] >= '3');

@@ -319,8 +319,8 @@ TEST_CASE("fill: on rough clouds, fewer holes are left than without") {
         for (Vec3& x : file.position) x += 0.12 * random.inCube();
         const PointSet points = prepared(file);
         Params params = *paramsByName("robust");
-        params.robust.rim = params.robust.reinsert = params.robust.flip =
-            params.robust.removeFolded = false;
+        params.robust.rim = params.robust.reinsert = params.robust.closeHoles = params.robust.flip =
+            params.robust.remesh = params.robust.removeFolded = false;
         const Run on = runAll(points, params);
         params.robust.fill = false;
         const Run off = runAll(points, params);

@@ -4,93 +4,17 @@
 #include <doctest/doctest.h>
 
 #include <map>
-#include <set>
 
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"
-#include "spiraling_edge/stepper/robust/repair_sides.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
+#include "support/repair_mesh.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-/// Points with normals up; every point lists all others.
-PointSet flatPoints(std::vector<Vec3> position) {
-    PointSet points;
-    points.position = std::move(position);
-    points.normal.assign(points.size(), Vec3(0, 0, 1));
-    points.type.assign(points.size(), kInterior);
-    for (Index p = 0; p < points.size(); ++p) {
-        Points list;
-        for (Index q = 0; q < points.size(); ++q) {
-            if (q != p) list.push_back(q);
-        }
-        std::stable_sort(list.begin(), list.end(), [&](Index a, Index b) {
-            return glm::length(points.position[a] - points.position[p]) <
-                   glm::length(points.position[b] - points.position[p]);
-        });
-        points.neighbors.append(list);
-    }
-    return points;
-}
-
-/// The first fault in the neighbor relation of the triangles; empty if there is none.
-std::string adjacencyFault(const RepairState& m) {
-    if (m.twin.size() != 3 * m.triangles.size()) return "sides and triangles do not match";
-    std::vector<std::set<HalfEdge>> leaving(m.sideOf.size());
-    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        const Triangle& t = m.triangles[h / 3];
-        if (t.a == t.b || t.b == t.c || t.c == t.a) return "a corner twice";
-        leaving[cornerOf(m, h)].insert(h);
-        const HalfEdge g = m.twin[h];
-        if (g == kNone) continue;
-        if (g >= m.twin.size()) return "a twin that is gone";
-        if (m.twin[g] != h) return "a twin with another twin";
-        if (cornerOf(m, g) != cornerOf(m, following(h)) ||
-            cornerOf(m, h) != cornerOf(m, following(g))) {
-            return "a twin with other ends";
-        }
-    }
-    for (Index p = 0; p < m.sideOf.size(); ++p) {
-        if (leaving[p].empty() != (m.sideOf[p] == kNone)) return "a point lost its side";
-        if (m.sideOf[p] == kNone) continue;
-        if (m.sideOf[p] >= m.twin.size() || cornerOf(m, m.sideOf[p]) != p) {
-            return "a side that leaves another point";
-        }
-        std::set<HalfEdge> reached;
-        forEachSideOf(m, p, [&](HalfEdge h) { reached.insert(h); });
-        if (!m.pinched[p] && reached != leaving[p]) return "going round misses a side";
-    }
-    return {};
-}
-/// As adjacencyFault(), and that a side without a twin is at a border.
-std::string manifoldFault(const RepairState& m) {
-    std::set<std::pair<Index, Index>> sides;
-    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        if (!sides.insert({cornerOf(m, h), cornerOf(m, following(h))}).second) {
-            return "an edge twice in one direction";
-        }
-    }
-    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        const bool other = sides.contains({cornerOf(m, following(h)), cornerOf(m, h)});
-        if (other != (m.twin[h] != kNone)) return "a side without its twin";
-    }
-    return adjacencyFault(m);
-}
-
-/// Corners from the least on, sorted: equal for equal meshes.
-std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
-    std::set<std::array<Index, 3>> set;
-    for (const Triangle& t : triangles) {
-        std::array<Index, 3> c{t.a, t.b, t.c};
-        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-        set.insert(c);
-    }
-    return set;
-}
 
 /// All points that are inserted, in order; the state is checked after each.
 Points reinsertAll(const PointSet& points, RepairState& m) {
@@ -360,6 +284,14 @@ Misplaced misplaced() {
     return m;
 }
 
+/// The next point that `reseat` alone takes out; kNone if there is none.
+Index takeOutNext(const PointSet& points, RepairState& m) {
+    RobustRules rules;
+    rules.removeFolded = true;
+    const auto step = mendNextFault(points, rules, m);
+    return step ? std::get<RemoveFoldedEvidence>(*step).point : kNone;
+}
+
 }  // namespace
 
 TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole closed") {
@@ -367,16 +299,16 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
     REQUIRE(flippedIn(input.points, input.triangles) > 0);
     RepairState m = beginRepair(11, input.triangles);
     REQUIRE(manifoldFault(m) == "");
-    const auto step = removeFoldedPoint(input.points, m);
-    REQUIRE(step);
+    const Index point = takeOutNext(input.points, m);
+    REQUIRE(point != kNone);
     CHECK(manifoldFault(m) == "");
-    CHECK(m.sideOf[step->point] == kNone);
+    CHECK(m.sideOf[point] == kNone);
     CHECK(m.triangles.size() == input.triangles.size() - 2);
     CHECK(m.takenOut == 1);
-    while (removeFoldedPoint(input.points, m)) CHECK(manifoldFault(m) == "");
+    while (takeOutNext(input.points, m) != kNone) CHECK(manifoldFault(m) == "");
     CHECK(flippedIn(input.points, m.triangles) == 0);
     // And it is reinserted where it lies.
-    m.nextPoint = 0;
+    m.next = 0;
     CHECK_FALSE(reinsertAll(input.points, m).empty());
     CHECK(flippedIn(input.points, m.triangles) == 0);
 }
@@ -384,14 +316,14 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
 TEST_CASE("reseat: leaves a mesh without flipped triangles alone") {
     const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
     RepairState m = beginRepair(points.size(), runAll(points, paper()).state.triangles);
-    CHECK_FALSE(removeFoldedPoint(points, m));
+    CHECK(takeOutNext(points, m) == kNone);
     CHECK(m.takenOut == 0);
 }
 
 TEST_CASE("reseat: a point at the border or with three triangles stays") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -1, 0}});
     RepairState m = beginRepair(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
-    CHECK_FALSE(removeFoldedPoint(points, m));
+    CHECK(takeOutNext(points, m) == kNone);
 }
 
 TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than without") {
@@ -470,20 +402,20 @@ TEST_CASE("repair: neighbors agree after every step, on triangles that are no su
         if (soup.empty()) continue;
         RepairState m = beginRepair(points.size(), soup);
         std::string fault = adjacencyFault(m);
+        const Params params = *paramsByName("robust");
+        const auto repeat = [&](const auto& step) {
+            m.next = 0;
+            while (fault.empty() && step()) {
+                fault = adjacencyFault(m);
+                ++steps;
+            }
+        };
         for (; m.round < kRepairRounds && fault.empty(); ++m.round) {
-            m.nextPoint = m.nextTriangle = 0;
-            while (fault.empty() && reinsertNext(points, m)) {
-                fault = adjacencyFault(m);
-                ++steps;
-            }
-            while (fault.empty() && flipNext(points, RobustThresholds{}, m)) {
-                fault = adjacencyFault(m);
-                ++steps;
-            }
-            while (fault.empty() && removeFoldedPoint(points, m)) {
-                fault = adjacencyFault(m);
-                ++steps;
-            }
+            repeat([&] { return dropNextPatch(points, m).has_value(); });
+            repeat([&] { return reinsertNext(points, m).has_value(); });
+            repeat([&] { return closeNextHole(points, params, m).has_value(); });
+            repeat([&] { return flipNext(points, RobustThresholds{}, m).has_value(); });
+            repeat([&] { return mendNextFault(points, params.robust, m).has_value(); });
         }
         CHECK_MESSAGE(fault == "", "seed ", seed);
     }

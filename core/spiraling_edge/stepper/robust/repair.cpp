@@ -1,10 +1,10 @@
 /// Beyond the paper: the steps after the last pivot (repair.h), each with a number like a pivot.
-/// Each kind runs until it finds nothing more, in the order reinsert, flip, reseat, kRepairRounds
-/// times; the last round takes no point out, since none could be put back. Their half-edges: twins
-/// are found in a table of directed edges, sides of edges with more than two triangles get none,
-/// and points with more than one fan are marked. O(t) for t triangles.
+/// Each kind runs until it finds nothing more, in the order of kOrder, kRepairRounds times. Their
+/// half-edges: twins are found in a table of directed edges, sides of edges with more than two
+/// triangles get none, and points with more than one fan are marked. O(t) for t triangles.
 #include "spiraling_edge/stepper/repair.h"
 
+#include <algorithm>
 #include <array>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
@@ -20,30 +20,31 @@ void markPinched(RepairState& m) {
         ++sides[t.b];
         ++sides[t.c];
     }
-    for (Index p = 0; p < m.sideOf.size(); ++p) {
-        Index reached = 0;
-        forEachSideOf(m, p, [&](HalfEdge) { ++reached; });
-        m.pinched[p] = reached != sides[p];
-    }
+    for (Index p = 0; p < m.sideOf.size(); ++p) m.pinched[p] = reachedSides(m, p) != sides[p];
 }
 
 struct RepairPhase {
     Phase phase;
-    bool RobustRules::*on;
+    bool (*isOn)(const RobustRules& rules, std::uint32_t round);
 };
 constexpr RepairPhase kOrder[] = {
-    {Phase::Reinsert, &RobustRules::reinsert},
-    {Phase::Flip, &RobustRules::flip},
-    {Phase::RemoveFolded, &RobustRules::removeFolded},
+    // No later step makes a patch.
+    {Phase::DropPatch,
+     [](const RobustRules& rules, std::uint32_t round) { return rules.dropPatches && round == 0; }},
+    {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
+    {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
+    {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
+    {Phase::Mend,
+     [](const RobustRules& rules, std::uint32_t) { return rules.remesh || rules.removeFolded; }},
 };
 
 /// Goes to the first phase at or after position `from` of the order whose rule is on.
 bool enterFrom(StepContext& context, std::size_t from) {
+    RepairState& m = context.state.repair;
     for (std::size_t i = from; i < std::size(kOrder); ++i) {
-        if (!(context.params.robust.*kOrder[i].on)) continue;
-        const bool lastRound = context.state.repair.round + 1 == kRepairRounds;
-        if (lastRound && kOrder[i].phase == Phase::RemoveFolded) continue;
+        if (!kOrder[i].isOn(context.params.robust, m.round)) continue;
         context.state.phase = kOrder[i].phase;
+        m.next = 0;
         return true;
     }
     return false;
@@ -56,10 +57,7 @@ void enterNext(StepContext& context) {
     while (kOrder[place].phase != s.phase) ++place;
     if (enterFrom(context, place + 1)) return;
     s.phase = Phase::Finished;
-    if (++s.repair.round == kRepairRounds) return;
-    s.repair.nextPoint = 0;
-    s.repair.nextTriangle = 0;
-    enterFrom(context, 0);
+    if (++s.repair.round < kRepairRounds) enterFrom(context, 0);
 }
 
 /// Counts and logs a step like a pivot; without one, goes to the next phase.
@@ -115,21 +113,35 @@ void phaseReinsert(AnyContext auto& context) {
     finishStep(context, Stage::Reinsert, reinsertNext(context.points, context.state.repair));
 }
 
+void phaseDropPatch(AnyContext auto& context) {
+    finishStep(context, Stage::DropPatch, dropNextPatch(context.points, context.state.repair));
+}
+
+void phaseCloseHole(AnyContext auto& context) {
+    finishStep(context, Stage::CloseHole,
+               closeNextHole(context.points, context.params, context.state.repair));
+}
+
 void phaseFlip(AnyContext auto& context) {
     finishStep(context, Stage::Flip,
                flipNext(context.points, context.params.thresholds, context.state.repair));
 }
 
-void phaseRemoveFolded(AnyContext auto& context) {
-    finishStep(context, Stage::RemoveFolded,
-               removeFoldedPoint(context.points, context.state.repair));
+void phaseMend(AnyContext auto& context) {
+    const auto mended = mendNextFault(context.points, context.params.robust, context.state.repair);
+    const bool remeshed = mended && std::holds_alternative<RemeshEvidence>(*mended);
+    finishStep(context, remeshed ? Stage::Remesh : Stage::RemoveFolded, mended);
 }
 
 template void phaseReinsert(UnloggedContext&);
 template void phaseReinsert(LoggedContext&);
 template void phaseFlip(UnloggedContext&);
 template void phaseFlip(LoggedContext&);
-template void phaseRemoveFolded(UnloggedContext&);
-template void phaseRemoveFolded(LoggedContext&);
+template void phaseDropPatch(UnloggedContext&);
+template void phaseDropPatch(LoggedContext&);
+template void phaseCloseHole(UnloggedContext&);
+template void phaseCloseHole(LoggedContext&);
+template void phaseMend(UnloggedContext&);
+template void phaseMend(LoggedContext&);
 
 }  // namespace se

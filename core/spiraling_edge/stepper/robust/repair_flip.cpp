@@ -28,7 +28,7 @@ Quad quadAt(const RepairState& m, HalfEdge h) {
 /// Faults of two triangles at the edge they share and at the four edges around them.
 class FlipScore {
   public:
-    FlipScore(const PointSet& points, const RepairState& m, HalfEdge h)
+    FlipScore(const PointSet& points, RepairState& m, HalfEdge h)
         : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quadAt(m, h)) {}
 
     /// Faults of the two triangles themselves.
@@ -63,19 +63,12 @@ class FlipScore {
     }
     /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
     bool conflictNearby(const Triangle& a, const Triangle& b) const {
-        bool found = false;
-        for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
-            for (const Index near : points_.neighbors[p]) {
-                if (found) return true;
-                forEachSideOf(m_, near, [&](HalfEdge side) {
-                    const Index t = side / 3;
-                    if (found || t == h_ / 3 || t == g_ / 3) return;
-                    found = conflict(points_, a, m_.triangles[t]) ||
-                            conflict(points_, b, m_.triangles[t]);
-                });
-            }
-        }
-        return found;
+        const std::vector<Index> near =
+            trianglesNear(points_, m_, std::array{quad_.u, quad_.v, quad_.x, quad_.y});
+        return std::any_of(near.begin(), near.end(), [&](Index t) {
+            return t != h_ / 3 && t != g_ / 3 &&
+                   (conflict(points_, a, m_.triangles[t]) || conflict(points_, b, m_.triangles[t]));
+        });
     }
     const Quad& quad() const { return quad_; }
 
@@ -89,7 +82,7 @@ class FlipScore {
     }
 
     const PointSet& points_;
-    const RepairState& m_;
+    RepairState& m_;
     HalfEdge h_, g_;
     Quad quad_;
 };
@@ -157,7 +150,7 @@ bool isRough(const PointSet& points, const Quad& q, const FlipScore& score) {
            score.conflicts(q.left(), q.right()) > 0;
 }
 
-Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, const RepairState& m,
+Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
                 HalfEdge h) {
     // RobustRules::removeFolded shortens the list, so that a side in the queue may no longer exist.
     if (h >= m.twin.size() || m.twin[h] == kNone) return Gain::None;

@@ -13,6 +13,9 @@ namespace {
 /// Largest number of triangles that make room for a point.
 constexpr std::size_t kMaxGone = 8;
 constexpr std::size_t kMaxMade = kMaxGone + 2;
+/// Largest number of times that both triangles of a conflict are tried as the one to avoid, for one
+/// place.
+constexpr std::size_t kMaxChoices = 4;
 
 /// The new triangles of a place, around the point, and the old ones that they replace.
 class Change {
@@ -136,24 +139,23 @@ struct NearTriangle {
 /// Finds the best place for one point.
 class PlaceSearch {
   public:
-    PlaceSearch(const PointSet& points, const RepairState& m, Index x)
-        : points_(points), m_(m), x_(x) {}
+    PlaceSearch(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {}
 
     std::optional<Change> find() {
-        // A place begins at one of these, and no new triangle may be in conflict with any of them.
-        std::vector<Index> near;
-        for (const Index p : points_.neighbors[x_]) {
+        for (const Index t : trianglesNear(points_, m_, std::array{x_}))
+            near_.push_back({t, ShapedTriangle(points_, m_.triangles[t])});
+        std::vector<Index> begins;
+        for (const Index p : points_.neighbors[x_])
             forEachSideOf(m_, p, [&](HalfEdge side) {
-                if (std::find(near.begin(), near.end(), side / 3) == near.end())
-                    near.push_back(side / 3);
+                if (std::find(begins.begin(), begins.end(), side / 3) == begins.end())
+                    begins.push_back(side / 3);
             });
-        }
-        for (const Index t : near) near_.push_back({t, ShapedTriangle(points_, m_.triangles[t])});
-        for (const Index t : near) {
+        for (const Index t : begins) {
             const Triangle& old = m_.triangles[t];
             if (m_.pinched[old.a] || m_.pinched[old.b] || m_.pinched[old.c]) continue;
             Change inside(m_, x_);
             inside.replace(t);
+            choices_ = 0;
             consider(inside);
             for (Index k = 0; k < 3; ++k) {
                 if (m_.twin[3 * t + k] != kNone) continue;
@@ -166,18 +168,59 @@ class PlaceSearch {
     }
 
   private:
-    /// Widens a place until no new triangle has a fault; keeps it if it is the best so far.
-    void consider(Change change) {
-        double worst = -1.0;
-        for (std::size_t i = 0; i < change.size();) {
-            if (isFaulty(change, i)) {
-                // Those before stay as they are: only old triangles go.
+    /// Widens a place until no new triangle has a fault; keeps it if it is the best so far. The
+    /// first `from` triangles have none; `worst` is their least angle's cosine.
+    void consider(Change change, std::size_t from = 0, double worst = -1.0) {
+        std::array<double, kMaxMade + 1> worstBefore{};
+        worstBefore[from] = worst;
+        for (std::size_t i = from; i < change.size();) {
+            const bool faulty = isFaulty(change, i);
+            const std::size_t rival = faulty ? i : firstInConflict(change, i);
+            // The old triangle that is in the way may go as well,
+            const std::size_t side = faulty ? sideInTheWay(change, i) : change.size();
+            if (side < change.size() && side != i && choices_ < kMaxChoices) {
+                ++choices_;
+                Change other = change;
+                const std::size_t again = std::min(side, i);
+                if (other.avoid(side)) consider(other, again, worstBefore[again]);
+            }
+            // and of two new ones in conflict, either may be the one to avoid.
+            if (rival < i && choices_ < kMaxChoices) {
+                ++choices_;
+                Change other = change;
+                if (other.avoid(rival)) consider(other, rival, worstBefore[rival]);
+            }
+            if (faulty || rival < i) {
                 if (!change.avoid(i)) return;
                 continue;
             }
-            worst = std::max(worst, leastAngleCosine(points_, change[i++]));
+            worstBefore[i + 1] = std::max(worstBefore[i], leastAngleCosine(points_, change[i]));
+            ++i;
         }
-        if (worst < best_.cosine) best_ = {change, worst};
+        if (worstBefore[change.size()] < best_.cosine) best_ = {change, worstBefore[change.size()]};
+    }
+
+    /// The first triangle before `i` that is in conflict with it; else `i`.
+    std::size_t firstInConflict(const Change& change, std::size_t i) const {
+        const ShapedTriangle made(points_, change[i]);
+        std::size_t k = 0;
+        while (k < i && !conflict(points_, made, ShapedTriangle(points_, change[k]))) ++k;
+        return k;
+    }
+
+    /// The side of the place behind which the first old triangle lies that new triangle `i`, of
+    /// good shape, is in conflict with; the number of sides if there is none.
+    std::size_t sideInTheWay(const Change& change, std::size_t i) const {
+        if (shapeFaults(points_, change[i]) > 0 || leastAngleCosine(points_, change[i]) >= kThin)
+            return change.size();
+        const ShapedTriangle made(points_, change[i]);
+        std::size_t k = 0;
+        const auto isInTheWay = [&](HalfEdge outer) {
+            return outer != kNone &&
+                   conflict(points_, made, ShapedTriangle(points_, m_.triangles[outer / 3]));
+        };
+        while (k < change.size() && !isInTheWay(change.across(k))) ++k;
+        return k;
     }
 
     bool isFaulty(const Change& change, std::size_t i) const {
@@ -185,38 +228,35 @@ class PlaceSearch {
         // In the last round a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
         if (shapeFaults(points_, t) > (m_.round + 1 < kRepairRounds ? 0 : 1)) return true;
-        // Triangles almost without width are worse than a point that is left out.
-        constexpr double kThin = 0.9998;  // 1.1 degrees.
         if (leastAngleCosine(points_, t) >= kThin) return true;
         const HalfEdge outer = change.across(i);
         if (outer != kNone && folded(points_, t, m_.triangles[outer / 3])) return true;
         const ShapedTriangle made(points_, t);
-        for (std::size_t k = 0; k < i; ++k) {
-            if (conflict(points_, made, ShapedTriangle(points_, change[k]))) return true;
-        }
         return std::any_of(near_.begin(), near_.end(), [&](const NearTriangle& other) {
             return !change.removes(other.index) && conflict(points_, made, other.shaped);
         });
     }
 
     const PointSet& points_;
-    const RepairState& m_;
+    RepairState& m_;
     Index x_;
-    std::vector<NearTriangle> near_;  ///< Triangles at the points that x lists.
+    /// No new triangle may be in conflict with any of these.
+    std::vector<NearTriangle> near_;
+    std::size_t choices_ = 0;
     Insertion best_;
 };
 
 }  // namespace
 
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& m) {
-    for (; m.nextPoint < points.size(); ++m.nextPoint) {
-        const Index x = points.inOrder(m.nextPoint);
+    for (; m.next < points.size(); ++m.next) {
+        const Index x = points.inOrder(m.next);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
         const std::optional<Change> change = PlaceSearch(points, m, x).find();
         if (!change) continue;
         change->apply(m);
         ++m.reinserted;
-        ++m.nextPoint;
+        ++m.next;
         return ReinsertEvidence{x};
     }
     return std::nullopt;

@@ -1,6 +1,9 @@
 /// Navigation in a RepairState: sides, corners, twins.
 #pragma once
 
+#include <algorithm>
+#include <span>
+
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/repair.h"
@@ -40,6 +43,49 @@ inline bool joined(const RepairState& m, Index u, Index v) {
     });
     return found;
 }
+
+/// The number of sides that leave a point, in the fan of RepairState::sideOf.
+Index reachedSides(const RepairState& m, Index p);
+
+/// Sets RepairState::pinchedSides, and unmarks points that are pinched no more. O(t).
+void listPinched(RepairState& m);
+
+/// The sides that leave a pinched point, after listPinched().
+inline std::span<const PinchedSide> sidesOfPinched(const RepairState& m, Index point) {
+    const auto first =
+        std::lower_bound(m.pinchedSides.begin(), m.pinchedSides.end(), point,
+                         [](const PinchedSide& side, Index p) { return side.point < p; });
+    auto end = first;
+    while (end != m.pinchedSides.end() && end->point == point) ++end;
+    return {m.pinchedSides.data() + (first - m.pinchedSides.begin()),
+            static_cast<std::size_t>(end - first)};
+}
+
+/// True if the two points have a common edge, in any fan. With a pinched point, requires
+/// listPinched().
+inline bool hasEdge(const RepairState& m, Index u, Index v) {
+    if (joined(m, u, v)) return true;
+    const auto sides = sidesOfPinched(m, u);
+    return std::any_of(sides.begin(), sides.end(), [&](const PinchedSide& side) {
+        return cornerOf(m, following(side.leaving)) == v ||
+               cornerOf(m, preceding(side.leaving)) == v;
+    });
+}
+
+/// Removes a triangle; the last one moves to its place, so that the list has no gaps.
+void dropTriangle(RepairState& m, Index t);
+
+/// The triangles at all points as near to one of these as the farthest in its list, ascending.
+/// Those on another sheet are among them, whose points are in no list here.
+std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
+                                 std::span<const Index> places);
+
+/// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
+bool isFaulty(const PointSet& points, RepairState& m, Index t);
+
+/// The cosine of 1.1 degrees. Triangles with a smaller angle, almost without width, are worse than
+/// a hole or a point that is left out.
+inline constexpr double kThin = 0.9998;
 
 /// Triangles farther than 25 degrees off the normal of a corner may be in conflict with others.
 inline constexpr double kRough = 0.9;

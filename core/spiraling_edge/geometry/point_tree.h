@@ -1,0 +1,84 @@
+/// A k-d tree of points, to find those within a distance of a place whatever their spacing.
+#pragma once
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/points/point_set.h"
+
+namespace se {
+
+/// A balanced k-d tree (Bentley 1975): each part of the points is divided at the median of its
+/// longest side. The positions are not copied and must outlive it.
+class PointTree {
+  public:
+    /// O(n log n).
+    explicit PointTree(std::span<const Vec3> position)
+        : position_(position), order_(position.size()), axis_(position.size()) {
+        std::iota(order_.begin(), order_.end(), Index{0});
+        divide(0, order_.size());
+    }
+
+    /// Calls `visit` with each point that is at most this far away, in an order that depends on the
+    /// positions alone.
+    template <typename Visit>
+    void within(const Vec3& place, double distance, Visit&& visit) const {
+        search(0, order_.size(), place, distance, visit);
+    }
+
+  private:
+    /// Parts of at most this many points are not divided.
+    static constexpr std::size_t kLeaf = 8;
+
+    void divide(std::size_t begin, std::size_t end) {
+        if (end - begin <= kLeaf) return;
+        Vec3 low = position_[order_[begin]];
+        Vec3 high = low;
+        for (std::size_t i = begin; i < end; ++i) {
+            low = glm::min(low, position_[order_[i]]);
+            high = glm::max(high, position_[order_[i]]);
+        }
+        const Vec3 side = high - low;
+        const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
+        const std::size_t middle = begin + (end - begin) / 2;
+        const auto at = [&](std::size_t i) {
+            return order_.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
+            const double x = position_[a][axis];
+            const double y = position_[b][axis];
+            return x < y || (x == y && a < b);
+        });
+        axis_[middle] = static_cast<std::uint8_t>(axis);
+        divide(begin, middle);
+        divide(middle + 1, end);
+    }
+
+    template <typename Visit>
+    void search(std::size_t begin, std::size_t end, const Vec3& place, double distance,
+                Visit& visit) const {
+        const auto test = [&](Index p) {
+            const Vec3 d = position_[p] - place;
+            if (glm::dot(d, d) <= distance * distance) visit(p);
+        };
+        if (end - begin <= kLeaf) {
+            for (std::size_t i = begin; i < end; ++i) test(order_[i]);
+            return;
+        }
+        const std::size_t middle = begin + (end - begin) / 2;
+        const int axis = axis_[middle];
+        const double offset = place[axis] - position_[order_[middle]][axis];
+        if (offset <= distance) search(begin, middle, place, distance, visit);
+        test(order_[middle]);
+        if (offset >= -distance) search(middle + 1, end, place, distance, visit);
+    }
+
+    std::span<const Vec3> position_;
+    std::vector<Index> order_;        ///< The points; the middle one of a part divides it.
+    std::vector<std::uint8_t> axis_;  ///< Of the middle of a part: the axis that it divides.
+};
+
+}  // namespace se

@@ -1,0 +1,81 @@
+#include "spiraling_edge/mesh/boundary_loop.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace se {
+namespace {
+
+/// A free sector wider than 120 degrees: the surface ends at the point.
+constexpr double kEndCosine = -0.5;
+
+bool isMost(std::size_t count, std::size_t all) { return 3 * count > 2 * all; }
+
+/// True if the sector without triangles at a boundary point is wider than 120 degrees, seen along
+/// its normal. It runs counterclockwise from the side that arrives to the one that leaves.
+bool endsAt(const PointSet& points, const LoopSide& arriving, const LoopSide& leaving) {
+    const Index p = leaving.from;
+    const Vec3& normal = points.normal[p];
+    const auto flat = [&](Index q) {
+        const Vec3 d = points.position[q] - points.position[p];
+        return d - glm::dot(d, normal) / glm::dot(normal, normal) * normal;
+    };
+    const Vec3 u = flat(arriving.from);
+    const Vec3 v = flat(leaving.to);
+    if (glm::dot(glm::cross(u, v), normal) < 0.0) return true;  // over 180 degrees
+    return glm::dot(u, v) < kEndCosine * glm::length(u) * glm::length(v);
+}
+
+/// True if the surface ends at most points of the loop. A point that it passes twice is not
+/// counted.
+bool endsAtMost(const PointSet& points, std::span<const LoopSide> loop) {
+    std::map<Index, std::vector<LoopSide>> arriving;
+    std::map<Index, std::vector<LoopSide>> leaving;
+    for (const LoopSide& side : loop) {
+        leaving[side.from].push_back(side);
+        arriving[side.to].push_back(side);
+    }
+    std::size_t ends = 0;
+    for (const auto& [p, sides] : leaving) {
+        const auto before = arriving.find(p);
+        if (sides.size() != 1 || before == arriving.end() || before->second.size() != 1) continue;
+        ends += endsAt(points, before->second.front(), sides.front()) ? 1U : 0U;
+    }
+    return isMost(ends, loop.size());
+}
+
+/// True if most points lie on walls or rims, and no two others follow each other: a single one
+/// bulges past the chord.
+bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop) {
+    const auto onWall = [&](Index p) { return isBoundary(points.type[p]); };
+    std::size_t walls = 0;
+    for (const LoopSide& side : loop) {
+        if (!onWall(side.from) && !onWall(side.to)) return false;
+        walls += onWall(side.from) ? 1U : 0U;
+    }
+    return isMost(walls, loop.size());
+}
+
+}  // namespace
+
+LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop) {
+    assert(!loop.empty());
+    const Vec3 origin = points.position[loop.front().from];
+    ShapeSum sum;
+    for (const LoopSide& side : loop) {
+        sum.add(points.position[side.from] - origin, points.normal[side.from],
+                points.position[side.to] - origin);
+    }
+    return sum.shape();
+}
+
+bool isOpening(const PointSet& points, std::span<const LoopSide> loop, const LoopShape& shape) {
+    const bool known = std::all_of(loop.begin(), loop.end(), [&](const LoopSide& side) {
+        return points.normal[side.from] != Vec3(0.0);
+    });
+    if (!known || runsAlongWalls(points, loop)) return true;
+    return shape.widthInEdges() >= kNarrowestOpening && endsAtMost(points, loop);
+}
+
+}  // namespace se

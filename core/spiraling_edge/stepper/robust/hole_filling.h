@@ -1,0 +1,74 @@
+/// The filling of a hole in a RepairState with triangles between the points of its ring.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "spiraling_edge/stepper/robust/repair_sides.h"
+
+namespace se {
+
+/// The ring of a hole.
+struct HoleRing {
+    std::vector<Index> points;    ///< Counterclockwise around the filling.
+    std::vector<HalfEdge> outer;  ///< Per point: across the side to the next; kNone at a border.
+    std::vector<Index> gone;      ///< Triangles inside, which the filling replaces.
+
+    std::size_t size() const { return points.size(); }
+};
+inline bool isOn(const HoleRing& ring, Index point) {
+    return std::find(ring.points.begin(), ring.points.end(), point) != ring.points.end();
+}
+inline bool isGone(const HoleRing& ring, Index triangle) {
+    return std::find(ring.gone.begin(), ring.gone.end(), triangle) != ring.gone.end();
+}
+
+/// Widens the ring by the triangle across a side, which has a new point. False at a border, and
+/// where the point is pinched or on the ring already.
+bool addAcross(const RepairState& repair, std::size_t side, HoleRing& ring);
+
+/// Positions in HoleRing::points, ascending.
+using RingTriangle = std::array<std::size_t, 3>;
+/// Triangles that fill a ring of n points: n - 2, or none.
+using Filling = std::vector<RingTriangle>;
+
+/// The search for the filling of a ring. A triangle of it has no fault: it is not flipped, has
+/// width, is in conflict with none nearby and not folded onto its neighbors; and no edge of it
+/// exists already.
+class FillingSearch {
+  public:
+    /// The points, the mesh and the ring must outlive it.
+    FillingSearch(const PointSet& points, RepairState& repair, const HoleRing& ring);
+
+    /// The filling with the largest least angle or, where that one crosses itself, with the least
+    /// area; empty if there is none. Dynamic programming over parts of the ring (Barequet and
+    /// Sharir 1995), O(n^3).
+    Filling find() const;
+    /// The first side of the ring at which every triangle has a fault; the number of sides if there
+    /// is none.
+    std::size_t firstBlocked() const;
+
+  private:
+    Triangle triangle(const RingTriangle& t) const {
+        return {ring_.points[t[0]], ring_.points[t[1]], ring_.points[t[2]]};
+    }
+    bool foldsOnto(const Triangle& made, HalfEdge outer) const;
+    bool isFaulty(const Triangle& made) const;
+    bool mayMake(const RingTriangle& t) const;
+    bool crossesItself(const Filling& filling) const;
+
+    template <typename Goal>
+    friend class FillingTable;
+
+    const PointSet& points_;
+    const RepairState& m_;
+    const HoleRing& ring_;
+    std::vector<ShapedTriangle> near_;  ///< Those that stay.
+};
+
+/// Puts the filling in the place of HoleRing::gone, and at the end of the list; those that are gone
+/// and get no new one are dropped.
+void putFilling(RepairState& repair, const HoleRing& ring, const Filling& filling);
+
+}  // namespace se

@@ -1,0 +1,217 @@
+/// RobustRules::closeHoles: a hole of the finished mesh, by the definition of boundary_loop.h, is
+/// filled with triangles between its points, none of which has a fault; where that needs more room,
+/// triangles around it go as well, or one of its points.
+#include <algorithm>
+#include <unordered_set>
+
+#include "spiraling_edge/mesh/boundary_loop.h"
+#include "spiraling_edge/stepper/robust/hole_filling.h"
+
+namespace se {
+namespace {
+
+/// Grows with the angle from direction u to v, counterclockwise around the normal: 0 to 4.
+double turnFrom(const Vec3& u, const Vec3& v, const Vec3& normal) {
+    const double size = std::sqrt(glm::dot(u, u) * glm::dot(v, v));
+    if (!(size > 0.0)) return 4.0;
+    const double cosine = glm::dot(u, v) / size;
+    return glm::dot(glm::cross(u, v), normal) >= 0.0 ? 1.0 - cosine : 3.0 + cosine;
+}
+
+/// Of the border sides that leave a pinched point, the one across the gap from `arriving`; kNone if
+/// there is none.
+HalfEdge acrossGap(const PointSet& points, const RepairState& m, HalfEdge arriving) {
+    const Index p = cornerOf(m, following(arriving));
+    const Vec3& normal = points.normal[p];
+    const auto flat = [&](Index q) {
+        const Vec3 d = points.position[q] - points.position[p];
+        return d - glm::dot(d, normal) / glm::dot(normal, normal) * normal;
+    };
+    const Vec3 from = flat(cornerOf(m, arriving));
+    HalfEdge nearest = kNone;
+    double least = 5.0;
+    for (const PinchedSide& side : sidesOfPinched(m, p)) {
+        if (m.twin[side.leaving] != kNone) continue;
+        const double turn = turnFrom(from, flat(cornerOf(m, following(side.leaving))), normal);
+        if (turn >= least) continue;
+        least = turn;
+        nearest = side.leaving;
+    }
+    return nearest;
+}
+
+/// The border side after this one around the same gap.
+HalfEdge nextBorder(const PointSet& points, const RepairState& m, HalfEdge border) {
+    if (m.pinched[cornerOf(m, following(border))]) return acrossGap(points, m, border);
+    HalfEdge h = following(border);
+    while (m.twin[h] != kNone) h = following(m.twin[h]);
+    return h;
+}
+
+/// True if no other triangle has the edge of this border side: one of three has no twins.
+bool isLone(const RepairState& m, HalfEdge border) {
+    const Index u = cornerOf(m, border);
+    const Index v = cornerOf(m, following(border));
+    const auto sides = sidesOfPinched(m, u);
+    return std::none_of(sides.begin(), sides.end(), [&](const PinchedSide& side) {
+        return side.leaving != border && (cornerOf(m, following(side.leaving)) == v ||
+                                          cornerOf(m, preceding(side.leaving)) == v);
+    });
+}
+
+/// The border sides of a loop of 3 to `most` different points; empty for others, where an edge has
+/// more triangles, and unless `first` is the least of the sides.
+std::vector<HalfEdge> loopFrom(const PointSet& points, const RepairState& m, HalfEdge first,
+                               std::size_t most) {
+    std::vector<HalfEdge> loop;
+    HalfEdge h = first;
+    do {
+        if (!isLone(m, h)) return {};
+        loop.push_back(h);
+        h = nextBorder(points, m, h);
+        if (h == kNone || h < first || loop.size() > most) return {};
+    } while (h != first);
+    std::vector<Index> seen;
+    for (const HalfEdge side : loop) seen.push_back(cornerOf(m, side));
+    std::sort(seen.begin(), seen.end());
+    const bool simple = std::adjacent_find(seen.begin(), seen.end()) == seen.end();
+    return simple && loop.size() >= 3 ? loop : std::vector<HalfEdge>{};
+}
+
+/// True if the triangles that hang together with this one by edges are at most `most`. O(most).
+bool isPatchOf(const RepairState& m, Index t, std::size_t most) {
+    std::vector<Index> found{t};
+    std::unordered_set<Index> seen{t};
+    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) {
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge other = m.twin[3 * found[i] + k];
+            if (other != kNone && seen.insert(other / 3).second) found.push_back(other / 3);
+        }
+    }
+    return found.size() <= most;
+}
+
+/// Mean distance of the points where the sides begin to their nearest neighbor.
+double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
+    double sum = 0.0;
+    for (const LoopSide& side : loop) {
+        const auto list = points.neighbors[side.from];
+        if (!list.empty())
+            sum += glm::distance(points.position[list.front()], points.position[side.from]);
+    }
+    return sum / static_cast<double>(loop.size());
+}
+
+bool isHole(const PointSet& points, const Params& params, const RepairState& m,
+            const std::vector<HalfEdge>& border) {
+    std::vector<LoopSide> loop;
+    for (const HalfEdge h : border) loop.push_back({cornerOf(m, h), cornerOf(m, following(h))});
+    const LoopShape shape = shapeOf(points, loop);
+    const double spacing = spacingAt(points, loop);
+    if (spacing > 0.0 && shape.width() > params.maxFillWidth * spacing) return false;
+    if (isOpening(points, loop, shape)) return false;
+    return !(shape.turnsRoundPatch && isPatchOf(m, border.front() / 3, largestPatch(shape)));
+}
+
+HoleRing ringInside(const RepairState& m, const std::vector<HalfEdge>& border) {
+    HoleRing ring;
+    for (auto side = border.rbegin(); side != border.rend(); ++side) {
+        ring.points.push_back(cornerOf(m, following(*side)));
+        ring.outer.push_back(*side);
+    }
+    return ring;
+}
+
+/// Takes the point at a place of the ring out, with its triangles; false unless that leaves a ring
+/// of different points, none of them pinched.
+bool takeOut(const RepairState& m, std::size_t place, HoleRing& ring) {
+    if (m.pinched[ring.points[place]]) return false;
+    const std::size_t before = place == 0 ? ring.size() - 1 : place - 1;
+    std::vector<HalfEdge>
+        outer;  // Of the sides opposite to the point, in the direction of the ring.
+    std::vector<Index> between;  // The points between them.
+    HalfEdge last = kNone;
+    for (HalfEdge h = ring.outer[before]; h != kNone && !isGone(ring, h / 3);) {
+        if (!outer.empty()) between.push_back(cornerOf(m, following(h)));
+        outer.push_back(m.twin[following(h)]);
+        last = preceding(h);
+        ring.gone.push_back(h / 3);
+        h = m.twin[last];
+    }
+    // From the side before the point to the one after it.
+    if (outer.empty() || last != ring.outer[place]) return false;
+    if (std::any_of(between.begin(), between.end(),
+                    [&](Index p) { return m.pinched[p] || isOn(ring, p); }))
+        return false;
+    const auto at = static_cast<std::ptrdiff_t>(place);
+    ring.outer[before] = outer.front();
+    ring.outer.erase(ring.outer.begin() + at);
+    ring.outer.insert(ring.outer.begin() + at, outer.begin() + 1, outer.end());
+    ring.points.erase(ring.points.begin() + at);
+    ring.points.insert(ring.points.begin() + at, between.begin(), between.end());
+    return ring.size() >= 3;
+}
+
+/// At most this often a ring is widened, and this many of its points are taken out: a hole is one
+/// fault, as is a point that is left out.
+constexpr int kMaxWidened = 24;
+constexpr int kMaxTakenOut = 1;
+
+/// The filling of the ring, which is widened where all triangles at a side would have a fault: the
+/// old triangle across goes as well, or an end of the side. Empty if there is none.
+Filling widenUntilFilled(const PointSet& points, RepairState& m, HoleRing& ring) {
+    int takenOut = 0;
+    for (int i = 0; i < kMaxWidened; ++i) {
+        const FillingSearch search(points, m, ring);
+        Filling filling = search.find();
+        if (!filling.empty()) return filling;
+        const std::size_t side = search.firstBlocked();
+        if (side == ring.size()) return {};
+        if (addAcross(m, side, ring)) continue;
+        if (++takenOut > kMaxTakenOut) return {};
+        const HoleRing narrow = ring;
+        if (takeOut(m, side, ring)) continue;
+        ring = narrow;
+        if (!takeOut(m, (side + 1) % ring.size(), ring)) return {};
+    }
+    return {};
+}
+
+/// The corners of the triangles that are gone.
+std::vector<Index> cornersOfGone(const RepairState& m, const HoleRing& ring) {
+    std::vector<Index> corners;
+    for (const Index t : ring.gone) {
+        const Triangle& gone = m.triangles[t];
+        corners.insert(corners.end(), {gone.a, gone.b, gone.c});
+    }
+    return corners;
+}
+
+}  // namespace
+
+std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
+                                               RepairState& m) {
+    if (m.next == 0) listPinched(m);
+    while (m.next < m.twin.size()) {
+        const HalfEdge first = m.next++;
+        if (m.twin[first] != kNone) continue;
+        const std::vector<HalfEdge> border = loopFrom(points, m, first, params.maxFillLength);
+        if (border.empty() || !isHole(points, params, m, border)) continue;
+        HoleRing ring = ringInside(m, border);
+        const Filling filling = widenUntilFilled(points, m, ring);
+        if (filling.empty()) continue;
+        const std::vector<Index> corners = cornersOfGone(m, ring);
+        putFilling(m, ring, filling);
+        for (const Index p : corners) {
+            if (!isOn(ring, p)) m.sideOf[p] = kNone;
+        }
+        const auto isPinched = [&](Index p) { return m.pinched[p]; };
+        if (std::any_of(ring.points.begin(), ring.points.end(), isPinched)) listPinched(m);
+        return CloseHoleEvidence{cornerOf(m, border.front()),
+                                 cornerOf(m, following(border.front())),
+                                 static_cast<Index>(border.size())};
+    }
+    return std::nullopt;
+}
+
+}  // namespace se

@@ -1,0 +1,68 @@
+/// RobustRules::dropPatches: a few triangles beside a larger component, a late patch over the
+/// finished surface, are taken out; RobustRules::reinsert may put their points back.
+#include <algorithm>
+
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
+
+namespace se {
+namespace {
+
+/// The triangles that hang together with this one by edges, in the order they are reached; the
+/// search ends at `most`.
+std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t most) {
+    std::vector<Index> patch{t};
+    for (std::size_t i = 0; i < patch.size() && patch.size() < most; ++i) {
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge other = m.twin[3 * patch[i] + k];
+            if (other == kNone) continue;
+            if (std::find(patch.begin(), patch.end(), other / 3) == patch.end())
+                patch.push_back(other / 3);
+        }
+    }
+    return patch;
+}
+
+std::vector<Index> pointsOf(const RepairState& m, const std::vector<Index>& patch) {
+    std::vector<Index> corners;
+    for (const Index t : patch) {
+        const Triangle& each = m.triangles[t];
+        corners.insert(corners.end(), {each.a, each.b, each.c});
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+/// True if one of the points lists a point of a component with at least kSmallComponent triangles.
+bool isBesideLarger(const PointSet& points, const RepairState& m,
+                    const std::vector<Index>& corners) {
+    return std::any_of(corners.begin(), corners.end(), [&](Index p) {
+        const auto list = points.neighbors[p];
+        return std::any_of(list.begin(), list.end(), [&](Index q) {
+            return m.sideOf[q] != kNone &&
+                   patchAt(m, m.sideOf[q] / 3, kSmallComponent).size() >= kSmallComponent;
+        });
+    });
+}
+
+}  // namespace
+
+std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& m) {
+    for (; m.next < m.triangles.size(); ++m.next) {
+        std::vector<Index> patch = patchAt(m, m.next, kSmallComponent);
+        if (patch.size() >= kSmallComponent) continue;
+        const std::vector<Index> corners = pointsOf(m, patch);
+        const bool pinched =
+            std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
+        if (pinched || !isBesideLarger(points, m, corners)) continue;
+        for (const Index p : corners) m.sideOf[p] = kNone;
+        // The highest place first, so that no other one of the patch moves.
+        std::sort(patch.begin(), patch.end());
+        for (auto t = patch.rbegin(); t != patch.rend(); ++t) dropTriangle(m, *t);
+        return DropPatchEvidence{corners.front(), static_cast<Index>(patch.size())};
+    }
+    return std::nullopt;
+}
+
+}  // namespace se

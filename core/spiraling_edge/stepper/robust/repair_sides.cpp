@@ -1,0 +1,79 @@
+#include "spiraling_edge/stepper/robust/repair_sides.h"
+
+#include <algorithm>
+#include <array>
+
+namespace se {
+
+Index reachedSides(const RepairState& m, Index p) {
+    Index reached = 0;
+    forEachSideOf(m, p, [&](HalfEdge) { ++reached; });
+    return reached;
+}
+
+void dropTriangle(RepairState& m, Index t) {
+    const auto last = static_cast<Index>(m.triangles.size() - 1);
+    m.conflictFlips.resize(m.triangles.size(), 0);
+    m.conflictFlips[t] = m.conflictFlips[last];
+    m.conflictFlips.pop_back();
+    for (Index k = 0; k < 3; ++k) m.twin[3 * t + k] = kNone;
+    if (t != last) {
+        m.triangles[t] = m.triangles[last];
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge from = 3 * last + k;
+            const HalfEdge to = 3 * t + k;
+            pair(m, to, m.twin[from]);
+            if (m.sideOf[cornerOf(m, to)] == from) m.sideOf[cornerOf(m, to)] = to;
+            m.queue.push_back(to);
+        }
+    }
+    m.triangles.pop_back();
+    m.twin.resize(3 * std::size_t{last});
+}
+
+void listPinched(RepairState& m) {
+    m.pinchedSides.clear();
+    std::vector<Index> sides(m.sideOf.size(), 0);
+    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
+        const Index p = cornerOf(m, h);
+        if (!m.pinched[p]) continue;
+        m.pinchedSides.push_back({p, h});
+        ++sides[p];
+    }
+    std::stable_sort(m.pinchedSides.begin(), m.pinchedSides.end(),
+                     [](const PinchedSide& a, const PinchedSide& b) { return a.point < b.point; });
+    for (Index p = 0; p < m.sideOf.size(); ++p) {
+        if (m.pinched[p]) m.pinched[p] = reachedSides(m, p) != sides[p];
+    }
+}
+
+std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
+                                 std::span<const Index> places) {
+    if (m.tree == nullptr) m.tree = std::make_shared<const PointTree>(points.position);
+    std::vector<Index> near;
+    for (const Index p : places) {
+        const Vec3& place = points.position[p];
+        double reach = 0.0;
+        for (const Index q : points.neighbors[p])
+            reach = std::max(reach, glm::distance(points.position[q], place));
+        m.tree->within(place, reach, [&](Index q) {
+            forEachSideOf(m, q, [&](HalfEdge side) { near.push_back(side / 3); });
+        });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+}
+
+bool isFaulty(const PointSet& points, RepairState& m, Index t) {
+    const Triangle& mine = m.triangles[t];
+    if (isFlipped(points, mine)) return true;
+    if (!isSteep(points, mine, kRough)) return false;
+    const std::vector<Index> near = trianglesNear(points, m, std::array{mine.a, mine.b, mine.c});
+    const ShapedTriangle shaped(points, mine);
+    return std::any_of(near.begin(), near.end(), [&](Index other) {
+        return other != t && conflict(points, shaped, m.triangles[other]);
+    });
+}
+
+}  // namespace se

@@ -1,0 +1,217 @@
+/// Beyond the paper, after the last pivot: closeholes, droppatches and remesh (docs/robust.md).
+#include <doctest/doctest.h>
+
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/stepper/repair.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/repair_mesh.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+constexpr Index kAcross = 7;
+Index place(Index column, Index row) { return row * kAcross + column; }
+
+/// A flat grid of 7 x 7 points, one apart.
+std::vector<Vec3> gridPoints() {
+    std::vector<Vec3> position;
+    for (Index row = 0; row < kAcross; ++row) {
+        for (Index column = 0; column < kAcross; ++column)
+            position.emplace_back(static_cast<double>(column), static_cast<double>(row), 0.0);
+    }
+    return position;
+}
+
+/// Its triangles, two a square, without those at the points `gone`.
+Triangles gridWithout(const Points& gone) {
+    Triangles triangles;
+    const auto add = [&](const Triangle& t) {
+        const bool isGone = std::any_of(gone.begin(), gone.end(),
+                                        [&](Index p) { return t.a == p || t.b == p || t.c == p; });
+        if (!isGone) triangles.push_back(t);
+    };
+    for (Index row = 0; row + 1 < kAcross; ++row) {
+        for (Index column = 0; column + 1 < kAcross; ++column) {
+            const Index p = place(column, row);
+            add({p, p + 1, p + kAcross + 1});
+            add({p, p + kAcross + 1, p + kAcross});
+        }
+    }
+    return triangles;
+}
+
+/// The lengths of the rings of the holes that are filled, in order; the state is checked after
+/// each.
+Points closeAll(const PointSet& points, const Params& params, RepairState& m) {
+    Points lengths;
+    m.next = 0;
+    while (const auto step = closeNextHole(points, params, m)) {
+        lengths.push_back(step->length);
+        CHECK(manifoldFault(m) == "");
+    }
+    return lengths;
+}
+
+std::size_t borderSides(const RepairState& m) {
+    return static_cast<std::size_t>(std::count(m.twin.begin(), m.twin.end(), kNone));
+}
+
+constexpr std::size_t kOutline = 4 * (kAcross - 1);
+
+}  // namespace
+
+// ---- closeholes ---------------------------------------------------------------------------------
+
+TEST_CASE("closeholes: a hole of six is filled by four triangles, and the outline stays open") {
+    const PointSet points = flatPoints(gridPoints());
+    const Triangles before = gridWithout({place(3, 3)});
+    RepairState m = beginRepair(points.size(), before);
+    CHECK(closeAll(points, robust(), m) == Points{6});
+    CHECK(m.triangles.size() == before.size() + 4);
+    CHECK(borderSides(m) == kOutline);
+}
+
+TEST_CASE("closeholes: each of several holes") {
+    const PointSet points = flatPoints(gridPoints());
+    RepairState m = beginRepair(points.size(), gridWithout({place(2, 4), place(4, 2)}));
+    CHECK(closeAll(points, robust(), m) == Points{6, 6});
+    CHECK(borderSides(m) == kOutline);
+}
+
+TEST_CASE("closeholes: holes that touch at a point are filled, and the point has one fan again") {
+    const PointSet points = flatPoints(gridPoints());
+    // Both rings hold the point between them.
+    RepairState m = beginRepair(points.size(), gridWithout({place(2, 3), place(4, 3)}));
+    REQUIRE(m.pinched[place(3, 3)]);
+    CHECK(closeAll(points, robust(), m) == Points{6, 6});
+    CHECK(borderSides(m) == kOutline);
+    CHECK_FALSE(m.pinched[place(3, 3)]);
+}
+
+TEST_CASE("closeholes: a hole with a triangle through it stays open") {
+    auto position = gridPoints();
+    const auto first = static_cast<Index>(position.size());
+    position.insert(position.end(), {{2.9, 2.9, -0.5}, {3.1, 2.9, 0.5}, {3.0, 3.2, 0.5}});
+    const PointSet points = flatPoints(position);
+    Triangles triangles = gridWithout({place(3, 3)});
+    triangles.push_back({first, first + 1, first + 2});
+    RepairState m = beginRepair(points.size(), triangles);
+    CHECK(closeAll(points, robust(), m).empty());
+    CHECK(m.triangles == triangles);
+}
+
+TEST_CASE("closeholes: rings longer than filllength, and holes wider than fillwidth, stay open") {
+    const PointSet points = flatPoints(gridPoints());
+    RepairState m = beginRepair(points.size(), gridWithout({place(3, 3)}));
+    Params shorter = robust();
+    shorter.maxFillLength = 5;
+    CHECK(closeAll(points, shorter, m).empty());
+    Params narrower = robust();
+    narrower.maxFillWidth = 1.0;
+    CHECK(closeAll(points, narrower, m).empty());
+}
+
+TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third") {
+    auto position = gridPoints();
+    const auto tip = static_cast<Index>(position.size());
+    position.emplace_back(2.5, 2.5, 1.0);
+    const PointSet points = flatPoints(position);
+    Triangles triangles = gridWithout({place(3, 3)});
+    // On the same side of the hole's edge as the triangle of the grid.
+    triangles.push_back({place(3, 2), place(2, 2), tip});
+    RepairState m = beginRepair(points.size(), triangles);
+    CHECK_FALSE(closeNextHole(points, robust(), m));
+    CHECK(m.triangles == triangles);
+}
+
+// ---- droppatches --------------------------------------------------------------------------------
+
+namespace {
+
+/// A grid, and a tetrahedron over its middle.
+struct Patched {
+    PointSet points;
+    Triangles triangles;
+};
+Patched patched(double height) {
+    auto position = gridPoints();
+    const auto p = static_cast<Index>(position.size());
+    for (const Vec3& x : {Vec3{3, 3, 0}, Vec3{4, 3, 0}, Vec3{3, 4, 0}, Vec3{3.3, 3.3, 0.6}})
+        position.push_back(x + Vec3(0, 0, height));
+    Patched input{flatPoints(position), gridWithout({})};
+    for (const Triangle& t : {Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+        input.triangles.push_back({p + t.a, p + t.b, p + t.c});
+    return input;
+}
+
+}  // namespace
+
+TEST_CASE("droppatches: a tetrahedron over a finished surface is taken out") {
+    const Patched input = patched(0.3);
+    RepairState m = beginRepair(input.points.size(), input.triangles);
+    const auto step = dropNextPatch(input.points, m);
+    REQUIRE(step);
+    CHECK(step->triangles == 4);
+    CHECK(step->point == kAcross * kAcross);
+    CHECK(asSet(m.triangles) == asSet(gridWithout({})));
+    CHECK(manifoldFault(m) == "");
+    CHECK(m.sideOf[step->point] == kNone);
+    CHECK_FALSE(dropNextPatch(input.points, m));
+}
+
+TEST_CASE("droppatches: a small component alone stays") {
+    const PointSet points = flatPoints({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.6}});
+    RepairState m = beginRepair(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    CHECK_FALSE(dropNextPatch(points, m));
+    CHECK(m.triangles.size() == 4);
+}
+
+// ---- remesh -------------------------------------------------------------------------------------
+
+namespace {
+
+/// The next faulty triangle that `remesh` alone replaces.
+std::optional<Triangle> remeshNext(const PointSet& points, RepairState& m) {
+    RobustRules rules;
+    rules.remesh = true;
+    const auto step = mendNextFault(points, rules, m);
+    if (!step) return std::nullopt;
+    return std::get<RemeshEvidence>(*step).faulty;
+}
+
+}  // namespace
+
+TEST_CASE("remesh: a flipped triangle that no single flip mends") {
+    // An L, as a fan from a corner that does not see all of it.
+    const PointSet points =
+        flatPoints({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
+    const Triangles fan{{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 0}};
+    const auto flipped = [&](const Triangles& triangles) {
+        return std::count_if(triangles.begin(), triangles.end(),
+                             [&](const Triangle& t) { return isFlipped(points, t); });
+    };
+    REQUIRE(flipped(fan) == 1);
+    RepairState flips = beginRepair(6, fan);
+    while (flipNext(points, RobustThresholds{}, flips)) {
+    }
+    CHECK(flipped(flips.triangles) > 0);
+
+    RepairState m = beginRepair(6, fan);
+    const auto step = remeshNext(points, m);
+    REQUIRE(step);
+    CHECK(*step == Triangle{1, 3, 4});
+    CHECK(m.triangles.size() == fan.size());
+    CHECK(flipped(m.triangles) == 0);
+    CHECK(manifoldFault(m) == "");
+    CHECK_FALSE(remeshNext(points, m));
+}
+
+TEST_CASE("remesh: leaves a mesh without faults alone") {
+    const PointSet points = flatPoints(gridPoints());
+    RepairState m = beginRepair(points.size(), gridWithout({place(3, 3)}));
+    CHECK_FALSE(remeshNext(points, m));
+    CHECK(m.triangles == gridWithout({place(3, 3)}));
+}
