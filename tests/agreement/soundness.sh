@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Counts the faults of meshes by a checker that shares no code with the program, and compares them
-# with the program's own.
-#   soundness.sh PROGRAM CHECKER [FILE...]    default: scenes that are sound, and one that is not
-# With files: one line for each, by the rules `robust`.
+# with the program's own, by the rules `paper` and `robust`. Fails if any number differs.
+#   soundness.sh PROGRAM CHECKER [FILE...]    default: scenes; for files it prints all numbers
 set -euo pipefail
 program=$1
 checker=$2
@@ -12,37 +11,48 @@ trap 'rm -rf "$work"' EXIT
 
 # counts INPUT RULES: the checker's line, without the name.
 counts() {
-    "$program" run "$1" --rules "$2" -q --normals -o "$work/mesh.off" --report "$work/report.json"
-    "$checker" "$work/mesh.off" | sed 's/^[^:]*: //' || true
+    "$program" run "$1" --rules "$2" -q -o "$work/mesh.ply" --report "$work/report.json"
+    "$checker" "$work/mesh.ply" | sed 's/^[^:]*: //' || true
 }
-# reported NAME: a number of the report; found NAME LINE: of the checker.
-reported() { grep -oE "\"$1\": [0-9]+" "$work/report.json" | head -1 | grep -oE '[0-9]+$'; }
+# reported NAME: a number of the report, PART.NAME for one of a part of it.
+reported() {
+    awk -F '[ ":,]+' -v wanted="$1" '
+        /^  \}/ { part = "" }
+        part $2 == wanted && $3 ~ /^[0-9]+$/ { print $3; exit }
+        /^  "[a-z_]+": \{$/ { part = $2 "." }' "$work/report.json"
+}
+# found NAME LINE: a number of the checker.
 found() { grep -oE "(^| )$1 [0-9]+" <<<"$2" | grep -oE '[0-9]+$'; }
 
-if [ $# -gt 0 ]; then
-    for file in "$@"; do echo "$(basename "$file"): $(counts "$file" robust)"; done
-    exit 0
-fi
+inputs=("$@")
+[ $# -gt 0 ] || inputs=(scene:{sphere,torus,linked-tori,genus-2,sheet,grid,figure-7,figure-14,half-turn,finished-edge} \
+    scene:{four-edge-hole,noise,tee-at-wall,close-sheets,uneven-density,flipped-patch,near-duplicates,stranded-point})
 bad=0
-for input in sphere torus linked-tori genus-2 four-edge-hole noise half-turn finished-edge; do
+for input in "${inputs[@]}"; do
     for rules in paper robust; do
-        line=$(counts "scene:$input" "$rules")
+        line=$(counts "$input" "$rules")
+        [ $# = 0 ] || echo "$(basename "$input"), $rules: $line"
         while read -r ours theirs; do
+            # Their triangles touch and overlap in planes: see soundness_check.cpp.
+            [[ $ours != faults.intersecting || $input != scene:@(tee-at-wall|close-sheets) ]] || continue
             if [ "$(reported "$ours")" != "$(found "$theirs" "$line")" ]; then
-                echo "scene:$input --rules $rules: $ours is $(reported "$ours"), but: $line"
+                echo "$input --rules $rules: $ours is $(reported "$ours"), but: $line"
                 bad=1
             fi
         done <<'NAMES'
-flipped flipped
-intersecting intersecting
-folded folded
-second_layers second_layers
-degenerate needles
-non_manifold_edge non_manifold_edges
-non_manifold_vertices non_manifold_vertices
-inconsistent_edges inconsistent_edges
-unused_points unused
+faults.non_manifold_edge non_manifold_edges
+faults.non_manifold_vertices non_manifold_vertices
+faults.inconsistent_edge inconsistent_edges
+faults.degenerate needles
+faults.intersecting intersecting
+faults.folded folded
+faults.second_layers second_layers
+faults.flipped flipped
+faults.holes holes
+faults.small_components small_components
+fidelity.open_loops openings
 components components
+unused_points unused
 NAMES
     done
 done

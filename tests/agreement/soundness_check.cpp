@@ -1,16 +1,19 @@
 /// An independent count of the faults of docs/robust.md: plain loops, and no code of the library.
-///   soundness_check MESH.off...    NOFF, as `run --normals -o MESH.off` writes it
-/// Two triangles in one plane that overlap count as a second layer, not as intersecting.
-/// Prints a line for each mesh: its name, then a number for each class. Exits with 1 if a mesh is
-/// not sound. Quadratic but for a sort along x: 85,000 triangles take some seconds.
+///   soundness_check MESH.ply...    binary, as `run -o MESH.ply` writes it, with normals and types
+/// Two triangles that touch, or overlap in one plane, do not count as intersecting; the latter are
+/// a second layer. Prints a line for each mesh: its name, then a number for each class. Exits with
+/// 1 if a mesh is not sound, unused points aside. Quadratic but for a sort along x: 85,000
+/// triangles take some seconds.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,32 +39,80 @@ V unit(const V& a) {
 using T = std::array<int, 3>;
 struct Mesh {
     std::vector<V> point, normal;
+    std::vector<bool> ends;  ///< Per point: on a wall or a rim, by its type.
     std::vector<T> triangle;
 };
 
-bool read(const char* name, Mesh& mesh) {
-    std::ifstream in(name);
-    std::string word;
-    std::size_t points = 0;
-    std::size_t faces = 0;
-    std::size_t edges = 0;
-    if (!(in >> word >> points >> faces >> edges)) return false;
-    const bool normals = word == "NOFF";
-    if (!normals && word != "OFF") return false;
-    for (std::size_t i = 0; i < points; ++i) {
-        V p;
-        V n;
-        in >> p.x >> p.y >> p.z;
-        if (normals) in >> n.x >> n.y >> n.z;
-        mesh.point.push_back(p);
-        mesh.normal.push_back(n);
+// ---- input --------------------------------------------------------------------------------------
+
+template <typename Number>
+double number(const char* bytes) {
+    Number value;
+    std::memcpy(&value, bytes, sizeof value);
+    return double(value);
+}
+struct Column {
+    std::string type, name;
+    int size() const {
+        if (type == "double") return 8;
+        if (type == "float" || type == "int" || type == "uint") return 4;
+        return type == "short" || type == "ushort" ? 2 : 1;
     }
-    for (std::size_t i = 0; i < faces; ++i) {
-        int n = 0;
-        T t{};
-        in >> n >> t[0] >> t[1] >> t[2];
-        if (n != 3) return false;
-        mesh.triangle.push_back(t);
+    /// Of positions, normals and types; other columns are not read.
+    double value(const char* bytes) const {
+        if (type == "double") return number<double>(bytes);
+        return type == "float" ? number<float>(bytes) : number<unsigned char>(bytes);
+    }
+};
+struct Header {
+    std::size_t points = 0, triangles = 0;
+    std::vector<Column> columns;  ///< Of the points.
+};
+
+bool read(std::istream& in, Header& header) {
+    std::string line;
+    std::string element;
+    if (!std::getline(in, line) || line != "ply") return false;
+    if (!std::getline(in, line) || line != "format binary_little_endian 1.0") return false;
+    while (std::getline(in, line) && line != "end_header") {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word == "element") {
+            std::size_t count = 0;
+            words >> element >> count;
+            if (element == "vertex") header.points = count;
+            if (element == "face") header.triangles = count;
+        } else if (word == "property" && element == "vertex") {
+            Column column;
+            words >> column.type >> column.name;
+            header.columns.push_back(column);
+        }
+    }
+    return bool(in);
+}
+
+bool read(const char* name, Mesh& mesh) {
+    std::ifstream in(name, std::ios::binary);
+    Header header;
+    if (!read(in, header)) return false;
+    std::array<char, 13> bytes{};
+    for (std::size_t i = 0; i < header.points; ++i) {
+        std::map<std::string, double> row;
+        for (const Column& column : header.columns) {
+            in.read(bytes.data(), column.size());
+            row[column.name] = column.value(bytes.data());
+        }
+        mesh.point.push_back({row["x"], row["y"], row["z"]});
+        mesh.normal.push_back({row["nx"], row["ny"], row["nz"]});
+        // The bits of the six walls, and of the rim; the seventh, of corners, adds nothing.
+        mesh.ends.push_back((int(row["scalar_se_type"]) & (63 | 128)) != 0);
+    }
+    for (std::size_t i = 0; i < header.triangles; ++i) {
+        in.read(bytes.data(), 13);  // a byte and three int
+        if (bytes[0] != 3) return false;
+        mesh.triangle.push_back({int(number<int>(&bytes[1])), int(number<int>(&bytes[5])),
+                                 int(number<int>(&bytes[9]))});
     }
     return bool(in);
 }
@@ -75,6 +126,9 @@ struct Shape {
     double area = 0;
     double perimeter = 0;
     double longest = 0;
+
+    /// Such a triangle has no side to face, and counts as this fault alone.
+    bool isNeedle() const { return !(2 * area > 1e-6 * longest * longest); }
 };
 
 Shape shapeOf(const Mesh& mesh, const T& t) {
@@ -199,12 +253,110 @@ bool intersect(const Shape& a, const Shape& b) {
 
 struct Counts {
     long nonManifoldEdges = 0, nonManifoldPoints = 0, inconsistent = 0, needles = 0, flipped = 0;
-    long intersecting = 0, folded = 0, layers = 0, loops = 0, components = 0, unused = 0;
+    long intersecting = 0, folded = 0, layers = 0, holes = 0, openings = 0;
+    long components = 0, smallComponents = 0, unused = 0;
 };
 
 int find(std::vector<int>& parent, int i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
+}
+
+/// By point: the root of its component. Components are joined by common points.
+std::vector<int> rootsOf(const Mesh& mesh) {
+    std::vector<int> parent(mesh.point.size());
+    for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = int(i);
+    for (const T& t : mesh.triangle) {
+        parent[find(parent, t[0])] = find(parent, t[1]);
+        parent[find(parent, t[1])] = find(parent, t[2]);
+    }
+    std::vector<int> root(parent.size());
+    for (std::size_t i = 0; i < parent.size(); ++i) root[i] = find(parent, int(i));
+    return root;
+}
+
+/// An edge of a single triangle, as the triangle passes it: the surface is to the left.
+struct Border {
+    int from, to;
+};
+using Loop = std::vector<Border>;
+
+/// The sector without triangles at p, counterclockwise about its normal from a to b, in degrees.
+double freeSector(const Mesh& mesh, int a, int p, int b) {
+    const V n = unit(mesh.normal[p]);
+    const auto flat = [&](int q) {
+        const V d = mesh.point[q] - mesh.point[p];
+        return d - dot(d, n) * n;
+    };
+    const V u = flat(a);
+    const V v = flat(b);
+    const double angle = std::atan2(dot(cross(u, v), n), dot(u, v)) * 180 / std::acos(-1.0);
+    return angle < 0 ? angle + 360 : angle;
+}
+
+/// True if the points of a loop from wall to wall are boundary points but for single ones: more
+/// than two in three, and one of any two neighbors.
+bool followsWalls(const Mesh& mesh, const Loop& loop) {
+    std::size_t walls = 0;
+    for (const Border& side : loop) {
+        if (!mesh.ends[side.from] && !mesh.ends[side.to]) return false;
+        if (mesh.ends[side.from]) ++walls;
+    }
+    return 3 * walls > 2 * loop.size();
+}
+
+/// The number of points with a free sector over 120 degrees; those passed twice do not count.
+std::size_t endsOf(const Mesh& mesh, const Loop& loop) {
+    std::map<int, std::vector<int>> before;
+    std::map<int, std::vector<int>> after;
+    for (const Border& side : loop) {
+        after[side.from].push_back(side.to);
+        before[side.to].push_back(side.from);
+    }
+    std::size_t ends = 0;
+    for (const auto& [p, next] : after) {
+        if (next.size() != 1 || before[p].size() != 1) continue;
+        if (freeSector(mesh, before[p][0], p, next[0]) > 120) ++ends;
+    }
+    return ends;
+}
+
+/// True if the surface ends at a loop; else it is a hole. `triangles`: of its component.
+bool isOpening(const Mesh& mesh, const Loop& loop, std::size_t triangles) {
+    for (const Border& side : loop) {
+        if (length(mesh.normal[side.from]) == 0) return true;
+    }
+    if (followsWalls(mesh, loop)) return true;
+    V area;
+    V normals;
+    double perimeter = 0;
+    for (const Border& side : loop) {
+        const V& origin = mesh.point[loop[0].from];
+        area = area + 0.5 * cross(mesh.point[side.from] - origin, mesh.point[side.to] - origin);
+        normals = normals + mesh.normal[side.from];
+        perimeter += length(mesh.point[side.to] - mesh.point[side.from]);
+    }
+    // Counterclockwise about the normals: the surface is inside.
+    if (dot(area, normals) > 0 && triangles <= loop.size() * loop.size()) return true;
+    const double edge = perimeter / double(loop.size());
+    const double width = 4 * length(area) / perimeter;
+    return width >= 2.5 * edge && 3 * endsOf(mesh, loop) > 2 * loop.size();
+}
+
+void countLoops(const Mesh& mesh, const std::vector<Border>& border, Counts& n) {
+    std::vector<int> parent(mesh.point.size());
+    for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = int(i);
+    for (const Border& side : border) parent[find(parent, side.from)] = find(parent, side.to);
+    std::map<int, Loop> loops;
+    for (const Border& side : border) loops[find(parent, side.from)].push_back(side);
+    const std::vector<int> root = rootsOf(mesh);
+    for (const auto& [some, loop] : loops) {
+        std::size_t triangles = 0;
+        for (const T& t : mesh.triangle) triangles += root[t[0]] == root[loop[0].from];
+        const bool opening = isOpening(mesh, loop, triangles);
+        n.openings += opening;
+        n.holes += !opening;
+    }
 }
 
 void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
@@ -219,31 +371,26 @@ void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
             around[u].push_back({v, t[(k + 2) % 3]});
         }
     }
-    std::vector<int> border(mesh.point.size());
-    for (std::size_t i = 0; i < border.size(); ++i) border[i] = int(i);
-    std::set<int> onBorder;
+    std::vector<Border> border;
     std::set<std::pair<int, int>> folded;
     for (const auto& [edge, sides] : edges) {
         n.nonManifoldEdges += sides.size() > 2;
         const auto ascending =
             std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second; });
         n.inconsistent += ascending > 1 || long(sides.size()) - ascending > 1;
-        if (sides.size() == 1) {
-            border[find(border, edge.first)] = find(border, edge.second);
-            onBorder.insert(edge.first);
-            onBorder.insert(edge.second);
-        }
+        if (sides.size() == 1 && sides[0].second) border.push_back({edge.first, edge.second});
+        if (sides.size() == 1 && !sides[0].second) border.push_back({edge.second, edge.first});
         const bool plain = sides.size() == 2 && sides[0].second != sides[1].second;
         // Nearly on one another: the normals are more than 170 degrees apart.
-        if (plain && dot(shapes[sides[0].first].normal, shapes[sides[1].first].normal) <
-                         -0.984807753012208) {
+        if (!plain) continue;
+        const Shape& a = shapes[sides[0].first];
+        const Shape& b = shapes[sides[1].first];
+        if (!a.isNeedle() && !b.isNeedle() && dot(a.normal, b.normal) < -0.984807753012208) {
             folded.insert({sides[0].first, sides[1].first});
         }
     }
     n.folded = long(folded.size());
-    std::set<int> loops;
-    for (const int p : onBorder) loops.insert(find(border, p));
-    n.loops = long(loops.size());
+    countLoops(mesh, border, n);
     for (std::size_t p = 0; p < around.size(); ++p) {
         n.unused += around[p].empty();
         // The triangles at a point are one fan if their far edges hang together.
@@ -260,16 +407,32 @@ void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
     }
 }
 
-void countComponents(const Mesh& mesh, Counts& n) {
-    std::vector<int> parent(mesh.point.size());
-    for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = int(i);
-    for (const T& t : mesh.triangle) {
-        parent[find(parent, t[0])] = find(parent, t[1]);
-        parent[find(parent, t[1])] = find(parent, t[2]);
+/// The mean length of the sides of all triangles.
+double meanEdge(const std::vector<Shape>& shapes) {
+    double sum = 0;
+    for (const Shape& s : shapes) sum += s.perimeter / 3;
+    return sum / double(shapes.size());
+}
+
+/// Small: under 14 triangles, and a point within two mean edges of one of a larger component.
+void countComponents(const Mesh& mesh, double edge, Counts& n) {
+    const std::vector<int> root = rootsOf(mesh);
+    std::map<int, int> size;
+    for (const T& t : mesh.triangle) ++size[root[t[0]]];
+    n.components = long(size.size());
+    std::set<int> small;
+    for (std::size_t p = 0; p < root.size(); ++p) {
+        const auto own = size.find(root[p]);
+        if (own == size.end() || own->second >= 14) continue;
+        for (std::size_t q = 0; q < root.size(); ++q) {
+            const auto other = size.find(root[q]);
+            if (other != size.end() && other->second > own->second &&
+                length(mesh.point[p] - mesh.point[q]) <= 2 * edge) {
+                small.insert(root[p]);
+            }
+        }
     }
-    std::set<int> roots;
-    for (const T& t : mesh.triangle) roots.insert(find(parent, t[0]));
-    n.components = long(roots.size());
+    n.smallComponents = long(small.size());
 }
 
 Counts count(const Mesh& mesh) {
@@ -278,11 +441,11 @@ Counts count(const Mesh& mesh) {
     for (const T& t : mesh.triangle) {
         shapes.push_back(shapeOf(mesh, t));
         const Shape& s = shapes.back();
-        n.needles += !(2 * s.area > 1e-6 * s.longest * s.longest);
-        n.flipped += dot(s.normal, s.outward) < 0;
+        n.needles += s.isNeedle();
+        n.flipped += !s.isNeedle() && dot(s.normal, s.outward) < 0;
     }
     countEdges(mesh, shapes, n);
-    countComponents(mesh, n);
+    countComponents(mesh, meanEdge(shapes), n);
     std::vector<int> order(shapes.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
     std::sort(order.begin(), order.end(),
@@ -294,6 +457,7 @@ Counts count(const Mesh& mesh) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             const Shape& b = shapes[order[j]];
             if (b.low.x > a.high.x + reach) break;
+            if (a.isNeedle() || b.isNeedle()) continue;
             const double gap = 0.75 * (a.perimeter + b.perimeter) / 6;
             if (b.low.x > a.high.x + gap || b.low.y > a.high.y + gap || a.low.y > b.high.y + gap ||
                 b.low.z > a.high.z + gap || a.low.z > b.high.z + gap) {
@@ -314,18 +478,20 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         Mesh mesh;
         if (!read(argv[i], mesh)) {
-            std::fprintf(stderr, "%s: expected an OFF file of triangles\n", argv[i]);
+            std::fprintf(stderr, "%s: expected a binary PLY file of triangles\n", argv[i]);
             return 3;
         }
         const Counts n = count(mesh);
         std::printf(
             "%s: non_manifold_edges %ld non_manifold_vertices %ld inconsistent_edges %ld needles "
-            "%ld flipped %ld intersecting %ld folded %ld second_layers %ld loops %ld components "
-            "%ld unused %ld\n",
+            "%ld flipped %ld intersecting %ld folded %ld second_layers %ld holes %ld openings %ld "
+            "components %ld small_components %ld unused %ld\n",
             argv[i], n.nonManifoldEdges, n.nonManifoldPoints, n.inconsistent, n.needles, n.flipped,
-            n.intersecting, n.folded, n.layers, n.loops, n.components, n.unused);
+            n.intersecting, n.folded, n.layers, n.holes, n.openings, n.components,
+            n.smallComponents, n.unused);
         sound = sound && n.nonManifoldEdges + n.nonManifoldPoints + n.inconsistent + n.needles +
-                                 n.flipped + n.intersecting + n.folded + n.layers ==
+                                 n.flipped + n.intersecting + n.folded + n.layers + n.holes +
+                                 n.smallComponents ==
                              0;
     }
     return sound ? 0 : 1;
