@@ -53,10 +53,19 @@ inline bool facesNormals(const PointSet& points, Index a, Index b, Index c) {
 /// Weight of a flipped triangle (FaultKind::Flipped) against smaller faults.
 inline constexpr int kFlippedFault = 4;
 
-/// kFlippedFault for a flipped triangle, 1 for one against a single corner's normal, else 0.
+/// The same triangle, from its least corner on: rounding depends on the order of the corners.
+inline Triangle fromLeastCorner(const Triangle& t) {
+    if (t.b < t.a && t.b < t.c) return {t.b, t.c, t.a};
+    return t.c < t.a && t.c < t.b ? Triangle{t.c, t.a, t.b} : t;
+}
+
+/// kFlippedFault for a flipped triangle, 1 for one against a single corner's normal, else 0. The
+/// same whichever corner comes first, also where an edge runs along a normal: the flips of edges
+/// end only if no triangle gets better by being made again.
 inline int shapeFaults(const PointSet& points, const Triangle& t) {
-    if (!(facing(points, t) > 0.0)) return kFlippedFault;
-    return facesNormals(points, t.a, t.b, t.c) ? 0 : 1;
+    const Triangle s = fromLeastCorner(t);
+    if (!(facing(points, s) > 0.0)) return kFlippedFault;
+    return facesNormals(points, s.a, s.b, s.c) ? 0 : 1;
 }
 
 /// True if the triangle is farther off the normal of a corner than the angle of this cosine.
@@ -81,9 +90,10 @@ inline bool encloseMore(const Vec3& m, const Vec3& n, double cosine) {
     return glm::dot(m, n) < cosine * (std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n)));
 }
 
-/// FaultKind::Folded, for triangles at a common edge.
+/// FaultKind::Folded, for triangles at a common edge. The same whichever corner comes first.
 inline bool folded(const PointSet& points, const Triangle& a, const Triangle& b) {
-    return encloseMore(areaVector(points, a), areaVector(points, b), kFoldCosine);
+    return encloseMore(areaVector(points, fromLeastCorner(a)),
+                       areaVector(points, fromLeastCorner(b)), kFoldCosine);
 }
 
 /// Cosine of the least angle: the smaller, the better. 1 for a triangle without area.
