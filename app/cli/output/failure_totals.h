@@ -9,7 +9,8 @@
 
 namespace se::cli {
 
-/// "12 faults", "at least 1204331 faults"; "sound" for none.
+/// "12 faults", "at least 1204331 faults"; "sound" for none, "no fault found, but the search ended
+/// early" for none known.
 std::string faultTotalText(std::span<const ClassTotal> totals);
 
 /// One failure: `class`, `points`, `triangles`, `at`; of a loop also `length` and `area`.

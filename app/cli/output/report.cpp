@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "failure_totals.h"
 #include "rule_json.h"
 #include "sentences.h"
 #include "spiraling_edge/explain/what_if_check.h"
@@ -256,9 +257,10 @@ std::string faultSentence(const RunOutcome& outcome) {
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
-    if (count == 0) return "possibly faults: the search for pairs of triangles ended early";
-    std::string text = outcome.pairs && !isExact(totals) ? "at least " : "";
-    text += counted(count, "fault") + ": " + faultCounts(outcome);
+    if (count == 0) return faultTotalText(totals);
+    std::string text = "the mesh has ";
+    text += outcome.pairs ? faultTotalText(totals) : counted(count, "fault");
+    text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
     if (outcome.ruleSet != "robust") text += "; --rules robust may avoid them";

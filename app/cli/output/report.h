@@ -45,8 +45,8 @@ struct RunOutcome {
     Ending ending = Ending::Finished;
 };
 
-/// "3 faults: 2 holes, 1 folded; --rules robust may avoid them"; empty if the mesh is sound,
-/// or faults were not searched.
+/// "the mesh has 3 faults: 2 holes, 1 folded; --rules robust may avoid them", "no fault found, but
+/// the search ended early"; empty if the mesh is sound, or faults were not searched.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, ending in a newline.
 std::string reportJson(const RunOutcome& outcome);

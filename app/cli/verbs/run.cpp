@@ -210,9 +210,8 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
     if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
     if (arguments.check && !faults.empty())
-        throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has " + faults);
-    if (!faults.empty() && !arguments.quiet)
-        fmt::print(stderr, "{}: the mesh has {}\n", outcome.input, faults);
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": " + faults);
+    if (!faults.empty() && !arguments.quiet) fmt::print(stderr, "{}: {}\n", outcome.input, faults);
     return ExitCode::Good;
 }
 

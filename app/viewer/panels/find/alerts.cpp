@@ -280,8 +280,9 @@ void drawList(const PanelContext& context) {
 }
 
 /// List of the checks, if nothing was found.
-void drawNothing() {
-    ImGui::TextUnformatted("No failures found: the mesh is sound.");
+void drawNothing(const AlertSearch& alerts) {
+    ImGui::TextUnformatted(alerts.sound() ? "No failures found: the mesh is sound."
+                                          : "No failures found, but the search ended early.");
     ImGui::Spacing();
     std::string checked;
     for (const FailureClass& each : failureClasses())
@@ -324,7 +325,7 @@ void drawAlerts(const PanelContext& context) {
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);
     if (!alerts.done()) return drawSearch(context);
-    if (alerts.failures().empty()) return drawNothing();
+    if (alerts.failures().empty()) return drawNothing(alerts);
     if (!alerts.complete())
         dimText(
             "There are too many failures to follow all of them: the first of each class are "
