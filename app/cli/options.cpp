@@ -139,11 +139,15 @@ PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
     return options;
 }
 
-void RuleArguments::addTo(CLI::App& app) {
+void RuleArguments::addSetTo(CLI::App& app) {
     app.add_option("--rules", setName_,
                    fmt::format("Reading of the paper: {}", fmt::join(paramSetNames(), ", ")))
         ->type_name("SET")
         ->capture_default_str();
+}
+
+void RuleArguments::addTo(CLI::App& app) {
+    addSetTo(app);
     app.add_option("--rule", switches_, "Set one rule, after --rules; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);

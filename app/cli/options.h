@@ -63,6 +63,8 @@ class DerivedArguments {
 class RuleArguments {
   public:
     void addTo(CLI::App& app);
+    /// Adds --rules alone: of the rules the set decides whether noise is set aside.
+    void addSetTo(CLI::App& app);
     /// Throws Failure if there is no such set or rule.
     Params params() const;
     const std::string& setName() const { return setName_; }

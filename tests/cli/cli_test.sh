@@ -940,7 +940,9 @@ check_says_what_is_wrong_with_a_mesh() {
     printf 'NOFF\n5 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n9 9 0 0 0 1\n3 0 1 2\n3 0 2 3\n' >lost.off
     expect 1 check lost.off
     says out "1 isolated_points"
+    says out "lost.off: 2 triangles, 1 fault"
     expect 0 check lost.off --allow isolated_points
+    says out "lost.off: 2 triangles, 1 fault, allowed"
     printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
     expect 1 check twice.off --json
     is "$(number duplicate_triangles out)" 1 "duplicates"
@@ -952,6 +954,51 @@ check_says_what_is_wrong_with_a_mesh() {
     says err "has no triangles"
     expect 3 check one.obj --points scene:sphere
     says err "is no point of scene:sphere"
+}
+
+check_prepares_points_as_the_run_did() {
+    # A sphere whose noise is as wide as its spacing: the run sets points aside.
+    awk 'BEGIN {
+        for (i = 0; i < 2000; ++i) {
+            z = 1 - (2 * i + 1) / 2000
+            x = sqrt(1 - z * z) * cos(2.399963229728653 * i)
+            y = sqrt(1 - z * z) * sin(2.399963229728653 * i)
+            some = (some * 16807 + 12345) % 2147483647
+            r = 1 + 0.2 * (some / 2147483647 - 0.5)
+            printf "%.9f %.9f %.9f %.9f %.9f %.9f\n", r * x, r * y, r * z, x, y, z
+        }
+    }' >noisy.xyz
+    expect 0 run noisy.xyz --rules robust -q -o mesh.ply --report report.json
+    [ "$(sed -n '/"set_aside"/,/}/p' report.json >aside; number noise aside)" -gt 100 ] || fail "nothing was set aside"
+    expect 1 check mesh.ply --points noisy.xyz --json
+    [ "$(number unused_points out)" -gt 100 ] || fail "points are known to be set aside"
+    "$program" check mesh.ply --points noisy.xyz --rules robust --json >out 2>err
+    for class in unused_points second_layers holes small_components; do
+        is "$(number $class out)" "$(sed -n '/"faults"/,/}/p' report.json >faults; number $class faults)" $class
+    done
+    "$program" check mesh.ply --points noisy.xyz --rules robust --keep-noise --json >out 2>err
+    [ "$(number unused_points out)" -gt 100 ] || fail "points are set aside though they are kept"
+    expect 2 check mesh.ply --rules robust
+    says err "--points"
+    expect 2 check mesh.ply --points noisy.xyz --rules dragons
+}
+
+check_is_not_sound_if_it_ended_early() {
+    # 4,000 triangles about one point: all boxes meet, so the search for pairs ends, and none is at fault.
+    awk 'BEGIN {
+        n = 4000
+        printf "OFF\n%d %d 0\n0 0 0\n", n + 1, n
+        for (i = 0; i < n; ++i) printf "%.17g %.17g 0.1\n", cos(i * 6.283185307179586 / n), sin(i * 6.283185307179586 / n)
+        for (i = 0; i < n; ++i) printf "3 0 %d %d\n", i + 1, (i + 1) % n + 1
+    }' >fan.off
+    expect 1 check fan.off
+    says out "fan.off: 4000 triangles, no fault found, but the search ended early"
+    expect 1 check fan.off --json
+    says out '"good": false'
+    says out '"sound": false'
+    expect 0 check fan.off --allow intersecting_triangles --allow second_layers --json
+    says out '"good": true'
+    says out '"sound": false'
 }
 
 compare_finds_the_first_difference() {

@@ -14,6 +14,7 @@
 #include "output/sentences.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/prepare/prepare.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -24,6 +25,10 @@ using Json = nlohmann::ordered_json;
 struct CheckArguments {
     std::string mesh;
     std::string cloud;
+    RuleArguments rules;
+    NeighborArguments neighbors;
+    DerivedArguments derived;
+    std::vector<const CLI::Option*> preparing;  ///< Those of the three.
     std::vector<std::string> allowed;
     bool json = false;
     bool quiet = false;
@@ -34,10 +39,19 @@ struct CheckArguments {
                            listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
                            "), or - for stdin")
             ->required();
-        app.add_option("--points", cloud,
-                       "The points that the mesh was made of: their normals show what is flipped, "
-                       "their wall types show what is no hole, and unused points are listed")
+        app.add_option(
+               "--points", cloud,
+               "The points that the mesh was made of: their normals show what is flipped, "
+               "their wall types show what is no hole, and unused points are listed; with the "
+               "options of the run, they are prepared as it prepared them, so that those "
+               "it set aside are not listed")
             ->type_name("CLOUD");
+        const std::size_t before = app.get_options().size();
+        rules.addSetTo(app);
+        neighbors.addTo(app);
+        derived.addTo(app);
+        const std::vector<CLI::Option*> options = app.get_options();
+        preparing.assign(options.begin() + static_cast<std::ptrdiff_t>(before), options.end());
         app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
             ->type_name("CLASS")
             ->allow_extra_args(false);
@@ -55,7 +69,18 @@ struct CheckArguments {
         app.footer(footer);
     }
 
+    /// True if an option of the run was given.
+    bool prepares() const {
+        return std::any_of(preparing.begin(), preparing.end(),
+                           [](const CLI::Option* option) { return option->count() > 0; });
+    }
     void validate() const {
+        if (mesh == kStandardInput && cloud == kStandardInput)
+            throw Failure(ExitCode::Usage,
+                          "--points -: standard input is MESH already; name a file");
+        if (cloud.empty() && prepares())
+            throw Failure(ExitCode::Usage,
+                          "options of a run prepare points: name them by --points");
         for (const std::string& name : allowed) {
             if (findFailureClass(name) == nullptr) {
                 throw Failure(ExitCode::Usage, fmt::format("--allow {}: no such class; see "
@@ -64,14 +89,24 @@ struct CheckArguments {
             }
         }
     }
-    bool allows(const MeshFailure& failure) const {
-        return !failure.kind->fault ||
-               std::find(allowed.begin(), allowed.end(), failure.kind->name) != allowed.end();
+    bool allows(std::string_view name) const {
+        return std::find(allowed.begin(), allowed.end(), name) != allowed.end();
     }
 };
 
-PointSet pointsOf(const PointFile& file) {
+/// As the run got them, if its options were given; else as they are in the file.
+PointSet pointsOf(const PointFile& file, const CheckArguments& arguments) {
     PointSet points;
+    if (arguments.prepares()) {
+        const PrepareOptions options =
+            prepareOptionsFrom(paramsFrom(arguments.rules, arguments.neighbors),
+                               arguments.neighbors, arguments.derived, file);
+        Result<Prepared> prepared = prepare(file, options);
+        if (!prepared)
+            throw Failure(ExitCode::Input,
+                          nameOfInput(arguments.cloud) + ": " + prepared.error().message);
+        return std::move(prepared.value().points);
+    }
     points.position = file.position;
     points.normal = file.normal;
     points.type = file.type;
@@ -116,6 +151,14 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
     return triangles;
 }
 
+/// True if the mesh is sound but for the allowed classes.
+bool isGood(const CheckArguments& arguments, std::vector<ClassTotal> totals) {
+    for (std::size_t i = 0; i < totals.size(); ++i) {
+        if (arguments.allows(failureClasses()[i].name)) totals[i] = {};
+    }
+    return isSound(totals);
+}
+
 /// The classes that a mesh can have, without those at the end that only a run has.
 std::span<const FailureClass> meshClasses() {
     const std::span<const FailureClass> all = failureClasses();
@@ -125,18 +168,17 @@ std::span<const FailureClass> meshClasses() {
 }
 
 std::string reportText(const CheckArguments& arguments, std::size_t triangles,
-                       const MeshInspection& found) {
+                       const MeshInspection& found, bool good) {
     constexpr std::size_t kShown = 10;
-    std::string text = fmt::format("{}: {}, {}\n", arguments.mesh, counted(triangles, "triangle"),
-                                   faultTotalText(found.totals));
+    const bool allowed = good && !isSound(found.totals);
+    std::string text = fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+                                   faultTotalText(found.totals), allowed ? ", allowed" : "");
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
         const ClassTotal& total = found.totals[i];
         if (total.total == 0) continue;
-        const bool allowed = std::find(arguments.allowed.begin(), arguments.allowed.end(), name) !=
-                             arguments.allowed.end();
         const std::string_view remark =
-            !meshClasses()[i].fault ? ", no fault" : (allowed ? ", allowed" : "");
+            !meshClasses()[i].fault ? ", no fault" : (arguments.allows(name) ? ", allowed" : "");
         text += fmt::format("{:>7} {}{}\n", amountText(total), name, remark);
         std::size_t shown = 0;
         for (const MeshFailure& failure : found.failures) {
@@ -190,8 +232,6 @@ ExitCode checkVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    if (arguments.mesh == kStandardInput && arguments.cloud == kStandardInput)
-        throw Failure(ExitCode::Usage, "--points -: standard input is MESH already; name a file");
     const PointFile mesh = readInput(arguments.mesh);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
@@ -207,13 +247,11 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const MeshInspection found = inspectWithTotals(pointsOf(file), triangles);
-    const bool good =
-        std::all_of(found.failures.begin(), found.failures.end(),
-                    [&](const MeshFailure& failure) { return arguments.allows(failure); });
+    const MeshInspection found = inspectWithTotals(pointsOf(file, arguments), triangles);
+    const bool good = isGood(arguments, found.totals);
     if (!arguments.quiet) {
         writeOutput("-", arguments.json ? reportJson(arguments, triangles.size(), found, good)
-                                        : reportText(arguments, triangles.size(), found));
+                                        : reportText(arguments, triangles.size(), found, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }
