@@ -19,16 +19,6 @@ std::shared_ptr<const Model> modelOf(const std::string& source, const std::strin
     return loaded ? loaded.value() : nullptr;
 }
 
-/// True if the lanes are the rings: as many, in the same order, of the same lengths.
-bool lanesAreRings(const LaneTracker& lanes, const EdgeRings& rings) {
-    if (lanes.active().has_value() != (rings.active() != kNone)) return false;
-    if (lanes.stack().size() != rings.stack().size()) return false;
-    for (std::size_t i = 0; i < rings.stack().size(); ++i) {
-        if (lanes.stack()[i].length != rings.length(rings.stack()[i])) return false;
-    }
-    return true;
-}
-
 Event eventOf(std::uint32_t pivot, Stage stage, const Evidence& evidence) {
     return {{pivot, stage, 1}, evidence};
 }
@@ -54,34 +44,6 @@ RunOverview shortRun() {
 
 }  // namespace
 
-TEST_CASE("At every pivot there are as many lanes as rings: the active one and the stack") {
-    for (const Scene& scene : scenes()) {
-        for (const std::string rules : {"paper", "robust"}) {
-            CAPTURE(scene.id);
-            CAPTURE(rules);
-            const auto model = modelOf("scene:" + std::string(scene.id), rules);
-            REQUIRE(model != nullptr);
-            EventLog log;
-            Stepper stepper(model->points, model->params, &log);
-            LaneTracker lanes;
-            std::size_t wrong = 0;
-            std::size_t pivots = 0;
-            while (stepper.stepPivot()) {
-                for (const Event& event : log.events()) lanes.take(event);
-                lanes.settle(stepper.state().rings);
-                log.clear();
-                ++pivots;
-                const EdgeRings& rings = stepper.state().rings;
-                const std::size_t count =
-                    rings.stack().size() + (rings.active() == kNone ? 0U : 1U);
-                if (lanes.live() != count || !lanesAreRings(lanes, rings)) ++wrong;
-            }
-            CHECK(pivots > 0);
-            CHECK(wrong == 0);
-        }
-    }
-}
-
 TEST_CASE("The overview has the lanes at any pivot") {
     const auto model = modelOf("scene:torus", "paper");
     REQUIRE(model != nullptr);
@@ -96,43 +58,6 @@ TEST_CASE("The overview has the lanes at any pivot") {
         if (lanesAt(run.laneChanges, pivot) != active + run.stackDepth[pivot - 1]) ++wrong;
     }
     CHECK(wrong == 0);
-}
-
-TEST_CASE("Free lanes are reused") {
-    LaneTracker keeper;
-    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
-    keeper.take(eventOf(4, Stage::Done, FreeEvidence{4, 0}));
-    keeper.take(eventOf(5, Stage::Seed, SeedEvidence{2, 3, 1.0}));
-    const auto changes = keeper.takeChanges();
-    REQUIRE(changes.size() == 3);
-    CHECK(changes[1].kind == LaneChangeKind::Freed);
-    CHECK(changes[1].live == 0);
-    CHECK(changes[2].lane == changes[0].lane);
-    CHECK(keeper.takeChanges().empty());
-}
-
-TEST_CASE("A freed ring with an alert ends at a hole") {
-    LaneTracker keeper;
-    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
-    keeper.take(eventOf(4, Stage::Done, FreeEvidence{4, 2}));
-    keeper.take(eventOf(4, Stage::Done, AlertEvidence{AlertKind::Hole, 3}));
-    CHECK(keeper.takeChanges().back().kind == LaneChangeKind::Hole);
-}
-
-TEST_CASE("The top of the stack continues when the active ring has ended") {
-    LaneTracker keeper;
-    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
-    keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
-    keeper.take(eventOf(3, Stage::Split, SplitEvidence{4, 6, 4, 1}));
-    keeper.take(eventOf(9, Stage::Done, FreeEvidence{6, 0}));
-    keeper.take(eventOf(9, Stage::Advance, AdvanceEvidence{4, 0, true}));
-    const auto changes = keeper.takeChanges();
-    CHECK(changes.back().kind == LaneChangeKind::Activated);
-    CHECK(changes.back().lane == 1);
-    CHECK(lanesAt(changes, 2) == 1);
-    CHECK(lanesAt(changes, 3) == 2);
-    CHECK(lanesAt(changes, 9) == 1);
-    CHECK(lanesAt(changes, 0) == 0);
 }
 
 TEST_CASE("Lanes are drawn from where they begin to where they end") {
