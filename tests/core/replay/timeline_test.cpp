@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -168,4 +169,36 @@ TEST_CASE("A seek can be stopped and resumed") {
     CHECK(stateHash(timeline.state()) == hashes.at(timeline.position()));
     timeline.seek(kEnd);
     CHECK(stateHash(timeline.state()) == end);
+}
+
+TEST_CASE("Going back takes the alerts back, and going on brings them again") {
+    const PointSet points = pointsOf("wrong-lists");
+    Timeline timeline(points, Params{});
+    timeline.seek(kEnd);
+    const std::vector<Alert> alerts = timeline.state().alerts;
+    REQUIRE_FALSE(alerts.empty());
+    for (std::size_t i = alerts.size(); i-- > 0;) {
+        timeline.seek(alerts[i].pivot - 1);
+        const auto before = std::count_if(alerts.begin(), alerts.end(), [&](const Alert& each) {
+            return each.pivot < alerts[i].pivot;
+        });
+        CHECK(timeline.state().alerts.size() == static_cast<std::size_t>(before));
+    }
+    timeline.seek(kEnd);
+    CHECK(timeline.state().alerts.size() == alerts.size());
+}
+
+TEST_CASE("A mesh that is edited at the end takes no keyframes from the pivots") {
+    const PointSet points = pointsOf("linked-tori");
+    const Params params = paramsByName("robust").value();
+    Stepper straight(points, params);
+    straight.runUntil([](const State& s) { return !s.repair.empty(); });
+    const std::uint32_t pivots = straight.state().counters.pivots;
+    // The edited mesh is larger than a quarter of this budget, and than all of it.
+    Timeline timeline(points, params, 20'000);
+    timeline.seek(pivots);
+    const std::size_t bytes = timeline.keyframeBytes();
+    timeline.seek(kEnd);
+    REQUIRE(timeline.position() > pivots + 100);
+    CHECK(timeline.keyframeBytes() == bytes);
 }
