@@ -105,6 +105,29 @@ TEST_CASE("reinsert: of all ways, the one with the best least angle") {
     CHECK(m.triangles.size() == 4);
 }
 
+TEST_CASE("reinsert: of two sides at the border, the one with the better angles") {
+    // Both sides of the corner 2 are seen from 4, one of them at a flat angle.
+    for (const Vec3& x : {Vec3(8, 5, 0), Vec3(5, 8, 0)}) {
+        auto position = square();
+        position.push_back(x);
+        const PointSet points = flatPoints(position);
+        RepairState m = beginRepair(5, kSquare);
+        CHECK(reinsertAll(points, m) == Points{4});
+        REQUIRE(m.triangles.size() == 3);
+        const Triangle expected = x.x > x.y ? Triangle{2, 1, 4} : Triangle{3, 2, 4};
+        CHECK(asSet(m.triangles).contains(*asSet({expected}).begin()));
+    }
+}
+
+TEST_CASE("reinsert: no place at a point of two fans") {
+    const std::vector<Vec3> position{{0, 0, 0},  {4, 0, 0},   {2, 4, 0},
+                                     {-4, 0, 0}, {-2, -4, 0}, {2, 1.5, 0.2}};
+    const PointSet points = flatPoints(position);
+    RepairState m = beginRepair(6, {{0, 1, 2}, {0, 3, 4}});
+    REQUIRE(m.pinched[0]);
+    CHECK_FALSE(reinsertNext(points, m));
+}
+
 TEST_CASE("reinsert: no point that would make a fault, none without a list, none that is used") {
     const auto in = [](const Vec3& x, const Vec3& normal) {
         PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, x});
@@ -136,6 +159,84 @@ TEST_CASE("reinsert: no triangle that meets another one nearby") {
     CHECK(step->point == 3);
     RepairState cut = beginRepair(7, {{0, 1, 2}, {4, 5, 6}});
     CHECK_FALSE(reinsertNext(points, cut));
+}
+
+namespace {
+
+/// A lattice of 6 x 6 points in the plane, each square cut in two, and one more point over it: the
+/// last, at a height and with a normal of its own.
+PointSet latticeWith(const Vec3& x, const Vec3& normal) {
+    std::vector<Vec3> position;
+    for (int i = 0; i < 36; ++i) position.emplace_back(i % 6, i / 6, 0);
+    position.push_back(x);
+    PointSet points = flatPoints(position);
+    points.normal.back() = glm::normalize(normal);
+    return points;
+}
+Triangles latticeTriangles() {
+    Triangles triangles;
+    for (Index y = 0; y < 5; ++y) {
+        for (Index x = 0; x < 5; ++x) {
+            const Index a = 6 * y + x;
+            triangles.push_back({a, a + 1, a + 7});
+            triangles.push_back({a, a + 7, a + 6});
+        }
+    }
+    return triangles;
+}
+
+/// The old triangles that a new mesh does not have.
+std::size_t goneFrom(const Triangles& before, const Triangles& after) {
+    const auto left = asSet(after);
+    std::size_t gone = 0;
+    for (const auto& t : asSet(before)) gone += left.contains(t) ? 0U : 1U;
+    return gone;
+}
+
+}  // namespace
+
+TEST_CASE("reinsert: where one triangle has no room, the point takes the place of several") {
+    // As high as a square is wide, with a normal that leans: the sides of a small place would be
+    // too steep for it.
+    const Triangles before = latticeTriangles();
+    const PointSet points = latticeWith({2.6, 2.3, 1.0}, {0.6, 0.2, 1.0});
+    RepairState m = beginRepair(points.size(), before);
+    CHECK(reinsertAll(points, m) == Points{36});
+    // A point more in a surface makes two triangles more, however many gave their place.
+    CHECK(m.triangles.size() == before.size() + 2);
+    CHECK(goneFrom(before, m.triangles) > 2);
+    for (const Triangle& t : m.triangles) CHECK(shapeFaults(points, t) == 0);
+    CHECK(reportMesh(points, m.triangles).boundaryLoops == 1);
+    CHECK(reportMesh(points, m.triangles).eulerCharacteristic == 1);
+}
+
+TEST_CASE("reinsert: a place does not grow to a point of two fans") {
+    const Triangles before = latticeTriangles();
+    const PointSet points = latticeWith({2.6, 2.3, 1.0}, {0.6, 0.2, 1.0});
+    RepairState free = beginRepair(points.size(), before);
+    REQUIRE(reinsertNext(points, free));
+    Points around;
+    forEachSideOf(free, 36, [&](HalfEdge h) { around.push_back(cornerOf(free, following(h))); });
+    CHECK(around.size() > 4);
+    for (const Index v : around) {
+        CAPTURE(v);
+        // A triangle that shares only this point with the lattice.
+        PointSet more = points;
+        more.position.insert(more.position.end(), {{50, 50, 0}, {51, 50, 0}});
+        more.normal.resize(39, Vec3(0, 0, 1));
+        more.type.resize(39, kInterior);
+        more.neighbors.append({});
+        more.neighbors.append({});
+        Triangles triangles = before;
+        triangles.push_back({v, 37, 38});
+        RepairState m = beginRepair(39, triangles);
+        REQUIRE(m.pinched[v]);
+        reinsertNext(more, m);
+        const auto left = asSet(m.triangles);
+        for (const Triangle& t : triangles) {
+            if (t.a == v || t.b == v || t.c == v) CHECK(left.contains(*asSet({t}).begin()));
+        }
+    }
 }
 
 TEST_CASE("reinsert: with the rule, points that a run stranded are used, without, they are not") {
