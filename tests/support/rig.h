@@ -130,11 +130,12 @@ class Rig {
         for (const Index p : points) state_.status[p] = kDone;
         return *this;
     }
-    /// The steps that leave the entries of `point` are no mesh edges.
-    Rig& open(Index point) {
+    /// The steps that leave the entries of `point`, or only those to `next`, are no mesh edges.
+    Rig& open(Index point, Index next = kNone) {
         for (Index e = state_.rings.firstEntryOf(point); e != kNone;
              e = state_.rings[e].nextOfPoint) {
-            state_.rings.setOpen(e, true);
+            const Index to = state_.rings.point(state_.rings.next(e));
+            if (next == kNone || to == next) state_.rings.setOpen(e, true);
         }
         return *this;
     }

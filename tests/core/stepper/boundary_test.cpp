@@ -168,6 +168,17 @@ TEST_CASE("7.1 a third point that leads to no triangle is UNUSED again") {
     CHECK(rig.state().counters.inserted == 0);
 }
 
+TEST_CASE("7.1 where the cross product would lead outside, the third point is on the other side") {
+    // The second point is around a corner, the third between p and the corner.
+    Rig rig({{1, 0, 0}, {0.7, 0.4, 0}, {1, 0.3, 0}});
+    rig.type(0, kPositiveX).type(1, kPositiveY).type(2, kPositiveX).list(0, {1, 2});
+    rig.ring({0, 1}).open(0).open(1).pivot();
+    REQUIRE(rig.all<InsertEvidence>().size() == 1);
+    CHECK(rig.all<InsertEvidence>()[0].third == 2);
+    CHECK(rig.all<InsertEvidence>()[0].verdict == Verdict::Before);
+    CHECK(rig.triangles() == Triangles{{0, 2, 1}});
+}
+
 TEST_CASE("7.1 one boundary point and one interior point need no third") {
     Rig rig({{0, 0, 0}, {0, 0.8, 0}, {0.8, 0.4, 0}, {-0.8, 0.4, 0}, {1, 0, 0}});
     rig.type(0, kNegativeY).type(4, kNegativeY).listAll().pivot();

@@ -58,6 +58,28 @@ TEST_CASE("6.3 a point exactly on the sphere is removed") {
     CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::Removed);
 }
 
+TEST_CASE("6.3 a point on the sphere up to rounding is not inside") {
+    Random random(11);
+    for (int i = 0; i < 500; ++i) {
+        // Four points of a circle anywhere in space.
+        const Vec3 u = random.direction();
+        const Vec3 v = glm::normalize(glm::cross(u, random.direction()));
+        const double radius = random.between(0.1, 10);
+        const auto at = [&](double degrees) {
+            return radius * (polar(degrees).x * u + polar(degrees).y * v);
+        };
+        const double begin = random.between(0, 360);
+        const Vec3 p = at(begin);
+        const Vec3 t = at(begin + random.between(20, 80)) - p;
+        const Vec3 q = at(begin + random.between(100, 200)) - p;
+        const Vec3 s = at(begin + random.between(220, 340)) - p;
+        const SphereTest test = testSphere(t, glm::dot(t, t), s, glm::dot(s, s), q, glm::dot(q, q));
+        CHECK_FALSE(test.inside());
+        const Vec3 in = 0.999 * q;
+        CHECK(testSphere(t, glm::dot(t, t), s, glm::dot(s, s), in, glm::dot(in, in)).inside());
+    }
+}
+
 TEST_CASE("6.3 a point stays whose removal would leave a gap of more than 120 degrees") {
     CHECK(thinned(119, {polar(50, 9)}).empty());
     CHECK(thinned(121, {polar(50, 9)}) == Points{5});

@@ -316,6 +316,8 @@ TEST_CASE("shelved rings stay at the bottom of the stack, and are not popped") {
     rings.shelve(c);
     CHECK(rings.stack() == std::vector<Index>{rings.ringOf(a), rings.ringOf(c), rings.ringOf(b)});
     CHECK(rings.depthFromTop(rings.ringOf(c)) == 1);
+    CHECK(rings.popOldest() == b);
+    rings.push(rings.ringOf(b), b);
     CHECK(rings.pop() == b);
     CHECK(rings.pop() == kNone);
     rings.unshelve();

@@ -26,6 +26,20 @@ TEST_CASE("nocross: a spoke across a ring edge nearby is not made") {
     CHECK(said == Verdicts{Verdict::Crosses});
 }
 
+TEST_CASE("nocross: a ring step is found from either of its points, if it is an edge") {
+    const auto made = [](const Points& list, bool open) {
+        Rig rig(underHalf({{0, 2, 0}, {-0.9, 1, 0}, {0.9, 1, 0}, {0, 3, 0}}),
+                paperBut(&RobustRules::noCross));
+        rig.list(0, list).stacked({7, 6, 8});
+        if (open) rig.open(7);
+        rig.ring(kRing).pivot();
+        return rig.newTriangles();
+    };
+    CHECK(made({5, 6}, false) == kWithout5);
+    CHECK(made({5, 7}, false) == kWithout5);
+    CHECK(made({5, 6, 7}, true) == kWith5);
+}
+
 TEST_CASE("nocross: a rim edge across a ring edge nearby is not made") {
     // The tip 7 of a stacked ring lies between 5 and 6, its finished side around it.
     const std::vector<Vec3> points =
@@ -83,6 +97,18 @@ TEST_CASE("nofold: a triangle within 30 degrees of the old one across an edge is
     CHECK(made(5, fold).empty());
     CHECK(made(170, fold) == kWith5);
     CHECK(made(60, fold) == kWith5);
+}
+
+TEST_CASE("nofold: the same for the last triangle of the fan") {
+    const auto made = [](double height, const Params& params) {
+        // 6 lies over 0, 5, 2, across the step 0 -> 2.
+        Rig rig(overHalf({{0, 1, 0}, {-0.4, 0.9, height}}), params);
+        rig.mesh({{0, 2, 6}}).list(0, {5}).ring(kRing).pivot();
+        return rig.newTriangles();
+    };
+    CHECK(made(0.05, paper()) == kWith5);
+    CHECK(made(0.05, paperBut(&RobustRules::noFold)).empty());
+    CHECK(made(5.0, paperBut(&RobustRules::noFold)) == kWith5);
 }
 
 TEST_CASE("nofold: the triangle that folds over is reported") {
@@ -146,6 +172,23 @@ TEST_CASE("nolayer: a triangle that is a second layer of a finished one nearby i
     // Too far above; and the other side of a thin wall.
     CHECK(run(2.0, up, layer).first == kWith5);
     CHECK(run(0.1, -up, layer).first == kWith5);
+}
+
+TEST_CASE("nolayer: every triangle of the fan is tested") {
+    // The finished triangle lies over 0, 5, 2.
+    const auto made = [](const Params& params) {
+        Rig rig(underHalf({{0, 1, 0},
+                           {-0.5, 0.35, 0.1},
+                           {-0.3, 0.35, 0.1},
+                           {-0.35, 0.55, 0.1},
+                           {0.5, -2, 0}}),
+                params);
+        rig.normal(9, {1, 0, 0}).mesh({{6, 7, 8}}).done({6, 7, 8, 9});
+        rig.list(0, {5, 6, 7, 9}).ring(kRing).pivot();
+        return rig.newTriangles();
+    };
+    CHECK(made(paper()) == kWith5);
+    CHECK(made(paperBut(&RobustRules::noLayer)) == kWithout5);
 }
 
 // ---- rim ----------------------------------------------------------------------------------------
@@ -239,6 +282,19 @@ TEST_CASE("delay: a steep fan waits for a circuit of the ring without a triangle
     CHECK(pivotsUntilMade(61, paper()) == 1);
     CHECK(pivotsUntilMade(59, paperBut(&RobustRules::delay)) == 1);
     CHECK(pivotsUntilMade(61, paperBut(&RobustRules::delay)) == 6);  // A ring of five.
+}
+
+TEST_CASE("delay: a fan is steep by the normal of the pivot too, and the triangle is named") {
+    for (const double tilt : {59.0, 61.0}) {
+        Rig rig(overHalf({{0, 1, 0}}), paperBut(&RobustRules::delay));
+        const double angle = tilt * kPi / 180;
+        rig.normal(0, {0, std::sin(angle), std::cos(angle)}).list(0, {5}).ring(kRing).pivot();
+        CHECK(rig.newTriangles().empty() == (tilt > 60));
+        if (tilt < 60) continue;
+        REQUIRE(objections(rig) == Verdicts{Verdict::Steep});
+        CHECK(rig.all<GuardEvidence>()[0].a == 1);
+        CHECK(rig.all<GuardEvidence>()[0].b == 5);
+    }
 }
 
 namespace {

@@ -307,6 +307,16 @@ TEST_CASE("rim: a ring of four is a hole even if all of it is where the surface 
     CHECK(rig.state().counters.openings == 0);
 }
 
+TEST_CASE("rim: a ring of up to five is a hole even if all of it lies on walls") {
+    for (const std::size_t count : {4U, 5U, 6U}) {
+        Rig rig(hole(regular(count)), fillWith({&RobustRules::rim}));
+        for (Index p = 0; p < count; ++p) rig.type(p, kPositiveX);
+        rig.ring(upTo(count)).startAt(Phase::Advance);
+        rig.retryLevel(kDelayedAllowed, static_cast<Index>(count - 1)).run();
+        CHECK(rig.triangles().empty() == (count > 5));
+    }
+}
+
 // ---- whole runs ---------------------------------------------------------------------------------
 
 TEST_CASE("fill: on rough clouds, fewer holes are left than without") {

@@ -68,6 +68,22 @@ TEST_CASE("unblocked: a DONE point in the triangle is not in the way") {
     CHECK(rig.startPoint() == 5);
 }
 
+TEST_CASE("unblocked: a USED point near the new spoke is in the way, if it is nearer") {
+    // 8 is beyond the triangle 0, 1, 5 seen from 0, but within its circle.
+    const auto start = [](const Vec3& x, bool used) {
+        Rig rig(underHalf({{1.1, 1.2, 0}, {-1.1, 1.2, 0}, {20, 0, 0}, x, {21, 0, 0}, {21, 1, 0}}),
+                paperBut(&RobustRules::unblocked));
+        rig.list(0, {1, 2, 5, 6, 8});
+        if (used) rig.stacked({8, 9, 10});
+        rig.ring({0, 2, 6, 3, 4, 5, 1}).runTo(Phase::Reciprocal);
+        CHECK(rig.endPoint() == 6);  // Outside of the circle there.
+        return rig.startPoint();
+    };
+    CHECK(start({0.5, 1.0, 0}, true) == 1);
+    CHECK(start({0.5, 1.0, 0}, false) == 5);
+    CHECK(start({0.75, 1.45, 0}, true) == 5);  // Within the circle, farther than 5.
+}
+
 TEST_CASE("stepback: a point is tested again when the one after it is removed") {
     // 5 is inside the wide sphere with 6; 6 is removed; with last instead, 5 is outside.
     const auto triangles = [](const Params& params) {
@@ -151,6 +167,19 @@ TEST_CASE("guard: the ring steps at the pivot are no edges that are taken") {
     CHECK(objections(rig).empty());
 }
 
+TEST_CASE("guard: an edge beside an open step at the pivot is taken, since the step is not it") {
+    for (const Index from : {1U, 0U}) {
+        const Triangle old = from == 1 ? Triangle{1, 0, 4} : Triangle{0, 2, 3};
+        Rig off(underHalf({}));
+        off.mesh({old}).ring(kRing).open(from).pivot();
+        CHECK(off.newTriangles() == kWithout5);
+        Rig on(underHalf({}), paperBut(&RobustRules::guard));
+        on.mesh({old}).ring(kRing).open(from).pivot();
+        CHECK(on.newTriangles().empty());
+        CHECK(objections(on) == Verdicts{Verdict::EdgeTaken});
+    }
+}
+
 namespace {
 
 /// 5 and 6 are on rings of their own, opposite to p; `old` exists between them.
@@ -202,6 +231,25 @@ TEST_CASE("guard: an edge closed at its ring entries is made") {
     rig.mesh({{6, 5, 7}}).list(0, {5, 6}).stacked({6, 5, 7}).ring(kRing).pivot();
     CHECK(rig.newTriangles() == kWith5And6);
     CHECK(objections(rig).empty());
+}
+
+TEST_CASE("guard: an edge that is open between its ring entries is not closed by them") {
+    // As above, but the step 6 -> 5 is no edge: the edge is elsewhere.
+    Rig rig(underHalf({{0.4, 1, 0}, {-0.4, 1.1, 0}, {0, 9, 0}}), paperBut(&RobustRules::guard));
+    rig.mesh({{6, 5, 7}}).list(0, {5, 6}).stacked({6, 5, 7}).open(6, 5).ring(kRing).pivot();
+    CHECK(rig.newTriangles() == kWith5);
+    CHECK(objections(rig) == Verdicts{Verdict::EntryMissed});
+}
+
+TEST_CASE("guard: without the dropped candidate 6.3 is repeated with all the others") {
+    // 8 was removed for 5, whose edge is taken.
+    const std::vector<Vec3> more{{0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {1, 1, 0}, {0, 9, 0}};
+    Rig off(underHalf(more));
+    off.list(0, {5, 8}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
+    CHECK(off.newTriangles() == kWith5);
+    Rig on(underHalf(more), paperBut(&RobustRules::guard));
+    on.mesh({{0, 5, 9}}).list(0, {5, 8}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
+    CHECK(on.newTriangles() == Triangles{{0, 1, 8}, {0, 8, 2}});
 }
 
 // ---- gap ----------------------------------------------------------------------------------------

@@ -97,3 +97,13 @@ TEST_CASE("6.2 three ring points make no hole if the third step is no edge, or o
     literal.list(0, {3, 4}).ring({0, 2, 1}).runTo(Phase::Sphere);
     CHECK(literal.candidates() == Points{4});
 }
+
+TEST_CASE("6.2 a full turn is no hole, however long a ring may be for one") {
+    // 1 is before and after the pivot; the plane through start and end would have no direction.
+    Params params = paperBut(&Readings::closeTwo);
+    params.readings.realHole = false;
+    params.paper.holeSize = 5;
+    Rig rig({{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {5, -1, 0}, polar(120), polar(240)}, params);
+    rig.list(0, {1, 4, 5}).ring({0, 1, 2, 3, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 4}, {0, 4, 5}, {0, 5, 1}});
+}

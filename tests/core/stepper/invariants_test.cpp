@@ -155,6 +155,17 @@ TEST_CASE("invariant 8: angles increase") {
                  "8:"));
 }
 
+TEST_CASE("invariant 9: a pivot without triangles changes no status") {
+    const PointSet points = prepared(findScene("figure-4")->build());
+    for (const bool stranded : {false, true}) {
+        InvariantChecker checker(points, paper(), Level::AnyInput);
+        State state(points.size());
+        state.status[0] = kDone;
+        state.counters.stranded = stranded ? 1 : 0;
+        CHECK(begins(checker.check(state), "9:") == !stranded);
+    }
+}
+
 TEST_CASE("invariant 10: rings come and go only by what is counted") {
     CHECK(begins(found([](State& s) { ++s.counters.splits; }), "10:"));
     CHECK(begins(found([](State& s) { ++s.counters.joins; }), "10:"));

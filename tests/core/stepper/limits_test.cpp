@@ -32,6 +32,12 @@ TEST_CASE("6.1 concave means a free angle below 180 degrees") {
     }
 }
 
+TEST_CASE("6.1 a straight ring is not concave") {
+    const Vec3 up(0, 0, 1);
+    CHECK_FALSE(testConcave({1, 2, 0}, up, {0, 2, 0}, {3, 2, 0}).concave());
+    CHECK_FALSE(testConcave({1, 2, 0}, up, {1, 1, 0}, {1, 5, 0}).concave());
+}
+
 TEST_CASE("6.1 Figure 4: start and end advance where the ring is concave, points beyond are out") {
     Rig rig(bay());
     rig.list(0, {1, 2, 5, 6, 7, 8, 9}).ring(kBayRing);

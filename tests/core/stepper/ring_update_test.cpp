@@ -86,6 +86,25 @@ TEST_CASE("6.5 a point met again in the active ring splits it in two, and one is
 }
 
 TEST_CASE(
+    "6.5 of the parts of a split the one with end stays active, or the longer, or the shorter") {
+    std::vector<Vec3> position = oppositeEntry();
+    position.push_back({0.9, 2.5, 0});
+    const auto active = [&](ActiveRule rule) {
+        Params params = paper();
+        params.paper.active = rule;
+        Rig rig(position, params);
+        rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 9, 4, 1}).pivot();
+        REQUIRE(rig.state().counters.splits == 1);
+        return rig.activeRing().size();
+    };
+    // End = 2 is in the part of 2, 3, 6 and 5; the other part is 5, 7, 9, 4, 1.
+    CHECK(active(ActiveRule::End) == 4);
+    CHECK(active(ActiveRule::Other) == 5);
+    CHECK(active(ActiveRule::Longer) == 5);
+    CHECK(active(ActiveRule::Shorter) == 4);
+}
+
+TEST_CASE(
     "6.5 Figure 12: a point met again in a stacked ring joins the two, standing twice in it") {
     Rig rig(oppositeEntry());
     rig.list(0, {5}).stacked({5, 7, 8, 6}).ring({0, 2, 3, 4, 1}).pivot();
@@ -172,6 +191,31 @@ TEST_CASE("6.5 closing a finished edge also closes the one that becomes adjacent
     CHECK(closed[1].rest == 3);
 }
 
+TEST_CASE("6.5 closing a finished edge also closes the one that begins where it ended") {
+    // 2 stands on three entries, with 6 between two of them.
+    std::vector<Vec3> points = bayWithMouthPoint();
+    points.push_back({0, 3.2, 0});
+    Rig rig(points);
+    rig.listAll().ring({0, 1, 2, 6, 2, 3, 4, 2, 5}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 5, 2}, {0, 2, 1}});
+    CHECK(rig.activeRing() == Points{3, 4, 2});
+    for (const Index point : {1, 6}) CHECK(rig.status(point) == kDone);
+    CHECK(rig.status(2) == 1);
+    CHECK(rig.all<CloseEvidence>().size() == 2);
+}
+
+TEST_CASE("6.5 where a finished edge goes, the step that is left is open if the one after it was") {
+    for (const bool open : {false, true}) {
+        Rig rig(bayWithMouthPoint());
+        rig.listAll().ring(kBayOfFour);
+        if (open) rig.open(2, 3);
+        rig.pivot();
+        CHECK(rig.activeRing() == Points{3, 4, 2});
+        const EdgeRings& rings = rig.state().rings;
+        CHECK(rings.open(rings.firstEntryOf(2)) == open);
+    }
+}
+
 TEST_CASE(
     "6.5 a finished edge stays on the ring with one of its steps open, or with closetwo off") {
     for (const bool open : {false, true}) {
@@ -228,6 +272,23 @@ TEST_CASE("6.5 where end is removed with a closed ring, the last inserted point 
     CHECK(rig.activeRing() == Points{5, 4, 3, 1});
 }
 
+TEST_CASE("6.5 of several inserted points the last that is left is next") {
+    // As above, with 8 between first and 5.
+    const Vec3 e(1.5, 0.5, 0);
+    Rig rig({{0, 0, 0},
+             polar(0),
+             polar(200),
+             {0, 9, 0},
+             e + polar(198.7, 9),
+             e,
+             {20, 1, 0},
+             {20, 2, 0},
+             polar(9, 1.2)});
+    rig.list(0, {5, 8}).stacked({5, 6, 7}).ring({0, 2, 5, 4, 3, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 8}, {0, 8, 5}, {0, 5, 2}});
+    CHECK(rig.activeRing() == Points{5, 4, 3, 1, 8});
+}
+
 TEST_CASE("7 a freed ring with interior points is reported as a hole") {
     Rig rig({{0, 0, 0}, polar(0), polar(200), {-9, -9, 0}, {9, -9, 0}});
     rig.ring({0, 2, 3, 4, 1});
@@ -236,6 +297,25 @@ TEST_CASE("7 a freed ring with interior points is reported as a hole") {
     rig.run();
     for (Index p = 0; p < 5; ++p) CHECK(rig.status(p) == kDone);
     CHECK(rig.state().finished());
+}
+
+TEST_CASE("7 a ring of two is a lost seed only if neither of its steps is an edge") {
+    for (const bool first : {false, true}) {
+        for (const bool second : {false, true}) {
+            CAPTURE(first);
+            CAPTURE(second);
+            Rig rig({{0, 0, 0}, {1, 0, 0}});
+            rig.ring({0, 1});
+            if (first) rig.open(0);
+            if (second) rig.open(1);
+            rig.run();
+            REQUIRE(rig.state().alerts.size() == 1);
+            const bool lost = first && second;
+            CHECK(rig.state().alerts[0].kind == (lost ? AlertKind::LostSeed : AlertKind::Hole));
+            CHECK(rig.state().counters.lostSeeds == (lost ? 1 : 0));
+            CHECK(rig.state().counters.holes == (lost ? 0 : 1));
+        }
+    }
 }
 
 TEST_CASE("6.5 status counts the entries, after every phase of a run") {
@@ -302,4 +382,81 @@ TEST_CASE("shelve: a point beside a shelved ring alone is no seed, and stranded 
     CHECK(rig.state().counters.stranded == 1);  // 3
     CHECK(rig.state().counters.isolated == 1);  // 4
     CHECK(rig.status(3) == kDone);
+}
+
+TEST_CASE("shelve: a point that waits for a shelved ring is DONE though the ring was joined") {
+    // 3 lists only 0, on the shelved ring. The seed of 4 takes 0 into its fan, and with it the
+    // shelved ring; no ring is left to be taken up, and none took 3.
+    Rig rig({{0, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0.5, 9, 0}, {2, 0, 0}, {3, 1, 0}, {3, -1, 0}},
+            paperBut(&RobustRules::shelve));
+    rig.list(3, {0}).list(4, {0, 5, 6}).list(5, {4}).list(6, {4}).ring({0, 1, 2}).run();
+    REQUIRE(rig.all<ShelveEvidence>().size() >= 1);
+    CHECK(rig.state().counters.joins == 1);
+    CHECK(rig.all<ShelveEvidence>()[0].length == 3);
+    CHECK(rig.all<SeedEvidence>().size() == 1);
+    CHECK(rig.state().finished());
+    for (Index p = 0; p < 7; ++p) CHECK(rig.status(p) == kDone);
+    CHECK(rig.state().counters.stranded == 1);
+}
+
+TEST_CASE("shelve: a point beside a shelved ring is given up only after that ring was") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::shelve));
+    rig.list(3, {0}).ring({0, 1, 2}).run();
+    const auto place = [&](auto&& test) {
+        const auto& events = rig.log().events();
+        return std::find_if(events.begin(), events.end(), test) - events.begin();
+    };
+    const auto freed =
+        place([](const Event& e) { return std::holds_alternative<FreeEvidence>(e.evidence); });
+    const auto stranded = place([](const Event& e) {
+        const auto* strand = std::get_if<StrandEvidence>(&e.evidence);
+        return strand != nullptr && strand->point == 3;
+    });
+    CHECK(freed < stranded);
+}
+
+TEST_CASE("shelve: a seed's second point is UNUSED, even if one of a shelved ring is nearer") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::shelve));
+    rig.rawList(3, {0, 4}).list(4, {3}).ring({0, 1, 2}).run();
+    REQUIRE(rig.all<SeedEvidence>().size() == 1);
+    CHECK(rig.all<SeedEvidence>()[0].first == 3);
+    CHECK(rig.all<SeedEvidence>()[0].second == 4);
+}
+
+TEST_CASE("shelve: a component is done when no ring of it is left, on the stack or on the shelf") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::shelve));
+    rig.list(3, {4}).list(4, {3}).ring({0, 1, 2}).run();
+    CHECK(rig.all<ComponentEvidence>().size() == 1);
+    Rig off(ringAndSeed());
+    off.list(3, {4}).list(4, {3}).ring({0, 1, 2}).run();
+    CHECK(off.all<ComponentEvidence>().size() == 2);
+}
+
+TEST_CASE("shelve: delayed fans are tried before a ring is put away") {
+    Params params = paperBut(&RobustRules::shelve);
+    params.robust.delay = true;
+    Rig rig(ringAndSeed(), params);
+    rig.ring({0, 1, 2}).pivot().pivot().pivot();
+    CHECK(rig.state().rings.shelved() == 0);
+    CHECK(rig.state().retryLevel == kDelayedAllowed);
+    rig.pivot().pivot().pivot();
+    CHECK(rig.state().rings.shelved() == 1);
+}
+
+TEST_CASE("delay: what a ring was allowed is not allowed to the next one") {
+    Rig rig(ringAndSeed(), paperBut(&RobustRules::delay));
+    rig.list(3, {4}).list(4, {3}).ring({0, 1, 2});
+    while (rig.all<SeedEvidence>().empty()) {
+        REQUIRE_FALSE(rig.state().finished());
+        rig.pivot();
+    }
+    CHECK(rig.state().counters.freedRings == 1);
+    CHECK(rig.state().retryLevel == 0);
+}
+
+TEST_CASE("7 the alert of a hole names the first of its points that is on no boundary") {
+    Rig rig(ringAndSeed());
+    rig.type(0, kPositiveX).ring({0, 1, 2});
+    while (rig.state().alerts.empty()) rig.pivot();
+    CHECK(rig.state().alerts[0].point == 1);
 }

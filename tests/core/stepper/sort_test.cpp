@@ -83,6 +83,27 @@ TEST_CASE("6.1 neighbors are sorted by angle, whatever their distance") {
     CHECK(rig.candidates() == Points{6, 7, 5, 8});
 }
 
+TEST_CASE("6.1 a long list is sorted by angle too, and nothing of it is lost") {
+    for (const std::size_t count : {31U, 32U, 33U, 34U, 64U, 65U, 100U}) {
+        CAPTURE(count);
+        // Farther ones at smaller angles: the list begins with the largest.
+        std::vector<Vec3> more;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double share = static_cast<double>(i + 1) / static_cast<double>(count + 1);
+            more.push_back(polar(180.0 * share, 2.0 - share));
+        }
+        Rig rig(around(180, more));
+        Points listed;
+        Points expected;
+        for (std::size_t i = 0; i < count; ++i) {
+            expected.push_back(static_cast<Index>(5 + i));
+            listed.insert(listed.begin(), static_cast<Index>(5 + i));
+        }
+        rig.rawList(0, listed).ring(kRing).runTo(Phase::Limits);
+        CHECK(rig.candidates() == expected);
+    }
+}
+
 TEST_CASE("6.1 of two neighbors at the same angle the one closest to p is kept") {
     for (const bool nearFirst : {true, false}) {
         Rig rig(around(180, {polar(90, 1), polar(90, 2), polar(40, 1)}));
@@ -132,6 +153,14 @@ TEST_CASE("6.1 first and last themselves are no candidates, even with another en
     CHECK(rig.candidates() == Points{5});
     CHECK(rig.verdictOn<SortEvidence>(1) == Verdict::OnRingEnd);
     CHECK(rig.verdictOn<SortEvidence>(2) == Verdict::OnRingEnd);
+}
+
+TEST_CASE("6.1 Figure 3 off: points beyond last are candidates, last itself is none") {
+    Params params = paper();
+    params.paper.maxAngle = false;
+    Rig rig(around(100, {polar(60), polar(200)}), params);
+    rig.list(0, {1, 2, 5, 6}).ring(kRing).runTo(Phase::Limits);
+    CHECK(rig.candidates() == Points{5, 6});
 }
 
 TEST_CASE(

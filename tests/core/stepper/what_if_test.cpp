@@ -399,3 +399,66 @@ TEST_CASE(
     CHECK(accepted > 30);
     CHECK(refused > 20);
 }
+
+namespace {
+
+/// A ring of five that makes no triangle, and another one on the stack.
+Params continuesAt(Index point) {
+    Params params = paper();
+    params.whatIf = {{WhatIfKind::Pivot, 2, Stage::Advance, point, Vec3(0.0), {}}};
+    return params;
+}
+std::vector<Vec3> pentagonAndTriangle() {
+    std::vector<Vec3> position;
+    for (int i = 0; i < 5; ++i) position.push_back(polar(72.0 * i));
+    for (int i = 0; i < 3; ++i) position.push_back(polar(120.0 * i) + Vec3(9, 0, 0));
+    return position;
+}
+
+}  // namespace
+
+TEST_CASE("the traversal that continues elsewhere begins a circuit there") {
+    Rig plain(pentagonAndTriangle());
+    plain.ring({0, 1, 2, 3, 4}).pivot().pivot();
+    CHECK(plain.activeRing() == Points{2, 3, 4, 0, 1});
+    CHECK(plain.state().circuit == 2);
+    Rig rig(pentagonAndTriangle(), continuesAt(4));
+    rig.ring({0, 1, 2, 3, 4}).pivot().pivot();
+    CHECK(rig.activeRing() == Points{4, 0, 1, 2, 3});
+    CHECK(rig.state().circuit == 0);
+}
+
+TEST_CASE("the traversal that continues on a stacked ring leaves its own on the stack") {
+    Rig rig(pentagonAndTriangle(), continuesAt(6));
+    rig.stacked({5, 6, 7}).ring({0, 1, 2, 3, 4}).pivot().pivot();
+    CHECK(rig.activeRing() == Points{6, 7, 5});
+    REQUIRE(rig.state().rings.stack().size() == 1);
+    CHECK(rig.stackedRing() == Points{2, 3, 4, 0, 1});
+}
+
+TEST_CASE("points are edited in the order of the pivots, and not by lists of themselves") {
+    PointSet points;
+    points.position = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    for (const Points& list : {Points{1, 2}, Points{0, 2}, Points{1, 0}})
+        points.neighbors.append(list);
+    Params params = paper();
+    params.whatIf = {{WhatIfKind::Move, 20, Stage::Pivot, 1, Vec3(3, 0, 0), {}},
+                     {WhatIfKind::Move, 10, Stage::Pivot, 2, Vec3(-0.5, 0, 0), {}},
+                     {WhatIfKind::List, 30, Stage::Pivot, 0, Vec3(0.0), {0, 1}},
+                     {WhatIfKind::List, 40, Stage::Pivot, 0, Vec3(0.0), {2}}};
+    const std::vector<EditedPoints> made = editedPoints(points, params);
+    REQUIRE(made.size() == 3);
+    CHECK(made[0].from == 10);
+    CHECK(made[1].from == 20);
+    CHECK(made[2].from == 40);
+    // Lists that name a moved point are sorted again, and so is its own.
+    const auto list = [&](std::size_t i, Index p) {
+        const auto ids = made[i].points.neighbors[p];
+        return Points(ids.begin(), ids.end());
+    };
+    CHECK(list(0, 0) == Points{2, 1});
+    CHECK(list(0, 1) == Points{0, 2});
+    CHECK(list(0, 2) == Points{0, 1});
+    CHECK(list(1, 1) == Points{0, 2});
+    CHECK(list(2, 0) == Points{2});
+}
