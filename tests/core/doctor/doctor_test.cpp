@@ -350,6 +350,94 @@ TEST_CASE("doctor: lists that point outside, repeat, are unsorted or short") {
     checkAlone(file, "short_lists", {30, 31}, Severity::Warning);
 }
 
+TEST_CASE("doctor: a point that is set aside anyway may have a short list") {
+    PointFile file = withLists(ball());
+    file.position.push_back(file.position[7]);
+    file.normal.push_back(file.normal[7]);
+    file.neighbors.append({});
+    const Diagnosis diagnosis = examined(file);
+    CHECK(findingOf(diagnosis, "duplicates") != nullptr);
+    CHECK(findingOf(diagnosis, "short_lists") == nullptr);
+}
+
+TEST_CASE("doctor: a far point that others list is not isolated") {
+    // Of eleven points each lists all others, the far one too; of many none does.
+    for (const int side : {3, 8}) {
+        PointFile file = flatLattice(side, 0.1);
+        file.position.emplace_back(100, 100, 0);
+        file.normal.emplace_back(0, 0, 1);
+        const Diagnosis diagnosis = examined(file);
+        CHECK((findingOf(diagnosis, "isolated_points") != nullptr) == (side == 8));
+    }
+}
+
+TEST_CASE("doctor: a component that walls cut may have normals inward") {
+    PointFile file = ball();
+    for (Vec3& n : file.normal) n = -n;
+    file.type.assign(file.position.size(), kInterior);
+    CHECK(problemNames(file).find("inside_out") != std::string::npos);
+    file.type[5] = kPositiveX;
+    CHECK(problemNames(file).find("inside_out") == std::string::npos);
+}
+
+TEST_CASE("doctor: fewer than twelve points enclose nothing") {
+    // The six extremes of a ball in a row, each next to the one after it, and a point between each
+    // two of them.
+    const std::vector<Vec3> extremes{{1, 0, 0}, {0, 1, 0},  {-1, 0, 0},
+                                     {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
+    PointFile file;
+    for (std::size_t i = 0; i < 6; ++i) {
+        Vec3 out = extremes[i];
+        if (i > 0) out += 0.1 * extremes[i - 1];
+        if (i < 5) out += 0.1 * extremes[i + 1];
+        file.position.push_back(extremes[i]);
+        file.normal.push_back(-glm::normalize(out));
+    }
+    for (std::size_t i = 0; i + 1 < 6; ++i) {
+        file.position.push_back(glm::normalize(extremes[i] + extremes[i + 1]));
+        file.normal.push_back(glm::normalize(file.normal[i] + file.normal[i + 1]));
+    }
+    CHECK(problemNames(file).find("inside_out") == std::string::npos);
+    file.position.push_back(glm::normalize(Vec3(0.3, 1, 0)));
+    file.normal.push_back(-file.position.back());
+    CHECK(problemNames(file).find("inside_out") != std::string::npos);
+}
+
+TEST_CASE("doctor: close_sheets is a warning from half of the points on, else a note") {
+    for (const int rows : {2, 4, 6, 8, 10}) {
+        CAPTURE(rows);
+        PointFile file = flatLattice(10, 0.1);
+        for (int i = 0; i < 10 * rows; ++i) {
+            file.position.push_back(file.position[static_cast<std::size_t>(i)] + Vec3(0, 0, 0.3));
+            file.normal.emplace_back(0, 0, -1);
+        }
+        const Diagnosis diagnosis = examined(file);
+        const Finding* finding = findingOf(diagnosis, "close_sheets");
+        REQUIRE(finding != nullptr);
+        CHECK(finding->points.size() == static_cast<std::size_t>(20 * rows));
+        // Two for each point of the second sheet, of 10 * (10 + rows).
+        CHECK(finding->isProblem() == (4 * rows >= 10 + rows));
+    }
+}
+
+TEST_CASE("doctor: at a wall two entries are enough for a fan, elsewhere three") {
+    const auto found = [](unsigned type, std::size_t entries) {
+        PointFile file = withLists(ball());
+        file.type.assign(file.position.size(), kInterior);
+        file.type[30] = static_cast<std::uint8_t>(type);
+        std::vector<Index> list = listOf(file, 30);
+        list.resize(entries);
+        setList(file, 30, list);
+        const Diagnosis diagnosis = examined(file);
+        return findingOf(diagnosis, "short_lists") != nullptr;
+    };
+    CHECK_FALSE(found(kInterior, 3));
+    CHECK(found(kInterior, 2));
+    CHECK_FALSE(found(kPositiveX, 2));
+    CHECK_FALSE(found(kRimPoint, 2));
+    CHECK(found(kPositiveX, 1));
+}
+
 TEST_CASE("doctor: equal distances may be in any order") {
     PointFile file = withLists(flatLattice(12, 0.0), 8);
     for (Index p = 0; p < file.position.size(); ++p) {
