@@ -263,3 +263,41 @@ TEST_CASE("faults: pairs in one plane, which take exact arithmetic, end the sear
     CHECK_FALSE(ended.complete);
     CHECK_FALSE(ofKind(ended.faults, FaultKind::Intersecting).empty());
 }
+
+TEST_CASE("faults: a triangle over many cells crosses a small one like any other") {
+    // The cells are as large as the many small triangles.
+    std::vector<Vec3> position;
+    Triangles triangles;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 x(0.05 * (i % 20), 0.05 * static_cast<int>(i / 20), 0);
+        const auto first = static_cast<Index>(position.size());
+        position.insert(position.end(), {x, x + Vec3(0.01, 0, 0), x + Vec3(0, 0.01, 0)});
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    // Upright through the first small one, and none other.
+    const auto first = static_cast<Index>(position.size());
+    position.insert(position.end(), {{0.002, 0.002, -9}, {0.002, 0.002, 9}, {-9, -9, 0}});
+    triangles.push_back({first, first + 1, first + 2});
+    const PointSet points = pointsAt(position);
+    const std::vector<Fault> expected = bruteIntersections(points, triangles);
+    CHECK(expected.size() == 1);
+    CHECK(ofKind(findFaults(points, triangles), FaultKind::Intersecting) == expected);
+}
+
+TEST_CASE("faults: triangles that pass their edge the same way are not folded as well") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+    const std::vector<Fault> faults = findFaults(points, Triangles{{0, 1, 2}, {0, 1, 3}});
+    CHECK(ofKind(faults, FaultKind::InconsistentEdge).size() == 1);
+    CHECK(ofKind(faults, FaultKind::Folded).empty());
+}
+
+TEST_CASE("faults: a triangle without area meets none, and none is folded onto it") {
+    const PointSet points =
+        pointsAt({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, -1}, {2, 1, 1}, {2, 1, 2}, {2, 0, 0}});
+    // One through the inside of the first, and one at its edge 0 1.
+    for (const Triangle& needle : {Triangle{3, 4, 5}, Triangle{1, 0, 6}}) {
+        const std::vector<Fault> faults = findFaults(points, Triangles{{0, 1, 2}, needle});
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].kind == FaultKind::Degenerate);
+    }
+}

@@ -308,3 +308,106 @@ TEST_CASE("inspection: of a tangled mesh the first crossings are listed, and how
     CHECK_FALSE(ended.exact);
     CHECK(amountText(ended).starts_with("first 10000 of at least "));
 }
+
+namespace {
+
+/// A flat ring of triangles about a hole whose points lie at these radii, at equal angles.
+Sheet around(const std::vector<double>& radius) {
+    Sheet result;
+    const auto n = static_cast<Index>(radius.size());
+    const auto place = [&](Index i, double r) {
+        const double angle = 2.0 * 3.14159265358979 * i / n;
+        result.points.position.push_back({r * std::cos(angle), r * std::sin(angle), 0.0});
+    };
+    for (Index i = 0; i < n; ++i) place(i, radius[i]);
+    for (Index i = 0; i < n; ++i) place(i, 7.0);
+    result.points.normal.assign(result.points.size(), {0, 0, 1});
+    for (Index i = 0; i < n; ++i) {
+        const Index next = (i + 1) % n;
+        result.triangles.push_back({i, n + i, n + next});
+        result.triangles.push_back({i, n + next, next});
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("inspection: a wide loop is a hole where most of its points see little of it") {
+    // A star: every second point looks into a tip of 78 degrees.
+    std::vector<double> star;
+    for (int i = 0; i < 16; ++i) star.push_back(i % 2 == 0 ? 3.0 : 4.2);
+    const Sheet s = around(star);
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}, {"openings", 1}});
+}
+
+TEST_CASE("inspection: the surface ends at a point that juts into an opening") {
+    // Every third point sees 250 degrees of it, the others 126.
+    std::vector<double> gear;
+    for (int i = 0; i < 30; ++i) gear.push_back(i % 3 == 0 ? 4.15 : 5.0);
+    const Sheet s = around(gear);
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"openings", 2}});
+}
+
+TEST_CASE("inspection: a narrow loop is an opening if it runs along walls") {
+    Faces open = kOctahedron;
+    open.erase(open.begin());
+    PointSet points = octahedron();
+    points.type.assign(6, kInterior);
+    CHECK(countsOf(points, open) == Counts{{"holes", 1}});
+    for (const Index p : {0, 2, 4}) points.type[p] = kPositiveX;
+    CHECK(countsOf(points, open) == Counts{{"openings", 1}});
+}
+
+TEST_CASE("inspection: a loop runs along walls with single points off them, and most on them") {
+    // Seven points make a loop too narrow for an opening.
+    const auto found = [](const std::vector<Index>& off) {
+        Sheet s = around(std::vector<double>(7, 3.0));
+        s.points.type.assign(s.points.size(), kPositiveX);
+        for (const Index p : off) s.points.type[p] = kInterior;
+        return countsOf(s.points, s.triangles).count("holes") == 0;
+    };
+    CHECK(found({}));
+    CHECK(found({0}));
+    CHECK(found({0, 3}));
+    CHECK_FALSE(found({0, 1}));
+    CHECK_FALSE(found({0, 2, 4}));
+}
+
+TEST_CASE("inspection: sound means no fault, and that all were looked for") {
+    const Sheet s = sheet(4);
+    std::vector<ClassTotal> totals = inspectWithTotals(s.points, s.triangles).totals;
+    REQUIRE(isSound(totals));
+    for (std::size_t i = 0; i < totals.size(); ++i) {
+        std::vector<ClassTotal> other = totals;
+        other[i].exact = false;
+        CHECK_FALSE(isSound(other));
+        other = totals;
+        ++other[i].total;
+        CHECK(isSound(other) == !failureClasses()[i].fault);
+    }
+}
+
+TEST_CASE("inspection: a point that no mesh can have is not missing in it") {
+    PointSet points = octahedron();
+    points.position.push_back(points.position[0]);  // A copy.
+    points.normal.push_back(points.normal[0]);
+    points.position.push_back({0.5, 0.5, 0.5});  // No direction.
+    points.normal.push_back(Vec3(0.0));
+    CHECK(countsOf(points, kOctahedron).empty());
+    points.normal.back() = {1, 0, 0};
+    CHECK(countsOf(points, kOctahedron) == Counts{{"unused_points", 1}});
+}
+
+TEST_CASE("inspection: a needle is no sliver as well") {
+    PointSet points = positionsOnly({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 0.01, 0}});
+    points.normal.assign(4, {0, 0, 1});
+    const auto count = [&](const Triangle& t, const char* kind) {
+        const Counts counts = countsOf(points, {t});
+        const auto found = counts.find(kind);
+        return found == counts.end() ? 0U : found->second;
+    };
+    CHECK(count({0, 1, 2}, "degenerate_triangles") == 1);
+    CHECK(count({0, 1, 2}, "slivers") == 0);
+    CHECK(count({0, 1, 3}, "degenerate_triangles") == 0);
+    CHECK(count({0, 1, 3}, "slivers") == 1);
+}
