@@ -141,3 +141,24 @@ TEST_CASE("PCD: cut at any byte it is refused, in text and in binary") {
         CHECK_FALSE(readPoints(text.substr(0, size), "a.pcd").ok());
     }
 }
+
+TEST_CASE("PCD: without POINTS there are WIDTH times HEIGHT") {
+    const std::string head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\n";
+    const std::string rows = "DATA ascii\n0 0 0\n1 0 0\n";
+    const auto two = readPoints(head + rows, "a.pcd");
+    REQUIRE(two.ok());
+    CHECK(two.value().position.size() == 2);
+    const auto four = readPoints(head + "HEIGHT 2\n" + rows + "0 1 0\n1 1 0\n", "a.pcd");
+    REQUIRE(four.ok());
+    CHECK(four.value().position.size() == 4);
+}
+
+TEST_CASE("PCD: a field named _ is padding, and whole numbers are no coordinates") {
+    const std::string head = "VERSION 0.7\nFIELDS x y z _ i\nSIZE 4 4 4 4 4\nTYPE F F ";
+    const std::string rest = " F F\nPOINTS 1\nDATA ascii\n1 2 3 4 5\n";
+    const auto file = readPoints(head + "F" + rest, "a.pcd");
+    REQUIRE(file.ok());
+    REQUIRE(file.value().attributes.size() == 1);
+    CHECK(file.value().attributes[0].name == "i");
+    CHECK(errorOf(head + "I" + rest).find("no field z of type F") != std::string::npos);
+}

@@ -392,3 +392,16 @@ TEST_CASE("PLY: the shared file that is too short names its last line") {
     CHECK(contains(readPoints(path).error().message,
                    "line 1060: the file ends after 1050 of 1550 rows"));
 }
+
+TEST_CASE("PLY: of normals under both names the usual ones are read, the others are columns") {
+    const std::string text =
+        replaced(replaced(kTwo, "property float z\n",
+                          "property float z\nproperty float normal_x\nproperty float normal_y\n"
+                          "property float normal_z\nproperty float nx\nproperty float ny\n"
+                          "property float nz\n"),
+                 "0 0 0\n1 2 3\n", "0 0 0 1 0 0 0 1 0\n1 2 3 1 0 0 0 0 1\n");
+    const PointFile file = mustRead(text);
+    CHECK(file.normal == std::vector<Vec3>{{0, 1, 0}, {0, 0, 1}});
+    REQUIRE(file.attributes.size() == 3);
+    CHECK(file.attributes[0].name == "normal_x");
+}

@@ -120,3 +120,16 @@ TEST_CASE("Type bits: corners have two faces, and the corner bit follows from th
     CHECK(withCornerBit(kPositiveX | kCorner | 128) == kPositiveX);
     CHECK(withCornerBit(kCorner) == kInterior);
 }
+
+TEST_CASE("validate: the gap of a rim point has two other points as ends") {
+    PointSet points = makeSquare();
+    points.rim.assign(4, RimGap{});
+    points.rim[1] = {0, 2};
+    CHECK(validate(points).ok());
+    for (const RimGap& wrong : {RimGap{1, 2}, RimGap{0, 1}, RimGap{0, 4}, RimGap{4, 0}}) {
+        points.rim[1] = wrong;
+        CHECK(flawOf(points) == "the gap of point 1 has an end that is no other point");
+    }
+    points.rim.resize(3);
+    CHECK_FALSE(validate(points).ok());
+}

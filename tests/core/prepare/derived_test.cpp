@@ -112,6 +112,29 @@ TEST_CASE("walls: the tolerance is in units of the largest side, outside is inte
     }
 }
 
+TEST_CASE("walls: a point beyond one wall is on none, on whichever side and axis") {
+    const WallBox box{Vec3(0.0), Vec3(10.0), 0.01};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double beyond : {-0.2, 10.2}) {
+            // On the walls of the other two axes, three points each, so that these count as walls.
+            std::vector<Vec3> position;
+            for (const double t : {3.0, 5.0, 7.0}) {
+                for (int other = 0; other < 3; ++other) {
+                    Vec3 x(t);
+                    x[other] = 0.0;
+                    position.push_back(x);
+                }
+            }
+            Vec3 outside(0.0);
+            outside[axis] = beyond;
+            position.push_back(outside);
+            const auto type = wallTypes(position, box);
+            CHECK(type[0] == kNegativeX);
+            CHECK(type.back() == kInterior);
+        }
+    }
+}
+
 TEST_CASE("prepare: a reach in spacings is a radius in units of the mean distance to the nearest") {
     PointFile file = closedFamilies(2.0)[1].sample(3);
     PrepareOptions options;

@@ -180,3 +180,45 @@ TEST_CASE("noise: all of the work reports progress, and can be cancelled at any 
         CHECK(shares.size() <= limit + 2);  // the end of a part of the work does not report
     }
 }
+
+namespace {
+
+/// Points that all list each other, and the patches of `width` with these heights; returns which
+/// stay.
+std::vector<bool> thinned(const std::vector<Vec3>& position, const std::vector<double>& height,
+                          const std::vector<double>& width) {
+    NeighborLists lists;
+    std::vector<NoisePatch> patches;
+    for (Index p = 0; p < position.size(); ++p) {
+        std::vector<Index> list;
+        for (Index q = 0; q < position.size(); ++q) {
+            if (q != p) list.push_back(q);
+        }
+        lists.append(list);
+        patches.push_back({Vec3(0, 0, 1), width[p], height[p]});
+    }
+    std::vector<bool> usable(position.size(), true);
+    const std::size_t aside = setNoiseAside(position, patches, lists, usable);
+    CHECK(aside == static_cast<std::size_t>(std::count(usable.begin(), usable.end(), false)));
+    return usable;
+}
+
+}  // namespace
+
+TEST_CASE("noise: the point nearest the middle stays, and those over and under it do not") {
+    const std::vector<Vec3> stack{{0, 0, 0.3}, {0, 0, 0}, {0, 0, -0.3}};
+    CHECK(thinned(stack, {0.3, 0.0, 0.3}, {1, 1, 1}) == std::vector<bool>{false, true, false});
+}
+
+TEST_CASE("noise: beyond six widths over or under, or two along, another part of it lies") {
+    const std::vector<Vec3> places{{0, 0, 0},    {0, 0, 5.9}, {0, 0, 6.1}, {0, 0, -5.9},
+                                   {0, 0, -6.1}, {1.9, 0, 0}, {2.1, 0, 0}};
+    // The others are narrow, and set nothing aside.
+    CHECK(thinned(places, {0, 1, 1, 1, 1, 1, 1}, {1, 0, 0, 0, 0, 0, 0}) ==
+          std::vector<bool>{true, false, true, false, true, false, true});
+}
+
+TEST_CASE("noise: a point that was chosen stays, though a later one reaches it") {
+    const std::vector<Vec3> two{{0, 0, 0}, {0.5, 0, 0}};
+    CHECK(thinned(two, {0.0, 0.1}, {0.1, 1.0}) == std::vector<bool>{true, true});
+}

@@ -177,3 +177,17 @@ TEST_CASE("orientation: components are counted, and zero normals stay zero") {
     normal[7] = truth[7];
     CHECK(against(normal, truth) == 0);
 }
+
+TEST_CASE("normals: the plane is that of all points together, not one through the point") {
+    // Eight points around, far below: about 0 they scatter most along z, about their mean least.
+    std::vector<Vec3> position{Vec3(0)};
+    std::vector<Index> list;
+    for (int i = 0; i < 8; ++i) {
+        position.push_back(3.0 * polar(45.0 * i) - Vec3(0, 0, 3));
+        list.push_back(static_cast<Index>(i + 1));
+    }
+    NeighborLists lists;
+    lists.append(list);
+    for (int i = 0; i < 8; ++i) lists.append({});
+    CHECK(std::abs(estimated(position, lists)[0].z) == doctest::Approx(1.0));
+}
