@@ -64,7 +64,8 @@ TABLE = {
         ("pcd.color-of-float", "if (field.kind == 'F') return bits", "if (field.kind == 'F' && !MUT) return bits"),
         ("pcd.color-of-negative",
          "if (field.kind == 'I') return static",
-         "if (field.kind == 'I' && !MUT) return static"),
+         "if (field.kind == 'I' && !MUT) return static",
+         "On x86 the conversion of a negative number gives the same bits; elsewhere it is undefined."),
         ("pcd.cut",
          "if (rows.size() < expected) return failCut(rows.size() / rowSize_);",
          "if (rows.size() < expected && !MUT) return failCut(rows.size() / rowSize_); if (rows.size() < expected) "
