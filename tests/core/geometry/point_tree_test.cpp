@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include "spiraling_edge/base/random.h"
+#include "support/oracles.h"
 
 using namespace se;
+using namespace se::test;
 
 namespace {
 
