@@ -33,7 +33,7 @@ TEST_CASE("cause inversion: turning the decision called unavoidable makes the fa
         CAPTURE(each.scene.id);
         const PointSet points = prepared(each.scene.build());
         const std::vector<RunFailure> failures = failuresIn(points);
-        const auto chosen = sampleOfEach(failures, 30);
+        const auto chosen = sampleOfEach(failures, kSanitized ? 10 : 30);
         const auto inversions = invertCauses(points, paper(), failures, chosen);
         REQUIRE(inversions.ok());
         for (std::size_t i = 0; i < chosen.size(); ++i) {
