@@ -220,7 +220,7 @@ TABLE = {
          "if (!isSteep(points, mine, kRough)) return false;",
          "if (MUT || !isSteep(points, mine, kRough)) return false;"),
         ("pinched.stay", "if (m.pinched[p]) m.pinched[p] =", "if (!MUT && m.pinched[p]) m.pinched[p] ="),
-        ("near.half-the-reach", "within(place, reach,", "within(place, MUT ? 0.5 * reach : reach,"),
+        ("near.half-the-reach", "place, reach, [&]", "place, MUT ? 0.5 * reach : reach, [&]"),
     ],
     "stepper/robust/hole_filling.cpp": [
         ("filling.existing-edge", "if (!closing && hasEdge", "if (!MUT && !closing && hasEdge"),
@@ -237,10 +237,10 @@ TABLE = {
         ("close-hole.round-patch", "return !(shape.turnsRoundPatch &&", "return MUT || !(shape.turnsRoundPatch &&"),
         ("close-hole.width", "if (spacing > 0.0 && shape.width()", "if (!MUT && spacing > 0.0 && shape.width()"),
         ("close-hole.length", "|| loop.size() > most) return {};", "|| loop.size() > (MUT ? 1000U : most)) return {};"),
-        ("close-hole.not-widened", "if (addAcross(m, side, ring)) continue;", "if (MUT) return {}; OLD"),
+        ("close-hole.not-widened", "if (widenByTriangle(m, side, ring)) continue;", "if (MUT) return {}; OLD"),
         ("close-hole.crowded-edge", "if (!isLone(m, h)) return {};", "if (!MUT) OLD"),
         ("close-hole.one-fan", "return acrossGap(points, m, border);", "if (!MUT) OLD"),
-        ("close-hole.point-keeps-side", "if (!isOn(ring, p)) m.sideOf[p] = kNone;", "if (!MUT) OLD"),
+        ("close-hole.point-keeps-side", "m.sideOf[p] = kNone;\n            ++m.takenOut;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_patch.cpp": [
         ("patch.alone", "|| !isBesideLarger(points, m, corners))", "|| (!MUT && !isBesideLarger(points, m, corners)))"),

@@ -58,9 +58,10 @@ void addCounters(const Counters& counters, Json& json) {
 
 /// Counters of the steps after the last pivot.
 void addRepairs(const RepairState& repair, Json& json) {
-    json["mended"] = {{"reinserted_points", repair.reinserted},
-                      {"points_taken_out", repair.takenOut},
-                      {"flipped_edges", repair.flipped}};
+    json["mended"] = {
+        {"reinserted_points", repair.reinserted}, {"points_taken_out", repair.takenOut},
+        {"flipped_edges", repair.flipped},        {"dropped_patches", repair.droppedPatches},
+        {"closed_holes", repair.closedHoles},     {"remeshed", repair.remeshed}};
 }
 
 void addMesh(const MeshReport& mesh, Json& json) {

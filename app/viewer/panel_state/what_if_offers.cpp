@@ -107,8 +107,8 @@ std::string noOfferText(const Event& event) {
         case Stage::Flip:
         case Stage::Remesh:
         case Stage::RemoveFolded:
-            return "Chosen as the best of the whole ring or mesh, not by a test: turn " +
-                   std::string(stageName(event.address.stage)) + " off in Rules.";
+            return "Not decided by a test: turn " + std::string(stageName(event.address.stage)) +
+                   " off in Rules.";
         case Stage::Seed:
         case Stage::Strand:
         case Stage::Emit:

@@ -235,6 +235,8 @@ Index subjectOf(const Event& event) {
                           [](const GuardEvidence& e) { return e.dropped; },
                           [](const FillEvidence& e) { return e.pivot; },
                           [](const FlipEvidence& e) { return e.x; },
+                          [](const CloseHoleEvidence& e) { return e.first; },
+                          [](const RemeshEvidence& e) { return e.faulty.a; },
                           [](const auto& e) { return pointOf(e); },
                       },
                       event.evidence);

@@ -70,8 +70,8 @@ class TriangleOrigins {
                    isA<RemeshEvidence>(event);
         };
         auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
-        // The others filled a hole, or that of a point that was taken out; the events do not name
-        // them.
+        // Other triangles fill a hole, the place of a point taken out, or that of a fault; the
+        // events do not name them.
         if (found == repairs_.rend())
             found = std::find_if(repairs_.rbegin(), repairs_.rend(), fillsHole);
         return found != repairs_.rend() ? found->address : Address{};

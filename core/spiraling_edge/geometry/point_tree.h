@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -12,34 +14,41 @@
 namespace se {
 
 /// A balanced k-d tree (Bentley 1975): each part of the points is divided at the median of its
-/// longest side. The positions are not copied and must outlive it.
+/// longest side. It has the order of the points alone: every call takes the same positions.
+/// Points with a coordinate that is not finite are left out.
 class PointTree {
   public:
+    using Positions = std::span<const Vec3>;
+
     /// O(n log n).
-    explicit PointTree(std::span<const Vec3> position)
-        : position_(position), order_(position.size()), axis_(position.size()) {
-        std::iota(order_.begin(), order_.end(), Index{0});
-        divide(0, order_.size());
+    explicit PointTree(Positions position) {
+        for (Index p = 0; p < position.size(); ++p) {
+            const Vec3& x = position[p];
+            if (std::isfinite(x.x + x.y + x.z)) order_.push_back(p);
+        }
+        axis_.resize(order_.size());
+        divide(position, 0, order_.size());
     }
 
     /// Calls `visit` with each point that is at most this far away, in an order that depends on the
     /// positions alone.
     template <typename Visit>
-    void within(const Vec3& place, double distance, Visit&& visit) const {
-        search(0, order_.size(), place, distance, visit);
+    void within(Positions position, const Vec3& place, double distance, Visit&& visit) const {
+        assert(position.size() >= order_.size());
+        search(position, 0, order_.size(), place, distance, visit);
     }
 
   private:
     /// Parts of at most this many points are not divided.
     static constexpr std::size_t kLeaf = 8;
 
-    void divide(std::size_t begin, std::size_t end) {
+    void divide(Positions position, std::size_t begin, std::size_t end) {
         if (end - begin <= kLeaf) return;
-        Vec3 low = position_[order_[begin]];
+        Vec3 low = position[order_[begin]];
         Vec3 high = low;
         for (std::size_t i = begin; i < end; ++i) {
-            low = glm::min(low, position_[order_[i]]);
-            high = glm::max(high, position_[order_[i]]);
+            low = glm::min(low, position[order_[i]]);
+            high = glm::max(high, position[order_[i]]);
         }
         const Vec3 side = high - low;
         const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
@@ -48,20 +57,20 @@ class PointTree {
             return order_.begin() + static_cast<std::ptrdiff_t>(i);
         };
         std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
-            const double x = position_[a][axis];
-            const double y = position_[b][axis];
+            const double x = position[a][axis];
+            const double y = position[b][axis];
             return x < y || (x == y && a < b);
         });
         axis_[middle] = static_cast<std::uint8_t>(axis);
-        divide(begin, middle);
-        divide(middle + 1, end);
+        divide(position, begin, middle);
+        divide(position, middle + 1, end);
     }
 
     template <typename Visit>
-    void search(std::size_t begin, std::size_t end, const Vec3& place, double distance,
-                Visit& visit) const {
+    void search(Positions position, std::size_t begin, std::size_t end, const Vec3& place,
+                double distance, Visit& visit) const {
         const auto test = [&](Index p) {
-            const Vec3 d = position_[p] - place;
+            const Vec3 d = position[p] - place;
             if (glm::dot(d, d) <= distance * distance) visit(p);
         };
         if (end - begin <= kLeaf) {
@@ -70,14 +79,13 @@ class PointTree {
         }
         const std::size_t middle = begin + (end - begin) / 2;
         const int axis = axis_[middle];
-        const double offset = place[axis] - position_[order_[middle]][axis];
-        if (offset <= distance) search(begin, middle, place, distance, visit);
+        const double offset = place[axis] - position[order_[middle]][axis];
+        if (offset <= distance) search(position, begin, middle, place, distance, visit);
         test(order_[middle]);
-        if (offset >= -distance) search(middle + 1, end, place, distance, visit);
+        if (offset >= -distance) search(position, middle + 1, end, place, distance, visit);
     }
 
-    std::span<const Vec3> position_;
-    std::vector<Index> order_;        ///< The points; the middle one of a part divides it.
+    std::vector<Index> order_;        ///< The finite points; the middle one of a part divides it.
     std::vector<std::uint8_t> axis_;  ///< Of the middle of a part: the axis that it divides.
 };
 

@@ -1,6 +1,7 @@
 #include "spiraling_edge/mesh/boundary_loop.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <vector>
 

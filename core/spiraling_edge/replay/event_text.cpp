@@ -213,14 +213,14 @@ std::string text(const DropPatchEvidence& e) {
                     e.triangles, e.point);
 }
 std::string text(const CloseHoleEvidence& e) {
-    return sentence("The hole of {} at {} - {} is filled.", e.length, e.first, e.second);
+    return sentence("The hole of {} points at {} - {} is filled.", e.length, e.first, e.second);
 }
 std::string text(const RemeshEvidence& e) {
     return sentence("Triangle ({}, {}, {}) has a fault: those about it are replaced.", e.faulty.a,
                     e.faulty.b, e.faulty.c);
 }
 std::string text(const RemoveFoldedEvidence& e) {
-    return sentence("Point {} has a faulty triangle: taken out, its hole is closed.", e.point);
+    return sentence("Point {} has a faulty triangle: taken out, and the hole is filled.", e.point);
 }
 std::string text(const FlipEvidence& e) {
     return sentence("Edge {} - {} is better as {} - {}: flipped.", e.u, e.v, e.x, e.y);

@@ -107,6 +107,7 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     state.status = permuted(state.status, inverse(original));
     restore(state.triangles, original);
     restore(state.repair.triangles, original);
+    state.repair.treePoints = nullptr;
     for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {
         if (alert.point != kNone) alert.point = original[alert.point];

@@ -16,7 +16,8 @@ constexpr std::uint32_t kAskEvery = 32;
 std::size_t bytesOf(const RepairState& repair) {
     return repair.triangles.size() * (sizeof(Triangle) + 3 * sizeof(HalfEdge)) +
            repair.sideOf.size() * sizeof(HalfEdge) + repair.pinched.size() / 8 +
-           repair.queue.size() * sizeof(HalfEdge);
+           repair.queue.size() * sizeof(HalfEdge) + repair.sound.size() * sizeof(Triangle) +
+           repair.conflictFlips.size() + repair.pinchedSides.size() * sizeof(PinchedSide);
 }
 
 std::size_t bytesOf(const NeighborRing& ring) {

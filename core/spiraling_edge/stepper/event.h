@@ -275,7 +275,7 @@ struct ReinsertEvidence {
 /// (RobustRules::closeHoles).
 struct CloseHoleEvidence {
     Index first, second;  ///< The side of the hole with which its ring begins.
-    Index length;         ///< Of the ring: two more than the new triangles.
+    Index length;         ///< Of the ring, before it was widened.
 };
 /// A point at a faulty triangle was taken out (RobustRules::removeFolded).
 struct RemoveFoldedEvidence {

@@ -6,13 +6,14 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/geometry/point_tree.h"
 #include "spiraling_edge/mesh/edge_table.h"
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se {
+
+class PointTree;
 
 /// A side that leaves a pinched point.
 struct PinchedSide {
@@ -28,10 +29,11 @@ struct RepairState {
     std::vector<HalfEdge> twin;
     /// One side that leaves each point; kNone for a point in no triangle.
     std::vector<HalfEdge> sideOf;
-    /// Points whose triangles form more than one fan: left alone.
+    /// Points whose triangles form more than one fan. Only `closeholes` changes triangles at them.
     std::vector<bool> pinched;
     /// All points, to find triangles near a place; made when first needed.
     std::shared_ptr<const PointTree> tree;
+    const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
     /// Sides to examine, and the position of the next one.
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;
@@ -45,9 +47,12 @@ struct RepairState {
     /// or a side.
     Index next = 0;
     std::uint32_t takenOut = 0;
-    std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kRepairRounds times.
+    std::uint32_t round = 0;  ///< The phases are repeated kRepairRounds times.
     std::uint32_t reinserted = 0;
     std::uint32_t flipped = 0;
+    std::uint32_t droppedPatches = 0;
+    std::uint32_t closedHoles = 0;
+    std::uint32_t remeshed = 0;
 
     bool empty() const { return triangles.empty(); }
 };
@@ -68,8 +73,8 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most
-/// Params::maxFillLength points and Params::maxFillWidth, if no new triangle has a fault. Nothing
-/// if none is left.
+/// 64 points, Params::maxFillLength and Params::maxFillWidth, if no new triangle has a fault.
+/// Nothing if none is left.
 std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
                                                RepairState& repair);
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "support/oracles.h"
 
 using namespace se;
@@ -9,9 +11,10 @@ using namespace se::test;
 
 namespace {
 
-std::vector<Index> foundWithin(const PointTree& tree, const Vec3& place, double distance) {
+std::vector<Index> foundWithin(const std::vector<Vec3>& position, const PointTree& tree,
+                               const Vec3& place, double distance) {
     std::vector<Index> found;
-    tree.within(place, distance, [&](Index p) { found.push_back(p); });
+    tree.within(position, place, distance, [&](Index p) { found.push_back(p); });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -36,7 +39,7 @@ TEST_CASE("point tree: finds the points within a distance, each once, however th
                 const Vec3 d = position[p] - place;
                 if (glm::dot(d, d) <= distance * distance) expected.push_back(p);
             }
-            CHECK(foundWithin(tree, place, distance) == expected);
+            CHECK(foundWithin(position, tree, place, distance) == expected);
         }
     }
 }
@@ -45,7 +48,17 @@ TEST_CASE("point tree: a point at the very distance is found, also among equal c
     std::vector<Vec3> position(40, Vec3(1, 0, 0));
     position.push_back({0, 0, 2});
     const PointTree tree(position);
-    CHECK(foundWithin(tree, Vec3(0.0), 1.0).size() == 40);
-    CHECK(foundWithin(tree, Vec3(0.0), 2.0).size() == 41);
-    CHECK(foundWithin(tree, Vec3(0.0), 0.5).empty());
+    CHECK(foundWithin(position, tree, Vec3(0.0), 1.0).size() == 40);
+    CHECK(foundWithin(position, tree, Vec3(0.0), 2.0).size() == 41);
+    CHECK(foundWithin(position, tree, Vec3(0.0), 0.5).empty());
+}
+
+TEST_CASE("point tree: a point that is not finite is not found, and hides no other") {
+    Random random(2);
+    std::vector<Vec3> position;
+    for (int i = 0; i < 500; ++i) position.push_back(random.inCube());
+    const double bad = std::numeric_limits<double>::quiet_NaN();
+    position[100] = {bad, 0, 0};
+    position[250] = {0, std::numeric_limits<double>::infinity(), 0};
+    CHECK(foundWithin(position, PointTree(position), Vec3(0.0), 4.0).size() == 498);
 }

@@ -90,7 +90,7 @@ struct Area {
 
 }  // namespace
 
-bool addAcross(const RepairState& m, std::size_t side, HoleRing& ring) {
+bool widenByTriangle(const RepairState& m, std::size_t side, HoleRing& ring) {
     const HalfEdge other = ring.outer[side];
     if (other == kNone) return false;
     const Index tip = cornerOf(m, preceding(other));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -26,7 +27,7 @@ inline bool isGone(const HoleRing& ring, Index triangle) {
 
 /// Widens the ring by the triangle across a side, which has a new point. False at a border, and
 /// where the point is pinched or on the ring already.
-bool addAcross(const RepairState& repair, std::size_t side, HoleRing& ring);
+bool widenByTriangle(const RepairState& repair, std::size_t side, HoleRing& ring);
 
 /// Positions in HoleRing::points, ascending.
 using RingTriangle = std::array<std::size_t, 3>;

@@ -2,6 +2,7 @@
 /// filled with triangles between its points, none of which has a fault; where that needs more room,
 /// triangles around it go as well, or one of its points.
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "spiraling_edge/mesh/boundary_loop.h"
@@ -51,6 +52,7 @@ HalfEdge nextBorder(const PointSet& points, const RepairState& m, HalfEdge borde
 /// True if no other triangle has the edge of this border side: one of three has no twins.
 bool isLone(const RepairState& m, HalfEdge border) {
     const Index u = cornerOf(m, border);
+    if (!m.pinched[u]) return true;
     const Index v = cornerOf(m, following(border));
     const auto sides = sidesOfPinched(m, u);
     return std::none_of(sides.begin(), sides.end(), [&](const PinchedSide& side) {
@@ -94,12 +96,14 @@ bool isPatchOf(const RepairState& m, Index t, std::size_t most) {
 /// Mean distance of the points where the sides begin to their nearest neighbor.
 double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
     double sum = 0.0;
+    double count = 0.0;
     for (const LoopSide& side : loop) {
         const auto list = points.neighbors[side.from];
-        if (!list.empty())
-            sum += glm::distance(points.position[list.front()], points.position[side.from]);
+        if (list.empty()) continue;
+        sum += glm::distance(points.position[list.front()], points.position[side.from]);
+        count += 1.0;
     }
-    return sum / static_cast<double>(loop.size());
+    return count > 0.0 ? sum / count : 0.0;
 }
 
 bool isHole(const PointSet& points, const Params& params, const RepairState& m,
@@ -122,14 +126,15 @@ HoleRing ringInside(const RepairState& m, const std::vector<HalfEdge>& border) {
     return ring;
 }
 
-/// Takes the point at a place of the ring out, with its triangles; false unless that leaves a ring
-/// of different points, none of them pinched.
-bool takeOut(const RepairState& m, std::size_t place, HoleRing& ring) {
+/// Widens the ring by a point on it, which is taken out with its triangles; false unless that
+/// leaves a ring of different points, none of the new ones pinched.
+bool widenByPoint(const RepairState& m, std::size_t place, HoleRing& ring) {
     if (m.pinched[ring.points[place]]) return false;
     const std::size_t before = place == 0 ? ring.size() - 1 : place - 1;
-    std::vector<HalfEdge>
-        outer;  // Of the sides opposite to the point, in the direction of the ring.
-    std::vector<Index> between;  // The points between them.
+    // Across the sides opposite to the point, in the direction of the ring; the points between
+    // them.
+    std::vector<HalfEdge> outer;
+    std::vector<Index> between;
     HalfEdge last = kNone;
     for (HalfEdge h = ring.outer[before]; h != kNone && !isGone(ring, h / 3);) {
         if (!outer.empty()) between.push_back(cornerOf(m, following(h)));
@@ -152,6 +157,9 @@ bool takeOut(const RepairState& m, std::size_t place, HoleRing& ring) {
     return ring.size() >= 3;
 }
 
+/// The search for a filling takes O(n^3) for n points, so that longer rings are left.
+constexpr std::uint32_t kLongestRing = 64;
+
 /// At most this often a ring is widened, and this many of its points are taken out: a hole is one
 /// fault, as is a point that is left out.
 constexpr int kMaxWidened = 24;
@@ -163,16 +171,14 @@ Filling widenUntilFilled(const PointSet& points, RepairState& m, HoleRing& ring)
     int takenOut = 0;
     for (int i = 0; i < kMaxWidened; ++i) {
         const FillingSearch search(points, m, ring);
-        Filling filling = search.find();
-        if (!filling.empty()) return filling;
         const std::size_t side = search.firstBlocked();
-        if (side == ring.size()) return {};
-        if (addAcross(m, side, ring)) continue;
+        if (side == ring.size()) return search.find();
+        if (widenByTriangle(m, side, ring)) continue;
         if (++takenOut > kMaxTakenOut) return {};
         const HoleRing narrow = ring;
-        if (takeOut(m, side, ring)) continue;
+        if (widenByPoint(m, side, ring)) continue;
         ring = narrow;
-        if (!takeOut(m, (side + 1) % ring.size(), ring)) return {};
+        if (!widenByPoint(m, (side + 1) % ring.size(), ring)) return {};
     }
     return {};
 }
@@ -192,24 +198,28 @@ std::vector<Index> cornersOfGone(const RepairState& m, const HoleRing& ring) {
 std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
                                                RepairState& m) {
     if (m.next == 0) listPinched(m);
+    const std::uint32_t longest = std::min(params.maxFillLength, kLongestRing);
     while (m.next < m.twin.size()) {
         const HalfEdge first = m.next++;
         if (m.twin[first] != kNone) continue;
-        const std::vector<HalfEdge> border = loopFrom(points, m, first, params.maxFillLength);
+        const std::vector<HalfEdge> border = loopFrom(points, m, first, longest);
         if (border.empty() || !isHole(points, params, m, border)) continue;
         HoleRing ring = ringInside(m, border);
         const Filling filling = widenUntilFilled(points, m, ring);
         if (filling.empty()) continue;
+        const CloseHoleEvidence evidence{cornerOf(m, first), cornerOf(m, following(first)),
+                                         static_cast<Index>(border.size())};
         const std::vector<Index> corners = cornersOfGone(m, ring);
         putFilling(m, ring, filling);
         for (const Index p : corners) {
-            if (!isOn(ring, p)) m.sideOf[p] = kNone;
+            if (isOn(ring, p) || m.sideOf[p] == kNone) continue;
+            m.sideOf[p] = kNone;
+            ++m.takenOut;
         }
+        ++m.closedHoles;
         const auto isPinched = [&](Index p) { return m.pinched[p]; };
         if (std::any_of(ring.points.begin(), ring.points.end(), isPinched)) listPinched(m);
-        return CloseHoleEvidence{cornerOf(m, border.front()),
-                                 cornerOf(m, following(border.front())),
-                                 static_cast<Index>(border.size())};
+        return evidence;
     }
     return std::nullopt;
 }

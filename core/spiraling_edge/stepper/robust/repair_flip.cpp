@@ -152,7 +152,7 @@ bool isRough(const PointSet& points, const Quad& q, const FlipScore& score) {
 
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
                 HalfEdge h) {
-    // RobustRules::removeFolded shortens the list, so that a side in the queue may no longer exist.
+    // Other steps shorten the list, so that a side in the queue may no longer exist.
     if (h >= m.twin.size() || m.twin[h] == kNone) return Gain::None;
     const FlipScore score(points, m, h);
     const Quad& q = score.quad();

@@ -22,7 +22,7 @@ bool growTo(const RepairState& m, std::size_t size, HoleRing& patch) {
             const auto side =
                 std::find(patch.outer.begin(), patch.outer.end(), m.twin[3 * patch.gone[i] + k]);
             if (side != patch.outer.end())
-                addAcross(m, static_cast<std::size_t>(side - patch.outer.begin()), patch);
+                widenByTriangle(m, static_cast<std::size_t>(side - patch.outer.begin()), patch);
         }
     }
     return patch.gone.size() == size;
@@ -103,7 +103,11 @@ std::optional<Evidence> mendNextFault(const PointSet& points, const RobustRules&
             continue;
         }
         const Triangle faulty = m.triangles[t];
-        if (rules.remesh && remeshAround(points, m, t)) return RemeshEvidence{faulty};
+        if (rules.remesh && remeshAround(points, m, t)) {
+            ++m.remeshed;
+            ++m.next;
+            return RemeshEvidence{faulty};
+        }
         if (!mayTakeOut) continue;
         for (const Index x : pointsAbout(m, t)) {
             if (!takeOut(points, m, x)) continue;

@@ -60,6 +60,7 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
         // The highest place first, so that no other one of the patch moves.
         std::sort(patch.begin(), patch.end());
         for (auto t = patch.rbegin(); t != patch.rend(); ++t) dropTriangle(m, *t);
+        ++m.droppedPatches;
         return DropPatchEvidence{corners.front(), static_cast<Index>(patch.size())};
     }
     return std::nullopt;

@@ -23,7 +23,11 @@ void dropTriangle(RepairState& m, Index t) {
             const HalfEdge from = 3 * last + k;
             const HalfEdge to = 3 * t + k;
             pair(m, to, m.twin[from]);
-            if (m.sideOf[cornerOf(m, to)] == from) m.sideOf[cornerOf(m, to)] = to;
+            const Index corner = cornerOf(m, to);
+            if (m.sideOf[corner] == from) m.sideOf[corner] = to;
+            for (PinchedSide& side : sidesOfPinched(m, corner)) {
+                if (side.leaving == from) side.leaving = to;
+            }
             m.queue.push_back(to);
         }
     }
@@ -45,18 +49,22 @@ void listPinched(RepairState& m) {
     for (Index p = 0; p < m.sideOf.size(); ++p) {
         if (m.pinched[p]) m.pinched[p] = reachedSides(m, p) != sides[p];
     }
+    std::erase_if(m.pinchedSides, [&](const PinchedSide& side) { return !m.pinched[side.point]; });
 }
 
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places) {
-    if (m.tree == nullptr) m.tree = std::make_shared<const PointTree>(points.position);
+    if (m.treePoints != &points) {
+        m.tree = std::make_shared<const PointTree>(points.position);
+        m.treePoints = &points;
+    }
     std::vector<Index> near;
     for (const Index p : places) {
         const Vec3& place = points.position[p];
         double reach = 0.0;
         for (const Index q : points.neighbors[p])
             reach = std::max(reach, glm::distance(points.position[q], place));
-        m.tree->within(place, reach, [&](Index q) {
+        m.tree->within(points.position, place, reach, [&](Index q) {
             forEachSideOf(m, q, [&](HalfEdge side) { near.push_back(side / 3); });
         });
     }
@@ -67,7 +75,7 @@ std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
 
 bool isFaulty(const PointSet& points, RepairState& m, Index t) {
     const Triangle& mine = m.triangles[t];
-    if (isFlipped(points, mine)) return true;
+    if (shapeFaults(points, mine) >= kFlippedFault) return true;
     if (!isSteep(points, mine, kRough)) return false;
     const std::vector<Index> near = trianglesNear(points, m, std::array{mine.a, mine.b, mine.c});
     const ShapedTriangle shaped(points, mine);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "spiraling_edge/geometry/point_tree.h"
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/repair.h"
@@ -50,21 +51,23 @@ Index reachedSides(const RepairState& m, Index p);
 /// Sets RepairState::pinchedSides, and unmarks points that are pinched no more. O(t).
 void listPinched(RepairState& m);
 
-/// The sides that leave a pinched point, after listPinched().
-inline std::span<const PinchedSide> sidesOfPinched(const RepairState& m, Index point) {
+/// The sides that leave a pinched point, after listPinched(). `m` may be const.
+template <typename Repair>
+auto sidesOfPinched(Repair& m, Index point) {
     const auto first =
         std::lower_bound(m.pinchedSides.begin(), m.pinchedSides.end(), point,
                          [](const PinchedSide& side, Index p) { return side.point < p; });
     auto end = first;
     while (end != m.pinchedSides.end() && end->point == point) ++end;
-    return {m.pinchedSides.data() + (first - m.pinchedSides.begin()),
-            static_cast<std::size_t>(end - first)};
+    return std::span(m.pinchedSides.data() + (first - m.pinchedSides.begin()),
+                     static_cast<std::size_t>(end - first));
 }
 
 /// True if the two points have a common edge, in any fan. With a pinched point, requires
 /// listPinched().
 inline bool hasEdge(const RepairState& m, Index u, Index v) {
     if (joined(m, u, v)) return true;
+    if (!m.pinched[u]) return false;
     const auto sides = sidesOfPinched(m, u);
     return std::any_of(sides.begin(), sides.end(), [&](const PinchedSide& side) {
         return cornerOf(m, following(side.leaving)) == v ||
@@ -75,8 +78,9 @@ inline bool hasEdge(const RepairState& m, Index u, Index v) {
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.
 void dropTriangle(RepairState& m, Index t);
 
-/// The triangles at all points as near to one of these as the farthest in its list, ascending.
-/// Those on another sheet are among them, whose points are in no list here.
+/// The triangles, in the fan of RepairState::sideOf, at all points as near to one of these as the
+/// farthest in its list, ascending. Those on another sheet are among them, whose points are in no
+/// list here.
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
 
