@@ -74,6 +74,7 @@ std::vector<HalfEdge> loopFrom(const PointSet& points, const RepairState& m, Hal
         if (h == kNone || h < first || loop.size() > most) return {};
     } while (h != first);
     std::vector<Index> seen;
+    seen.reserve(loop.size());
     for (const HalfEdge side : loop) seen.push_back(cornerOf(m, side));
     std::sort(seen.begin(), seen.end());
     const bool simple = std::adjacent_find(seen.begin(), seen.end()) == seen.end();
@@ -109,6 +110,7 @@ double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
 bool isHole(const PointSet& points, const Params& params, const RepairState& m,
             const std::vector<HalfEdge>& border) {
     std::vector<LoopSide> loop;
+    loop.reserve(border.size());
     for (const HalfEdge h : border) loop.push_back({cornerOf(m, h), cornerOf(m, following(h))});
     const LoopShape shape = shapeOf(points, loop);
     const double spacing = spacingAt(points, loop);
