@@ -126,6 +126,36 @@ while read -r file; do
     [ "$found" = yes ] || breach "in no CMakeLists.txt: $file"
 done < <(find core app tests -name '*.cpp' -not -path 'tests/consumer/*')
 
+# A source includes what it uses of GLM, or a header of ours does: builds that compile many sources
+# as one do not tell.
+while read -r file; do breach "does not include its part of GLM: $file"; done < <(python3 - <<'PYTHON'
+import functools, pathlib, re
+PARTS = {"geometric": "dot|cross|length|distance|normalize", "common": "abs|floor|ceil|round|min|max|clamp|mix"}
+ROOTS = [pathlib.Path(p) for p in ("core", "core/sampling", "app", "app/viewer")]
+
+@functools.cache
+def reached(file):
+    parts = set()
+    for name in re.findall(r'^#include [<"]([^>"]+)[>"]', file.read_text(), re.M):
+        if name.startswith("glm/"):
+            parts.add(name)
+        for root in [file.parent, *ROOTS]:
+            if (root / name).is_file():
+                parts |= reached(root / name)
+                break
+    return frozenset(parts)
+
+def lacks(parts, part):
+    return not any(p in (f"glm/{part}.hpp", "glm/glm.hpp") or p.startswith("glm/gtc/") for p in parts)
+
+for folder in ("core", "app"):
+    for file in sorted(pathlib.Path(folder).rglob("*.cpp")):
+        for part, names in PARTS.items():
+            if re.search(rf"glm::({names})\(", file.read_text()) and lacks(reached(file), part):
+                print(f"{file} (glm/{part}.hpp)")
+PYTHON
+)
+
 # CMake splits lists at semicolons: such a test would be registered in two halves, and never run.
 mapfile -t tests < <(sources tests)
 no '^TEST_CASE\(.*;.*"\)|^ +"[^"]*;[^"]*"\) \{$' "no semicolon in the name of a test" "${tests[@]}"

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "spiraling_edge/base/float_bits.h"

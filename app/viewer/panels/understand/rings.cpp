@@ -1,6 +1,7 @@
 // The Rings panel: active and stacked rings, and one of them unrolled as a line.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "spiraling_edge/geometry/implicit_surfaces.h"
 #include "spiraling_edge/sampling/field.h"
