@@ -153,8 +153,8 @@ TABLE = {
     ],
     "explain/run_compare.cpp": [
         ("compare.winding-forgotten",
-         "if (t.b <= t.c) return {t.b, t.c, t.a};",
-         "if (t.b <= t.c || MUT) return {t.b, t.c, t.a};"),
+         "return {s.a, s.b, s.c};",
+         "if (MUT) return {s.a, std::min(s.b, s.c), std::max(s.b, s.c)}; OLD"),
         ("compare.harmless-counted-once",
          "if (found.harmlessPivots++ == 0) found",
          "if (found.harmlessPivots++ == 0 || MUT) found"),

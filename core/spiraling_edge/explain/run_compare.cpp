@@ -12,17 +12,17 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/explain/pivot_difference.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {
 
-/// The corners of a triangle from the least one on, in its winding.
-std::array<Index, 3> turnedToLeast(const Triangle& t) {
-    if (t.a <= t.b && t.a <= t.c) return {t.a, t.b, t.c};
-    if (t.b <= t.c) return {t.b, t.c, t.a};
-    return {t.c, t.a, t.b};
+/// The corners of a triangle from the least one on, as a key.
+std::array<Index, 3> cornersOf(const Triangle& t) {
+    const Triangle s = fromLeastCorner(t);
+    return {s.a, s.b, s.c};
 }
 
 /// Records the event that made each triangle while a run goes on.
@@ -46,10 +46,10 @@ class TriangleOrigins {
         }
         std::map<std::array<Index, 3>, Address> byCorners;
         for (std::size_t i = 0; i < emitted_.size(); ++i)
-            byCorners[turnedToLeast(end.triangles[i])] = emitted_[i];
+            byCorners[cornersOf(end.triangles[i])] = emitted_[i];
         mesh.triangles = std::move(end.repair.triangles);
         for (const Triangle& t : mesh.triangles) {
-            const auto found = byCorners.find(turnedToLeast(t));
+            const auto found = byCorners.find(cornersOf(t));
             mesh.made.push_back(found != byCorners.end() ? found->second : repairOrigin(t));
         }
         mesh.emitted = std::move(end.triangles);

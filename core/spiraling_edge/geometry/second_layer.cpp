@@ -156,12 +156,15 @@ bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTrian
     return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
-bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
+bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
     const Box box = boxOf(points, b);
     // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
     const Vec3 sides = box.high - box.low;
-    if (!a.box.grown(a.shape.reach + 0.25 * (sides.x + sides.y + sides.z)).meets(box)) return false;
-    return conflict(points, a, ShapedTriangle(points, b));
+    return !a.box.grown(a.shape.reach + 0.25 * (sides.x + sides.y + sides.z)).meets(box);
+}
+
+bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
+    return !areApart(points, a, b) && conflict(points, a, ShapedTriangle(points, b));
 }
 
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b) {

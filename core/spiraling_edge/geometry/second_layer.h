@@ -39,6 +39,8 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
+/// True if their boxes already tell that two triangles are not in conflict.
+bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 /// True if two triangles share more than their common corners, or one is a second layer of the
 /// other. Most pairs that are apart are told by their boxes alone.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);

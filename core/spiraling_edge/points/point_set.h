@@ -100,6 +100,12 @@ struct PointSet {
     bool empty() const { return position.empty(); }
 };
 
+/// The distance of a point to the nearest in its list; 0 for an empty list.
+inline double nearestDistance(const PointSet& points, Index p) {
+    const auto list = points.neighbors[p];
+    return list.empty() ? 0.0 : glm::distance(points.position[list.front()], points.position[p]);
+}
+
 /// Checks the preconditions of the stepper: equal array lengths (`setAside` and `rim` may be
 /// empty); for every point that has a list or is in one, a finite position and a unit normal
 /// (within 1e-6); in every list only existing points, none twice, not the point itself; all points

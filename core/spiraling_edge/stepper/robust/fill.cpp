@@ -172,10 +172,7 @@ bool isTooWide(const StepContext& context, const LoopShape& shape) {
     const double length = rings.length(rings.active());
     double spacing = 0.0;
     rings.forEachEntry(rings.active(), [&](Index entry) {
-        const auto list = context.points.neighbors[rings.point(entry)];
-        if (list.empty()) return;
-        const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
-        spacing += std::sqrt(glm::dot(nearest, nearest)) / length;
+        spacing += nearestDistance(context.points, rings.point(entry)) / length;
     });
     return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
 }

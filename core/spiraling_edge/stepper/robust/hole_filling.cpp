@@ -198,12 +198,8 @@ void putFilling(RepairState& m, const HoleRing& ring, const Filling& filling) {
             if (h != kNone) pair(m, h, (i + 1) % count == k ? ring.outer[i] : sides[k * count + i]);
         }
     }
-    // The highest place first, so that no other one moves.
-    const std::size_t reused = std::min(filling.size(), ring.gone.size());
-    std::vector<Index> rest(ring.gone.begin() + static_cast<std::ptrdiff_t>(reused),
-                            ring.gone.end());
-    std::sort(rest.begin(), rest.end());
-    for (auto t = rest.rbegin(); t != rest.rend(); ++t) dropTriangle(m, *t);
+    const auto reused = static_cast<std::ptrdiff_t>(std::min(filling.size(), ring.gone.size()));
+    dropTriangles(m, {ring.gone.begin() + reused, ring.gone.end()});
 }
 
 }  // namespace se

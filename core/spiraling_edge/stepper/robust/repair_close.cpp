@@ -2,40 +2,30 @@
 /// filled with triangles between its points, none of which has a fault; where that needs more room,
 /// triangles around it go as well, or one of its points.
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
 
 #include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/stepper/robust/hole_filling.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se {
 namespace {
-
-/// Grows with the angle from direction u to v, counterclockwise around the normal: 0 to 4.
-double turnFrom(const Vec3& u, const Vec3& v, const Vec3& normal) {
-    const double size = std::sqrt(glm::dot(u, u) * glm::dot(v, v));
-    if (!(size > 0.0)) return 4.0;
-    const double cosine = glm::dot(u, v) / size;
-    return glm::dot(glm::cross(u, v), normal) >= 0.0 ? 1.0 - cosine : 3.0 + cosine;
-}
 
 /// Of the border sides that leave a pinched point, the one across the gap from `arriving`; kNone if
 /// there is none.
 HalfEdge acrossGap(const PointSet& points, const RepairState& m, HalfEdge arriving) {
     const Index p = cornerOf(m, following(arriving));
-    const Vec3& normal = points.normal[p];
-    const auto flat = [&](Index q) {
-        const Vec3 d = points.position[q] - points.position[p];
-        return d - glm::dot(d, normal) / glm::dot(normal, normal) * normal;
-    };
-    const Vec3 from = flat(cornerOf(m, arriving));
+    const Vec3& place = points.position[p];
+    const Frame frame =
+        makeFrame(place, points.normal[p], points.position[cornerOf(m, arriving)], true);
     HalfEdge nearest = kNone;
     double least = 5.0;
     for (const PinchedSide& side : sidesOfPinched(m, p)) {
         if (m.twin[side.leaving] != kNone) continue;
-        const double turn = turnFrom(from, flat(cornerOf(m, following(side.leaving))), normal);
-        if (turn >= least) continue;
-        least = turn;
+        const Index next = cornerOf(m, following(side.leaving));
+        const Angle turn = angleOf(frame, points.position[next] - place);
+        if (turn.key >= least) continue;
+        least = turn.key;
         nearest = side.leaving;
     }
     return nearest;
@@ -99,9 +89,8 @@ double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
     double sum = 0.0;
     double count = 0.0;
     for (const LoopSide& side : loop) {
-        const auto list = points.neighbors[side.from];
-        if (list.empty()) continue;
-        sum += glm::distance(points.position[list.front()], points.position[side.from]);
+        if (points.neighbors[side.from].empty()) continue;
+        sum += nearestDistance(points, side.from);
         count += 1.0;
     }
     return count > 0.0 ? sum / count : 0.0;

@@ -47,6 +47,7 @@ class FlipScore {
     }
     /// Triangles at the four points that the two given ones meet, or are a second layer of.
     int conflicts(const Triangle& a, const Triangle& b) const {
+        const std::array mine{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
         int count = 0;
         std::vector<Index> seen{h_ / 3, g_ / 3};
         for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
@@ -54,9 +55,8 @@ class FlipScore {
                 const Index t = side / 3;
                 if (std::find(seen.begin(), seen.end(), t) != seen.end()) return;
                 seen.push_back(t);
-                for (const Triangle& mine : {a, b}) {
-                    count += conflict(points_, mine, m_.triangles[t]) ? 1 : 0;
-                }
+                for (const ShapedTriangle& each : mine)
+                    count += conflict(points_, each, m_.triangles[t]) ? 1 : 0;
             });
         }
         return count;

@@ -23,6 +23,13 @@ std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t most) {
     return patch;
 }
 
+/// True if a triangle with a smaller index has an edge with this one.
+bool hasLesserNeighbor(const RepairState& m, Index t) {
+    const HalfEdge h = 3 * t;
+    return std::any_of(m.twin.begin() + h, m.twin.begin() + h + 3,
+                       [&](HalfEdge other) { return other < h; });
+}
+
 std::vector<Index> pointsOf(const RepairState& m, const std::vector<Index>& patch) {
     std::vector<Index> corners;
     for (const Index t : patch) {
@@ -50,6 +57,7 @@ bool isBesideLarger(const PointSet& points, const RepairState& m,
 
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& m) {
     for (; m.next < m.triangles.size(); ++m.next) {
+        if (hasLesserNeighbor(m, m.next)) continue;  // Its patch has been looked at.
         std::vector<Index> patch = patchAt(m, m.next, kSmallComponent);
         if (patch.size() >= kSmallComponent) continue;
         const std::vector<Index> corners = pointsOf(m, patch);
@@ -57,11 +65,10 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
             std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
         if (pinched || !isBesideLarger(points, m, corners)) continue;
         for (const Index p : corners) m.sideOf[p] = kNone;
-        // The highest place first, so that no other one of the patch moves.
-        std::sort(patch.begin(), patch.end());
-        for (auto t = patch.rbegin(); t != patch.rend(); ++t) dropTriangle(m, *t);
+        const DropPatchEvidence evidence{corners.front(), static_cast<Index>(patch.size())};
+        dropTriangles(m, std::move(patch));
         ++m.droppedPatches;
-        return DropPatchEvidence{corners.front(), static_cast<Index>(patch.size())};
+        return evidence;
     }
     return std::nullopt;
 }

@@ -4,6 +4,8 @@
 /// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <unordered_map>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -136,6 +138,19 @@ struct NearTriangle {
     ShapedTriangle shaped;
 };
 
+/// A triangle between the point and an old edge, and what was found out about it: it is made for
+/// many places.
+struct NewTriangle {
+    NewTriangle(const PointSet& points, const Triangle& t)
+        : shaped(points, t), faults(shapeFaults(points, t)), cosine(leastAngleCosine(points, t)) {}
+
+    ShapedTriangle shaped;
+    int faults;
+    double cosine;                       ///< Of its least angle.
+    std::vector<std::size_t> conflicts;  ///< With these near triangles, ascending positions,
+    std::size_t tested = 0;              ///< of those before this one.
+};
+
 /// Finds the best place for one point.
 class PlaceSearch {
   public:
@@ -194,47 +209,68 @@ class PlaceSearch {
                 if (!change.avoid(i)) return;
                 continue;
             }
-            worstBefore[i + 1] = std::max(worstBefore[i], leastAngleCosine(points_, change[i]));
+            worstBefore[i + 1] = std::max(worstBefore[i], made(change, i).cosine);
             ++i;
         }
         if (worstBefore[change.size()] < best_.cosine) best_ = {change, worstBefore[change.size()]};
     }
 
+    NewTriangle& made(const Change& change, std::size_t i) {
+        const Triangle& t = change[i];
+        return made_.try_emplace(std::uint64_t{t.a} << 32U | t.b, points_, t).first->second;
+    }
+    /// Tests the next near triangle; true if it is in conflict with this one.
+    bool testNext(NewTriangle& t) {
+        const std::size_t place = t.tested++;
+        if (!conflict(points_, t.shaped, near_[place].shaped)) return false;
+        t.conflicts.push_back(place);
+        return true;
+    }
+    bool inConflict(NewTriangle& t, Index old) {
+        const auto found =
+            std::lower_bound(near_.begin(), near_.end(), old,
+                             [](const NearTriangle& n, Index index) { return n.index < index; });
+        if (found == near_.end() || found->index != old)
+            return conflict(points_, t.shaped, m_.triangles[old]);
+        const auto place = static_cast<std::size_t>(found - near_.begin());
+        while (t.tested <= place) testNext(t);
+        return std::binary_search(t.conflicts.begin(), t.conflicts.end(), place);
+    }
+
     /// The first triangle before `i` that is in conflict with it; else `i`.
-    std::size_t firstInConflict(const Change& change, std::size_t i) const {
-        const ShapedTriangle made(points_, change[i]);
+    std::size_t firstInConflict(const Change& change, std::size_t i) {
+        const NewTriangle& t = made(change, i);
         std::size_t k = 0;
-        while (k < i && !conflict(points_, made, ShapedTriangle(points_, change[k]))) ++k;
+        while (k < i && !conflict(points_, t.shaped, made(change, k).shaped)) ++k;
         return k;
     }
 
     /// The side of the place behind which the first old triangle lies that new triangle `i`, of
     /// good shape, is in conflict with; the number of sides if there is none.
-    std::size_t sideInTheWay(const Change& change, std::size_t i) const {
-        if (shapeFaults(points_, change[i]) > 0 || leastAngleCosine(points_, change[i]) >= kThin)
-            return change.size();
-        const ShapedTriangle made(points_, change[i]);
-        std::size_t k = 0;
+    std::size_t sideInTheWay(const Change& change, std::size_t i) {
+        NewTriangle& t = made(change, i);
+        if (t.faults > 0 || t.cosine >= kThin) return change.size();
         const auto isInTheWay = [&](HalfEdge outer) {
-            return outer != kNone &&
-                   conflict(points_, made, ShapedTriangle(points_, m_.triangles[outer / 3]));
+            return outer != kNone && inConflict(t, outer / 3);
         };
+        std::size_t k = 0;
         while (k < change.size() && !isInTheWay(change.across(k))) ++k;
         return k;
     }
 
-    bool isFaulty(const Change& change, std::size_t i) const {
-        const Triangle& t = change[i];
+    bool isFaulty(const Change& change, std::size_t i) {
+        NewTriangle& t = made(change, i);
         // In the last round a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
-        if (shapeFaults(points_, t) > (m_.round + 1 < kRepairRounds ? 0 : 1)) return true;
-        if (leastAngleCosine(points_, t) >= kThin) return true;
+        if (t.faults > (m_.round + 1 < kRepairRounds ? 0 : 1) || t.cosine >= kThin) return true;
         const HalfEdge outer = change.across(i);
-        if (outer != kNone && folded(points_, t, m_.triangles[outer / 3])) return true;
-        const ShapedTriangle made(points_, t);
-        return std::any_of(near_.begin(), near_.end(), [&](const NearTriangle& other) {
-            return !change.removes(other.index) && conflict(points_, made, other.shaped);
-        });
+        if (outer != kNone && folded(points_, change[i], m_.triangles[outer / 3])) return true;
+        const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
+        if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
+        while (t.tested < near_.size()) {
+            if (testNext(t) && stays(t.conflicts.back())) return true;
+        }
+        return false;
     }
 
     const PointSet& points_;
@@ -242,6 +278,7 @@ class PlaceSearch {
     Index x_;
     /// No new triangle may be in conflict with any of these.
     std::vector<NearTriangle> near_;
+    std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
     std::size_t choices_ = 0;
     Insertion best_;
 };

@@ -35,41 +35,58 @@ void dropTriangle(RepairState& m, Index t) {
     m.twin.resize(3 * std::size_t{last});
 }
 
+void dropTriangles(RepairState& m, std::vector<Index> list) {
+    // The highest place first, so that no other one of the list moves.
+    std::sort(list.begin(), list.end());
+    for (auto t = list.rbegin(); t != list.rend(); ++t) dropTriangle(m, *t);
+}
+
 void listPinched(RepairState& m) {
     m.pinchedSides.clear();
-    std::vector<Index> sides(m.sideOf.size(), 0);
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         const Index p = cornerOf(m, h);
-        if (!m.pinched[p]) continue;
-        m.pinchedSides.push_back({p, h});
-        ++sides[p];
+        if (m.pinched[p]) m.pinchedSides.push_back({p, h});
     }
     std::stable_sort(m.pinchedSides.begin(), m.pinchedSides.end(),
                      [](const PinchedSide& a, const PinchedSide& b) { return a.point < b.point; });
     for (Index p = 0; p < m.sideOf.size(); ++p) {
-        if (m.pinched[p]) m.pinched[p] = reachedSides(m, p) != sides[p];
+        if (m.pinched[p]) m.pinched[p] = reachedSides(m, p) != sidesOfPinched(m, p).size();
     }
     std::erase_if(m.pinchedSides, [&](const PinchedSide& side) { return !m.pinched[side.point]; });
 }
 
-std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
-                                 std::span<const Index> places) {
+namespace {
+
+/// Calls visit(t) for each triangle near the places, once for each of its corners that is.
+template <typename Visit>
+void visitNear(const PointSet& points, RepairState& m, std::span<const Index> places,
+               Visit&& visit) {
     if (m.treePoints != &points) {
         m.tree = std::make_shared<const PointTree>(points.position);
         m.treePoints = &points;
     }
-    std::vector<Index> near;
     for (const Index p : places) {
         const Vec3& place = points.position[p];
         double reach = 0.0;
         for (const Index q : points.neighbors[p])
             reach = std::max(reach, glm::distance(points.position[q], place));
-        m.tree->within(points.position, place, reach, [&](Index q) {
-            forEachSideOf(m, q, [&](HalfEdge side) { near.push_back(side / 3); });
-        });
+        m.tree->within(points.position, place, reach,
+                       [&](Index q) { forEachSideOf(m, q, [&](HalfEdge h) { visit(h / 3); }); });
     }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+}
+
+void sortUnique(std::vector<Index>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
+                                 std::span<const Index> places) {
+    std::vector<Index> near;
+    visitNear(points, m, places, [&](Index t) { near.push_back(t); });
+    sortUnique(near);
     return near;
 }
 
@@ -77,10 +94,14 @@ bool isFaulty(const PointSet& points, RepairState& m, Index t) {
     const Triangle& mine = m.triangles[t];
     if (shapeFaults(points, mine) >= kFlippedFault) return true;
     if (!isSteep(points, mine, kRough)) return false;
-    const std::vector<Index> near = trianglesNear(points, m, std::array{mine.a, mine.b, mine.c});
     const ShapedTriangle shaped(points, mine);
-    return std::any_of(near.begin(), near.end(), [&](Index other) {
-        return other != t && conflict(points, shaped, m.triangles[other]);
+    std::vector<Index> close;  // Not told apart by their boxes.
+    visitNear(points, m, std::array{mine.a, mine.b, mine.c}, [&](Index other) {
+        if (other != t && !areApart(points, shaped, m.triangles[other])) close.push_back(other);
+    });
+    sortUnique(close);
+    return std::any_of(close.begin(), close.end(), [&](Index other) {
+        return conflict(points, shaped, ShapedTriangle(points, m.triangles[other]));
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "spiraling_edge/geometry/point_tree.h"
 #include "spiraling_edge/geometry/second_layer.h"
@@ -77,6 +78,7 @@ inline bool hasEdge(const RepairState& m, Index u, Index v) {
 
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.
 void dropTriangle(RepairState& m, Index t);
+void dropTriangles(RepairState& m, std::vector<Index> list);
 
 /// The triangles, in the fan of RepairState::sideOf, at all points as near to one of these as the
 /// farthest in its list, ascending. Those on another sheet are among them, whose points are in no
