@@ -43,6 +43,7 @@ mapfile -t not_search < <(printf '%s\n' "${core[@]}" | grep -v '/neighbor_search
 mapfile -t not_inflate < <(printf '%s\n' "${core[@]}" | grep -v '/inflate.cpp')
 no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
 no "$(include nanoflann)" "only neighbor_search.cpp may use nanoflann" "${not_search[@]}"
+no 'reinterpret_cast' "pointers are of the type that they point to" "${not_inflate[@]}"
 no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
 no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[@]}"
 # Rooms of core, from the bottom: each may include those before it. Sampling may include the rooms

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "spiraling_edge/sampling/field.h"
@@ -219,7 +220,8 @@ TEST_CASE("moments: of a tangled run the first of each class are followed, the o
     SamplerOptions options;
     options.count = 400;
     const PointFile file = sample(fieldOf(*findShape("torus")), options).value();
-    for (const NeighborOptions& lists : {reach(100), NeighborOptions{WithinRadius{1e300}}}) {
+    const std::array kinds{reach(100), NeighborOptions{WithinRadius{1e300}}};
+    for (const NeighborOptions& lists : kinds) {
         const PointSet points = prepared(file, lists);
         const auto found = searchFailures(points, paper());
         REQUIRE(found.ok());
@@ -236,6 +238,7 @@ TEST_CASE("moments: of a tangled run the first of each class are followed, the o
         CHECK(listed < 20000);
         const auto& last = found.value().failures.back();
         CHECK(last.failure.kind->name == "triangle_cap");
+        if (&lists != &kinds[0]) continue;
         const auto again = searchFailures(points, paper());
         REQUIRE(again.ok());
         CHECK(std::equal(totals.begin(), totals.end(), again.value().totals.begin(),

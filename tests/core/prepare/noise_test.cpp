@@ -101,7 +101,7 @@ TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and soun
         }
     }
     // Not so where all points stay.
-    const PointFile fewer = noisySphere(1500, 1.0, 1);
+    const PointFile fewer = noisySphere(500, 1.0, 1);
     const Run all = runAll(prepareFor("paper", fewer).points, *paramsByName("robust"));
     CHECK_FALSE(all.mesh.closedManifold());
 }

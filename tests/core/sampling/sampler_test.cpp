@@ -129,7 +129,7 @@ TEST_CASE("particles carry unit normals and the bits of their walls") {
     for (const Shape& shape : shapes()) {
         CAPTURE(shape.id);
         const Field field = fieldOf(shape);
-        const PointFile file = sampled(field, points(700));
+        const PointFile file = sampled(field, points(300));
         bool normals = true;
         bool types = true;
         for (std::size_t i = 0; i < file.position.size(); ++i) {
