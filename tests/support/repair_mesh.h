@@ -1,11 +1,15 @@
 /// Small meshes under repair, and checks of their neighbor relation.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
 #include <string>
 
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/stepper/repair.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 #include "support/clouds.h"
 
@@ -84,6 +88,57 @@ inline std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
         set.insert(c);
     }
     return set;
+}
+
+/// A square of two triangles.
+inline std::vector<Vec3> square() { return {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}; }
+inline const Triangles kSquare{{0, 1, 2}, {0, 2, 3}};
+
+inline constexpr Index kAcross = 7;
+inline Index gridPoint(Index column, Index row) { return row * kAcross + column; }
+
+/// A flat grid of 7 x 7 points, one apart.
+inline std::vector<Vec3> gridPoints() {
+    std::vector<Vec3> position;
+    for (Index row = 0; row < kAcross; ++row) {
+        for (Index column = 0; column < kAcross; ++column)
+            position.emplace_back(static_cast<double>(column), static_cast<double>(row), 0.0);
+    }
+    return position;
+}
+
+/// Its triangles, two a square, without those at the points `gone`.
+inline Triangles gridWithout(const Points& gone) {
+    Triangles triangles;
+    const auto add = [&](const Triangle& t) {
+        const bool isGone = std::any_of(gone.begin(), gone.end(),
+                                        [&](Index p) { return t.a == p || t.b == p || t.c == p; });
+        if (!isGone) triangles.push_back(t);
+    };
+    for (Index row = 0; row + 1 < kAcross; ++row) {
+        for (Index column = 0; column + 1 < kAcross; ++column) {
+            const Index p = gridPoint(column, row);
+            add({p, p + 1, p + kAcross + 1});
+            add({p, p + kAcross + 1, p + kAcross});
+        }
+    }
+    return triangles;
+}
+
+/// All points that are inserted, in order; the state is checked after each.
+inline Points reinsertAll(const PointSet& points, RepairState& m) {
+    Points in;
+    while (const auto step = reinsertNext(points, m)) {
+        in.push_back(step->point);
+        CHECK(manifoldFault(m) == "");
+    }
+    return in;
+}
+
+inline std::size_t flippedIn(const PointSet& points, const Triangles& triangles) {
+    return static_cast<std::size_t>(
+        std::count_if(triangles.begin(), triangles.end(),
+                      [&](const Triangle& t) { return isFlipped(points, t); }));
 }
 
 }  // namespace se::test

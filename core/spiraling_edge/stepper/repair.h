@@ -85,11 +85,11 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
 std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresholds& thresholds,
                                      RepairState& repair);
 
-/// RobustRules::remesh and RobustRules::removeFolded: mends the next faulty triangle, if that
+/// RobustRules::remesh and RobustRules::removeFolded: repairs the next faulty triangle, if that
 /// leaves no other fault: those about it are replaced by others between the same points
 /// (RemeshEvidence), or a point near it is taken out and the hole filled (RemoveFoldedEvidence; not
 /// in the last round, after which it could not be put back). Nothing if none is left.
-std::optional<Evidence> mendNextFault(const PointSet& points, const RobustRules& rules,
-                                      RepairState& repair);
+std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRules& rules,
+                                        RepairState& repair);
 
 }  // namespace se

@@ -31,16 +31,18 @@ enum class Phase : std::uint8_t {
     Fill,        ///< Beyond the paper: the next ear of a hole.
     Advance,     ///< §6.5, §7
     // Beyond the paper, after the last pivot (repair.h):
-    DropPatch,  ///< One small patch.
-    Reinsert,   ///< One stranded point.
-    CloseHole,  ///< One hole.
-    Flip,       ///< One edge.
-    Mend,       ///< One triangle with a fault.
+    DropPatch,    ///< One small patch.
+    Reinsert,     ///< One stranded point.
+    CloseHole,    ///< One hole.
+    Flip,         ///< One edge.
+    RepairFault,  ///< One triangle with a fault.
     Finished,
 };
 
 /// True for the phases after the last pivot, which edit the mesh.
-constexpr bool isRepair(Phase phase) { return phase >= Phase::DropPatch && phase <= Phase::Mend; }
+constexpr bool isRepair(Phase phase) {
+    return phase >= Phase::DropPatch && phase <= Phase::RepairFault;
+}
 
 /// Status of a point (§4): UNUSED 0, USED n > 0 = number of its ring entries, DONE -1.
 using PointStatus = std::int32_t;

@@ -133,7 +133,7 @@ void phaseAdvance(AnyContext auto& context);
 void beginRepairPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
-void phaseMend(AnyContext auto& context);
+void phaseRepairFault(AnyContext auto& context);
 void phaseDropPatch(AnyContext auto& context);
 void phaseCloseHole(AnyContext auto& context);
 // phases/boundary.cpp: §7

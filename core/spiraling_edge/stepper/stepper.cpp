@@ -29,7 +29,7 @@ constexpr std::array<PhaseRow<Context>, static_cast<std::size_t>(Phase::Finished
      {Phase::Link, phaseLink},         {Phase::Fill, phaseFill},
      {Phase::Advance, phaseAdvance},   {Phase::DropPatch, phaseDropPatch},
      {Phase::Reinsert, phaseReinsert}, {Phase::CloseHole, phaseCloseHole},
-     {Phase::Flip, phaseFlip},         {Phase::Mend, phaseMend}}};
+     {Phase::Flip, phaseFlip},         {Phase::RepairFault, phaseRepairFault}}};
 static_assert(isInOrder(kPhases<UnloggedContext>));
 
 /// Inline, since it only dispatches on the phase, 12 times per pivot. Requires an unfinished run.

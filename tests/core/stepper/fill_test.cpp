@@ -183,6 +183,35 @@ TEST_CASE("fill: an ear with a fault is made only where nothing else closes a ho
     CHECK(closed(12, {&RobustRules::noFold, &RobustRules::rim}) == 0);
 }
 
+TEST_CASE("fill: of ears with faults the one with the fewest goes first, then the best angle") {
+    // 1 0 2 is equilateral, the others have an angle of 30 degrees.
+    const std::vector<Vec3> position = hole({0, 120, 240, 300});
+    {
+        // Against 0 and 2, an ear at 1 or 3 is flipped, and one at 0 or 2 against one corner.
+        Rig rig(position, fillWith({&RobustRules::noFold}));
+        rig.normal(0, Vec3(0, 0, -1)).normal(2, Vec3(0, 0, -1));
+        rig.ring(upTo(4)).startAt(Phase::Fill).pivot();
+        const auto made = rig.all<FillEvidence>();
+        REQUIRE(made.size() == 1);
+        CHECK(made[0].forced);
+        CHECK((made[0].pivot == 0 || made[0].pivot == 2));
+    }
+    for (const bool cut : {false, true}) {
+        // Each ear is against a corner; a finished triangle cuts those at 0 and 1.
+        std::vector<Vec3> more = position;
+        more.insert(more.end(), {{0.3, 0, -1}, {0.3, 0, 1}, {0.35, -0.05, 1}});
+        Rig rig(more, fillWith({&RobustRules::noFold}));
+        for (Index p = 0; p < 4; p += 2) rig.normal(p, Vec3(0, 0, -0.2) + polar(10.0 * p));
+        if (cut) rig.mesh({{4, 5, 6}});
+        for (Index p = 0; p < 4; ++p) rig.list(p, {4, 5, 6});
+        rig.ring(upTo(4)).startAt(Phase::Fill).pivot();
+        const auto made = rig.all<FillEvidence>();
+        REQUIRE(made.size() == 1);
+        CHECK(made[0].forced);
+        CHECK((made[0].pivot >= 2) == cut);
+    }
+}
+
 TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring of four") {
     // 0 2 and 1 3 are edges already.
     Rig rig(hole(regular(4)), fillWith({&RobustRules::guard}));

@@ -1,4 +1,4 @@
-/// Beyond the paper, after the last pivot: closeholes, droppatches and remesh (docs/robust.md).
+/// Beyond the paper, after the last pivot: closeholes and droppatches (docs/robust.md).
 #include <doctest/doctest.h>
 
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -11,37 +11,6 @@ using namespace se;
 using namespace se::test;
 
 namespace {
-
-constexpr Index kAcross = 7;
-Index place(Index column, Index row) { return row * kAcross + column; }
-
-/// A flat grid of 7 x 7 points, one apart.
-std::vector<Vec3> gridPoints() {
-    std::vector<Vec3> position;
-    for (Index row = 0; row < kAcross; ++row) {
-        for (Index column = 0; column < kAcross; ++column)
-            position.emplace_back(static_cast<double>(column), static_cast<double>(row), 0.0);
-    }
-    return position;
-}
-
-/// Its triangles, two a square, without those at the points `gone`.
-Triangles gridWithout(const Points& gone) {
-    Triangles triangles;
-    const auto add = [&](const Triangle& t) {
-        const bool isGone = std::any_of(gone.begin(), gone.end(),
-                                        [&](Index p) { return t.a == p || t.b == p || t.c == p; });
-        if (!isGone) triangles.push_back(t);
-    };
-    for (Index row = 0; row + 1 < kAcross; ++row) {
-        for (Index column = 0; column + 1 < kAcross; ++column) {
-            const Index p = place(column, row);
-            add({p, p + 1, p + kAcross + 1});
-            add({p, p + kAcross + 1, p + kAcross});
-        }
-    }
-    return triangles;
-}
 
 /// The lengths of the rings of the holes that are filled, in order; the state is checked after
 /// each.
@@ -67,7 +36,7 @@ constexpr std::size_t kOutline = 4 * (kAcross - 1);
 
 TEST_CASE("closeholes: a hole of six is filled by four triangles, and the outline stays open") {
     const PointSet points = flatPoints(gridPoints());
-    const Triangles before = gridWithout({place(3, 3)});
+    const Triangles before = gridWithout({gridPoint(3, 3)});
     RepairState m = beginRepair(points.size(), before);
     CHECK(closeAll(points, robust(), m) == Points{6});
     CHECK(m.triangles.size() == before.size() + 4);
@@ -76,7 +45,7 @@ TEST_CASE("closeholes: a hole of six is filled by four triangles, and the outlin
 
 TEST_CASE("closeholes: each of several holes") {
     const PointSet points = flatPoints(gridPoints());
-    RepairState m = beginRepair(points.size(), gridWithout({place(2, 4), place(4, 2)}));
+    RepairState m = beginRepair(points.size(), gridWithout({gridPoint(2, 4), gridPoint(4, 2)}));
     CHECK(closeAll(points, robust(), m) == Points{6, 6});
     CHECK(borderSides(m) == kOutline);
 }
@@ -84,11 +53,11 @@ TEST_CASE("closeholes: each of several holes") {
 TEST_CASE("closeholes: holes that touch at a point are filled, and the point has one fan again") {
     const PointSet points = flatPoints(gridPoints());
     // Both rings hold the point between them.
-    RepairState m = beginRepair(points.size(), gridWithout({place(2, 3), place(4, 3)}));
-    REQUIRE(m.pinched[place(3, 3)]);
+    RepairState m = beginRepair(points.size(), gridWithout({gridPoint(2, 3), gridPoint(4, 3)}));
+    REQUIRE(m.pinched[gridPoint(3, 3)]);
     CHECK(closeAll(points, robust(), m) == Points{6, 6});
     CHECK(borderSides(m) == kOutline);
-    CHECK_FALSE(m.pinched[place(3, 3)]);
+    CHECK_FALSE(m.pinched[gridPoint(3, 3)]);
 }
 
 TEST_CASE("closeholes: a hole with a triangle through it stays open") {
@@ -96,7 +65,7 @@ TEST_CASE("closeholes: a hole with a triangle through it stays open") {
     const auto first = static_cast<Index>(position.size());
     position.insert(position.end(), {{2.9, 2.9, -0.5}, {3.1, 2.9, 0.5}, {3.0, 3.2, 0.5}});
     const PointSet points = flatPoints(position);
-    Triangles triangles = gridWithout({place(3, 3)});
+    Triangles triangles = gridWithout({gridPoint(3, 3)});
     triangles.push_back({first, first + 1, first + 2});
     RepairState m = beginRepair(points.size(), triangles);
     CHECK(closeAll(points, robust(), m).empty());
@@ -105,7 +74,7 @@ TEST_CASE("closeholes: a hole with a triangle through it stays open") {
 
 TEST_CASE("closeholes: rings longer than filllength, and holes wider than fillwidth, stay open") {
     const PointSet points = flatPoints(gridPoints());
-    RepairState m = beginRepair(points.size(), gridWithout({place(3, 3)}));
+    RepairState m = beginRepair(points.size(), gridWithout({gridPoint(3, 3)}));
     Params shorter = robust();
     shorter.maxFillLength = 5;
     CHECK(closeAll(points, shorter, m).empty());
@@ -119,9 +88,9 @@ TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third"
     const auto tip = static_cast<Index>(position.size());
     position.emplace_back(2.5, 2.5, 1.0);
     const PointSet points = flatPoints(position);
-    Triangles triangles = gridWithout({place(3, 3)});
+    Triangles triangles = gridWithout({gridPoint(3, 3)});
     // On the same side of the hole's edge as the triangle of the grid.
-    triangles.push_back({place(3, 2), place(2, 2), tip});
+    triangles.push_back({gridPoint(3, 2), gridPoint(2, 2), tip});
     RepairState m = beginRepair(points.size(), triangles);
     CHECK_FALSE(closeNextHole(points, robust(), m));
     CHECK(m.triangles == triangles);
@@ -167,51 +136,4 @@ TEST_CASE("droppatches: a small component alone stays") {
     RepairState m = beginRepair(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     CHECK_FALSE(dropNextPatch(points, m));
     CHECK(m.triangles.size() == 4);
-}
-
-// ---- remesh -------------------------------------------------------------------------------------
-
-namespace {
-
-/// The next faulty triangle that `remesh` alone replaces.
-std::optional<Triangle> remeshNext(const PointSet& points, RepairState& m) {
-    RobustRules rules;
-    rules.remesh = true;
-    const auto step = mendNextFault(points, rules, m);
-    if (!step) return std::nullopt;
-    return std::get<RemeshEvidence>(*step).faulty;
-}
-
-}  // namespace
-
-TEST_CASE("remesh: a flipped triangle that no single flip mends") {
-    // An L, as a fan from a corner that does not see all of it.
-    const PointSet points =
-        flatPoints({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
-    const Triangles fan{{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 0}};
-    const auto flipped = [&](const Triangles& triangles) {
-        return std::count_if(triangles.begin(), triangles.end(),
-                             [&](const Triangle& t) { return isFlipped(points, t); });
-    };
-    REQUIRE(flipped(fan) == 1);
-    RepairState flips = beginRepair(6, fan);
-    while (flipNext(points, RobustThresholds{}, flips)) {
-    }
-    CHECK(flipped(flips.triangles) > 0);
-
-    RepairState m = beginRepair(6, fan);
-    const auto step = remeshNext(points, m);
-    REQUIRE(step);
-    CHECK(*step == Triangle{1, 3, 4});
-    CHECK(m.triangles.size() == fan.size());
-    CHECK(flipped(m.triangles) == 0);
-    CHECK(manifoldFault(m) == "");
-    CHECK_FALSE(remeshNext(points, m));
-}
-
-TEST_CASE("remesh: leaves a mesh without faults alone") {
-    const PointSet points = flatPoints(gridPoints());
-    RepairState m = beginRepair(points.size(), gridWithout({place(3, 3)}));
-    CHECK_FALSE(remeshNext(points, m));
-    CHECK(m.triangles == gridWithout({place(3, 3)}));
 }

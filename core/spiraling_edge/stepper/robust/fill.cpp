@@ -49,9 +49,9 @@ LoopShape shapeOfRing(const StepContext& context) {
     return sum.shape();
 }
 
-/// True if the triangles at the active ring, and those that hang together with them by edges, are
-/// at most `most`. O(most).
-bool isPatchOf(const StepContext& context, std::size_t most) {
+/// True if the triangles at the active ring, and those that are connected to them by edges, are
+/// at most `limit`. O(limit).
+bool isPatchOf(const StepContext& context, std::size_t limit) {
     const State& s = context.state;
     std::vector<Index> found;
     std::unordered_set<Index> seen;
@@ -61,12 +61,12 @@ bool isPatchOf(const StepContext& context, std::size_t most) {
     s.rings.forEachEntry(s.rings.active(), [&](Index entry) {
         add(s.edges.find(s.rings.point(entry), s.rings.point(s.rings.next(entry))));
     });
-    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) {
+    for (std::size_t i = 0; i < found.size() && found.size() <= limit; ++i) {
         const Triangle& t = s.triangles[found[i]];
         for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
             add(s.edges.find(v, u));
     }
-    return found.size() <= most;
+    return found.size() <= limit;
 }
 
 /// True if the ring runs around a whole patch of the surface instead of around a hole in it. A

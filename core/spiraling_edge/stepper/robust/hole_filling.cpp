@@ -1,3 +1,6 @@
+/// The best filling of each part of the ring, from short parts to long ones: a triangle stands on
+/// the edge from one end of a part to the other, and the parts on both sides of its third corner
+/// are known (Barequet and Sharir 1995). Tried for the least angle first, then for the area.
 #include "spiraling_edge/stepper/robust/hole_filling.h"
 
 namespace se {
@@ -29,7 +32,7 @@ class FillingTable {
     void fillPart(std::size_t i, std::size_t k) {
         const std::vector<Index>& p = search_.ring_.points;
         const bool closing = i == 0 && k + 1 == count_;
-        if (!closing && hasEdge(search_.m_, p[i], p[k])) return;
+        if (!closing && search_.staysJoined(p[i], p[k])) return;
         for (std::size_t j = i + 1; j < k; ++j) {
             const double before = costOf(i, j);
             const double after = costOf(j, k);
@@ -133,6 +136,20 @@ std::size_t FillingSearch::firstBlocked() const {
     return count;
 }
 
+/// True if a triangle that stays has an edge between the two points.
+bool FillingSearch::staysJoined(Index u, Index v) const {
+    bool found = false;
+    const auto test = [&](HalfEdge h) {
+        found = found || (!isGone(ring_, h / 3) &&
+                          (cornerOf(m_, following(h)) == v || cornerOf(m_, preceding(h)) == v));
+    };
+    forEachSideOf(m_, u, test);
+    if (m_.pinched[u]) {
+        for (const PinchedSide& side : sidesOfPinched(m_, u)) test(side.leaving);
+    }
+    return found;
+}
+
 bool FillingSearch::foldsOnto(const Triangle& made, HalfEdge outer) const {
     return outer != kNone && folded(points_, made, m_.triangles[outer / 3]);
 }
@@ -155,7 +172,7 @@ bool FillingSearch::mayMake(const RingTriangle& t) const {
         const std::size_t to = t[(k + 1) % 3];
         const bool isSide = (from + 1) % ring_.size() == to;
         if (isSide ? foldsOnto(made, ring_.outer[from])
-                   : hasEdge(m_, ring_.points[from], ring_.points[to]))
+                   : staysJoined(ring_.points[from], ring_.points[to]))
             return false;
     }
     return !isFaulty(made);

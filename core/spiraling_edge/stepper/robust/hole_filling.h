@@ -36,7 +36,7 @@ using Filling = std::vector<RingTriangle>;
 
 /// The search for the filling of a ring. A triangle of it has no fault: it is not flipped, has
 /// width, is in conflict with none nearby and not folded onto its neighbors; and no edge of it
-/// exists already.
+/// is one of a triangle that stays.
 class FillingSearch {
   public:
     /// The points, the mesh and the ring must outlive it.
@@ -54,6 +54,7 @@ class FillingSearch {
     Triangle triangle(const RingTriangle& t) const {
         return {ring_.points[t[0]], ring_.points[t[1]], ring_.points[t[2]]};
     }
+    bool staysJoined(Index u, Index v) const;
     bool foldsOnto(const Triangle& made, HalfEdge outer) const;
     bool isFaulty(const Triangle& made) const;
     bool mayMake(const RingTriangle& t) const;

@@ -34,7 +34,7 @@ constexpr RepairPhase kOrder[] = {
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
-    {Phase::Mend,
+    {Phase::RepairFault,
      [](const RobustRules& rules, std::uint32_t) { return rules.remesh || rules.removeFolded; }},
 };
 
@@ -127,10 +127,11 @@ void phaseFlip(AnyContext auto& context) {
                flipNext(context.points, context.params.thresholds, context.state.repair));
 }
 
-void phaseMend(AnyContext auto& context) {
-    const auto mended = mendNextFault(context.points, context.params.robust, context.state.repair);
-    const bool remeshed = mended && std::holds_alternative<RemeshEvidence>(*mended);
-    finishStep(context, remeshed ? Stage::Remesh : Stage::RemoveFolded, mended);
+void phaseRepairFault(AnyContext auto& context) {
+    const auto repaired =
+        repairNextFault(context.points, context.params.robust, context.state.repair);
+    const bool remeshed = repaired && std::holds_alternative<RemeshEvidence>(*repaired);
+    finishStep(context, remeshed ? Stage::Remesh : Stage::RemoveFolded, repaired);
 }
 
 template void phaseReinsert(UnloggedContext&);
@@ -141,7 +142,7 @@ template void phaseDropPatch(UnloggedContext&);
 template void phaseDropPatch(LoggedContext&);
 template void phaseCloseHole(UnloggedContext&);
 template void phaseCloseHole(LoggedContext&);
-template void phaseMend(UnloggedContext&);
-template void phaseMend(LoggedContext&);
+template void phaseRepairFault(UnloggedContext&);
+template void phaseRepairFault(LoggedContext&);
 
 }  // namespace se

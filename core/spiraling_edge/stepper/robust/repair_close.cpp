@@ -51,17 +51,17 @@ bool isLone(const RepairState& m, HalfEdge border) {
     });
 }
 
-/// The border sides of a loop of 3 to `most` different points; empty for others, where an edge has
+/// The border sides of a loop of 3 to `limit` different points; empty for others, where an edge has
 /// more triangles, and unless `first` is the least of the sides.
 std::vector<HalfEdge> loopFrom(const PointSet& points, const RepairState& m, HalfEdge first,
-                               std::size_t most) {
+                               std::size_t limit) {
     std::vector<HalfEdge> loop;
     HalfEdge h = first;
     do {
         if (!isLone(m, h)) return {};
         loop.push_back(h);
         h = nextBorder(points, m, h);
-        if (h == kNone || h < first || loop.size() > most) return {};
+        if (h == kNone || h < first || loop.size() > limit) return {};
     } while (h != first);
     std::vector<Index> seen;
     seen.reserve(loop.size());
@@ -71,17 +71,17 @@ std::vector<HalfEdge> loopFrom(const PointSet& points, const RepairState& m, Hal
     return simple && loop.size() >= 3 ? loop : std::vector<HalfEdge>{};
 }
 
-/// True if the triangles that hang together with this one by edges are at most `most`. O(most).
-bool isPatchOf(const RepairState& m, Index t, std::size_t most) {
+/// True if the triangles that are connected to this one by edges are at most `limit`. O(limit).
+bool isPatchOf(const RepairState& m, Index t, std::size_t limit) {
     std::vector<Index> found{t};
     std::unordered_set<Index> seen{t};
-    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) {
+    for (std::size_t i = 0; i < found.size() && found.size() <= limit; ++i) {
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge other = m.twin[3 * found[i] + k];
             if (other != kNone && seen.insert(other / 3).second) found.push_back(other / 3);
         }
     }
-    return found.size() <= most;
+    return found.size() <= limit;
 }
 
 /// Mean distance of the points where the sides begin to their nearest neighbor.

@@ -123,7 +123,7 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
            !score.conflictNearby(q.flippedU(), q.flippedV());
 }
 
-/// A conflict may move to triangles that are not looked at, and come back: each triangle takes part
+/// A conflict may move to triangles that are not examined, and come back: each triangle takes part
 /// in at most this many flips that change nothing else.
 constexpr std::uint8_t kMaxConflictFlips = 4;
 

@@ -8,11 +8,11 @@
 namespace se {
 namespace {
 
-/// The triangles that hang together with this one by edges, in the order they are reached; the
-/// search ends at `most`.
-std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t most) {
+/// The triangles that are connected to this one by edges, in the order they are reached; the
+/// search ends at `limit`.
+std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit) {
     std::vector<Index> patch{t};
-    for (std::size_t i = 0; i < patch.size() && patch.size() < most; ++i) {
+    for (std::size_t i = 0; i < patch.size() && patch.size() < limit; ++i) {
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge other = m.twin[3 * patch[i] + k];
             if (other == kNone) continue;
@@ -57,7 +57,7 @@ bool isBesideLarger(const PointSet& points, const RepairState& m,
 
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& m) {
     for (; m.next < m.triangles.size(); ++m.next) {
-        if (hasLesserNeighbor(m, m.next)) continue;  // Its patch has been looked at.
+        if (hasLesserNeighbor(m, m.next)) continue;  // Its patch was examined already.
         std::vector<Index> patch = patchAt(m, m.next, kSmallComponent);
         if (patch.size() >= kSmallComponent) continue;
         const std::vector<Index> corners = pointsOf(m, patch);

@@ -245,8 +245,8 @@ class PlaceSearch {
         return k;
     }
 
-    /// The side of the place behind which the first old triangle lies that new triangle `i`, of
-    /// good shape, is in conflict with; the number of sides if there is none.
+    /// The first side of the place whose old triangle across is in conflict with new triangle `i`,
+    /// if that has a good shape; the number of sides if there is none.
     std::size_t sideInTheWay(const Change& change, std::size_t i) {
         NewTriangle& t = made(change, i);
         if (t.faults > 0 || t.cosine >= kThin) return change.size();

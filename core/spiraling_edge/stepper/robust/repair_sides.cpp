@@ -1,3 +1,5 @@
+/// Triangles stay without gaps in their list, each side with its twin: whoever changes one, pairs
+/// it. Conflicts are searched among triangles near by place, not by neighbor lists.
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 #include <algorithm>
@@ -95,7 +97,7 @@ bool isFaulty(const PointSet& points, RepairState& m, Index t) {
     if (shapeFaults(points, mine) >= kFlippedFault) return true;
     if (!isSteep(points, mine, kRough)) return false;
     const ShapedTriangle shaped(points, mine);
-    std::vector<Index> close;  // Not told apart by their boxes.
+    std::vector<Index> close;  // Their boxes meet, or nearly.
     visitNear(points, m, std::array{mine.a, mine.b, mine.c}, [&](Index other) {
         if (other != t && !areApart(points, shaped, m.triangles[other])) close.push_back(other);
     });

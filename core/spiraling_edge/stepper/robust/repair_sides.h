@@ -49,7 +49,7 @@ inline bool joined(const RepairState& m, Index u, Index v) {
 /// The number of sides that leave a point, in the fan of RepairState::sideOf.
 Index reachedSides(const RepairState& m, Index p);
 
-/// Sets RepairState::pinchedSides, and unmarks points that are pinched no more. O(t).
+/// Sets RepairState::pinchedSides, and unmarks points that are no longer pinched. O(t).
 void listPinched(RepairState& m);
 
 /// The sides that leave a pinched point, after listPinched(). `m` may be const.
@@ -62,18 +62,6 @@ auto sidesOfPinched(Repair& m, Index point) {
     while (end != m.pinchedSides.end() && end->point == point) ++end;
     return std::span(m.pinchedSides.data() + (first - m.pinchedSides.begin()),
                      static_cast<std::size_t>(end - first));
-}
-
-/// True if the two points have a common edge, in any fan. With a pinched point, requires
-/// listPinched().
-inline bool hasEdge(const RepairState& m, Index u, Index v) {
-    if (joined(m, u, v)) return true;
-    if (!m.pinched[u]) return false;
-    const auto sides = sidesOfPinched(m, u);
-    return std::any_of(sides.begin(), sides.end(), [&](const PinchedSide& side) {
-        return cornerOf(m, following(side.leaving)) == v ||
-               cornerOf(m, preceding(side.leaving)) == v;
-    });
 }
 
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.

@@ -62,7 +62,7 @@ HoleRing ringAround(const RepairState& m, Index x) {
         h = m.twin[preceding(h)];
     } while (h != kNone && h != begin && ring.size() <= kMaxSides);
     if (h != begin || ring.size() < 4 || ring.size() > kMaxSides) return {};
-    // hasEdge() sees only one fan of a pinched point.
+    // Of a pinched point the other fans are not listed in this phase.
     if (std::any_of(ring.points.begin(), ring.points.end(), [&](Index p) { return m.pinched[p]; }))
         return {};
     return ring;
@@ -91,8 +91,8 @@ std::vector<Index> pointsAbout(const RepairState& m, Index t) {
 
 }  // namespace
 
-std::optional<Evidence> mendNextFault(const PointSet& points, const RobustRules& rules,
-                                      RepairState& m) {
+std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRules& rules,
+                                        RepairState& m) {
     const bool mayTakeOut = rules.removeFolded && m.round + 1 < kRepairRounds;
     m.sound.resize(m.triangles.size(), Triangle{kNone, kNone, kNone});
     for (; m.next < m.triangles.size(); ++m.next) {
