@@ -242,7 +242,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     } else {
         placeCamera(rects);
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin)
-            session_.questions().wantClosest();
+            session_.questions().requestClosest();
         const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
         painter_.fill(commands_, onPaper, compare_.look());
         compare_.fill(onPaper);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -83,6 +84,7 @@ void dumpDerived(json& out, const PrepareReport& report) {
 
 /// The open input and the position of the cursor. Requires session.ready().
 void dumpRun(json& out, const Session& session) {
+    assert(session.ready());
     out["input"] = session.model().name;
     out["points"] = session.model().points.size();
     out["pivot"] = session.record().pivot;

@@ -31,7 +31,7 @@ bool Questions::busy() const {
 }
 
 void Questions::askWhy(const Selection& what) {
-    assert(what.kind != SelectionKind::None);
+    assert(model_ && what.kind != SelectionKind::None);
     subject_ = what;
     subjectName_ = selectionText(what);
     ledger_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
@@ -44,6 +44,7 @@ void Questions::askWhy(const Selection& what) {
 }
 
 void Questions::askWhy(const RingAddress& ring) {
+    assert(model_);
     subject_ = {};
     ring_ = ring;
     subjectName_ = nameOf(ring);
@@ -64,6 +65,7 @@ void Questions::askAgain() {
 Status Questions::find(const std::string& line) {
     Result<DecisionQuery> query = DecisionQuery::parse(line);
     if (!query) return query.error();
+    assert(model_);
     line_ = line;
     found_.start([model = model_, query = std::move(query.value())](const Progress& progress) {
         return findDecisions(model->points, model->params, query, kMaxFound, progress);
@@ -86,7 +88,8 @@ LedgerLine lineOf(const NearestDecision& decision) {
 
 }  // namespace
 
-void Questions::wantClosest() {
+void Questions::requestClosest() {
+    assert(model_);
     if (!isNew(closest_)) return;
     closest_.start([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
         Result<NearestDecisions> decisions =
@@ -105,7 +108,8 @@ std::span<const double> Questions::leastMargin() const {
                              : std::span<const double>{};
 }
 
-void Questions::wantCharts() {
+void Questions::requestCharts() {
+    assert(model_);
     if (!isNew(charts_)) return;
     charts_.start([model = model_](const Progress& progress) {
         return runCharts(model->points, model->params, progress);
@@ -113,6 +117,7 @@ void Questions::wantCharts() {
 }
 
 Subject toSubject(const Selection& what) {
+    assert(what.kind != SelectionKind::None);
     const auto& p = what.points;
     switch (what.kind) {
         case SelectionKind::Edge:

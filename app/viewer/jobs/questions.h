@@ -68,14 +68,14 @@ class Questions {
     const BackgroundQuery<FoundDecisions>& found() const { return found_; }
 
     /// Starts the query for the closest decisions, unless it was started in this run.
-    void wantClosest();
+    void requestClosest();
     BackgroundQuery<ClosestAnswer>& closest() { return closest_; }
     const BackgroundQuery<ClosestAnswer>& closest() const { return closest_; }
     /// Least margin per point; empty before it is known.
     std::span<const double> leastMargin() const;
 
     /// Starts the query for the charts, unless it was started in this run.
-    void wantCharts();
+    void requestCharts();
     BackgroundQuery<std::vector<RunChart>>& charts() { return charts_; }
     const BackgroundQuery<std::vector<RunChart>>& charts() const { return charts_; }
 

@@ -4,6 +4,7 @@
 #include "runner.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "run/picture.h"
 #include "spiraling_edge/stepper/stepper.h"
@@ -38,6 +39,8 @@ void Runner::requestPoint(Index point, std::uint32_t pivot) { ask({pivot, point}
 void Runner::ask(const Request& request) {
     {
         const std::lock_guard lock(mutex_);
+        assert(!open_);
+        open_ = true;
         cancelled_ = false;
         wanted_ = request;
     }
@@ -51,6 +54,7 @@ bool Runner::waitFor(std::chrono::milliseconds timeout) {
 
 std::optional<RunnerAnswer> Runner::take() {
     const std::lock_guard lock(mutex_);
+    if (answer_ && answer_->final) open_ = false;
     return std::exchange(answer_, std::nullopt);
 }
 

@@ -73,6 +73,7 @@ class Runner {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::optional<Request> wanted_;
+    bool open_ = false;    ///< A request without its final answer taken; under the mutex.
     bool ending_ = false;  ///< Under the mutex, as `wanted_`.
     std::optional<RunnerAnswer> answer_;
     std::atomic<bool> cancelled_ = false;

@@ -20,7 +20,7 @@ struct Fonts {
 
 class Ui {
   public:
-    /// Requires a current OpenGL context. The platform side is handled by the window.
+    /// In the current OpenGL context. The platform side is handled by the window.
     Ui();
     ~Ui();
     Ui(const Ui&) = delete;

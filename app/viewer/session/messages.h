@@ -11,7 +11,7 @@ class Messages {
     using Clock = std::chrono::steady_clock;
 
     void say(std::string message);
-    /// Says a complaint; nothing if it is empty.
+    /// Shows an error; nothing if it is empty.
     void sayIfAny(std::string complaint);
     /// Says why a move did not find its target.
     void miss(std::string message);

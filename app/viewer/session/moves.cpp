@@ -1,6 +1,7 @@
 #include "moves.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -140,6 +141,7 @@ void Moves::goToShare(double share) {
 /// The overview is complete, so a share of the run can be located.
 void Moves::goToAwaited() {
     if (!awaitedShare_) return;
+    assert(session_.overview().complete);
     const double share = *std::exchange(awaitedShare_, std::nullopt);
     goToPivot(static_cast<std::uint32_t>(std::llround(session_.overview().lastPivot * share)));
 }

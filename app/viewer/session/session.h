@@ -5,6 +5,7 @@
 /// watches(), highlights(), messages().
 #pragma once
 
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,12 +64,18 @@ class Session {
     bool ready() const { return model_ != nullptr && record_ != nullptr; }
     /// No input is open and none is being opened: the start page is shown.
     bool startPage() const { return !ready() && input_.phase() != SessionPhase::Loading; }
-    const Model& model() const { return *model_; }
+    const Model& model() const {
+        assert(ready());
+        return *model_;
+    }
     /// The model with points where what-ifs have moved them up to the cursor: for drawing.
     const Model& shown() const;
     /// Shared ownership, for background jobs.
     std::shared_ptr<const Model> sharedModel() const { return model_; }
-    const PivotRecord& record() const { return *record_; }
+    const PivotRecord& record() const {
+        assert(ready());
+        return *record_;
+    }
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.

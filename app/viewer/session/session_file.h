@@ -28,7 +28,7 @@ struct SessionFile {
     std::optional<LayoutPreset> layout;
     Selection selected;
     std::string alert;  ///< Alert that was shown, see alertName(); empty: none.
-    CompareWith with;   ///< What the run is compared with.
+    CompareWith with;   ///< The other run or mesh.
     Annotations annotations;
     std::string query;    ///< Text in the line of the panel Query.
     std::string leftOut;  ///< A sentence about unknown layers; empty: none.

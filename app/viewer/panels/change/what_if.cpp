@@ -15,7 +15,8 @@ namespace {
 void ask(const PanelContext& context, const RuleSet& rules) { context.requests().rules = rules; }
 
 /// Adds a what-if, or reports why the fields form none.
-void askOrSay(const PanelContext& context, const RuleSet& rules, const Result<WhatIf>& what) {
+void requestOrReport(const PanelContext& context, const RuleSet& rules,
+                     const Result<WhatIf>& what) {
     if (what) return ask(context, withWhatIf(rules, what.value()));
     context.session().messages().say(what.error().message);
 }
@@ -86,7 +87,7 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
     }
     if (textButton(context, "Move it there", "what if move",
                    "From pivot " + std::to_string(pivot) + " on; its triangles move along."))
-        askOrSay(context, rules, form.move(pivot));
+        requestOrReport(context, rules, form.move(pivot));
 }
 
 void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
@@ -96,7 +97,7 @@ void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t p
     nameItem(context, "what if list");
     if (textButton(context, "Give it this list", "what if neighbors",
                    "From pivot " + std::to_string(pivot) + " on; the list is sorted by distance."))
-        askOrSay(context, rules, form.neighbors(pivot));
+        requestOrReport(context, rules, form.neighbors(pivot));
 }
 
 void drawPoint(const PanelContext& context, const RuleSet& rules) {

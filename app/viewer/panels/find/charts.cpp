@@ -78,7 +78,7 @@ void drawCharts(const PanelContext& context) {
     if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     Questions& questions = context.session().questions();
     BackgroundQuery<std::vector<RunChart>>& charts = questions.charts();
-    questions.wantCharts();
+    questions.requestCharts();
     if (drawAsking(context, charts)) return;
     const std::vector<RunChart>* answer = charts.answer();
     if (answer == nullptr) {

@@ -205,7 +205,7 @@ void drawNearestDecisions(const PanelContext& context, const ClosestAnswer& clos
 void drawClosest(const PanelContext& context) {
     Questions& questions = context.session().questions();
     BackgroundQuery<ClosestAnswer>& closest = questions.closest();
-    questions.wantClosest();
+    questions.requestClosest();
     const ScrolledBody body(context, "##closestBody");
     if (drawAsking(context, closest)) return;
     if (const ClosestAnswer* answer = closest.answer()) {
