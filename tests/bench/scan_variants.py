@@ -5,7 +5,7 @@ BASE.off is NOFF without faces, as `run --max-pivots 0 --normals -o BASE.off` wr
 the mean distance to the nearest point. Writes FOLDER/NAME.off for each variant, normals unchanged:
   half, quarter   points kept at random
   moved           map coordinates: about (500000, 5400000, 300), the longest side 10
-  rough 0.1 ...   each point moved by so many spacings, in a random direction
+  rough 0.1 ...   each point moved by that many spacings, in a random direction
   doubled         a second layer: a copy moved along the normals by half a spacing
 The same input gives the same bytes.
 """

@@ -774,7 +774,7 @@ doctor_checks_its_arguments() {
     absent out.ply
 }
 
-what_is_no_set_of_points_is_told() {
+other_files_are_refused_as_points() {
     ball
     local verb
     for verb in run info doctor; do

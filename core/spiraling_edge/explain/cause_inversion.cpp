@@ -215,9 +215,12 @@ std::uint32_t pivotOf(const RunFailure& failure) {
 }  // namespace
 
 std::string_view inversionName(Inversion inversion) {
-    constexpr std::array<std::string_view, 6> kNames{
-        "gone",  "gone, asked again", "gone with the earlier", "another in its place",
-        "stays", "cannot be turned"};
+    constexpr std::array<std::string_view, 6> kNames{"gone",
+                                                     "gone after a second inversion",
+                                                     "gone with the earlier",
+                                                     "another in its place",
+                                                     "stays",
+                                                     "cannot be turned"};
     return kNames[static_cast<std::size_t>(inversion)];
 }
 

@@ -22,8 +22,8 @@ enum class Inversion : std::uint8_t {
     NoEffect,
     NotInvertible,  ///< The decision cannot be inverted.
 };
-/// "gone", "gone, asked again", "gone with the earlier", "another in its place", "stays", "cannot
-/// be turned".
+/// "gone", "gone after a second inversion", "gone with the earlier", "another in its place",
+/// "stays", "cannot be turned".
 std::string_view inversionName(Inversion inversion);
 
 struct CauseInversion {

@@ -39,10 +39,10 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
-/// True if their boxes already tell that two triangles are not in conflict.
+/// True if two triangles are not in conflict by their boxes alone.
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 /// True if two triangles share more than their common corners, or one is a second layer of the
-/// other. Most pairs that are apart are told by their boxes alone.
+/// other. Boxes alone separate most pairs.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
 /// As above, for triangles tested once.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b);

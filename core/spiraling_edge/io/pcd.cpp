@@ -1,6 +1,7 @@
 /// PCD, the format of the Point Cloud Library: a header in text, then rows in text or binary.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,10 @@ struct PcdField {
     }
     bool isColor() const { return (name == "rgb" || name == "rgba") && size == 4 && count == 1; }
     /// The type of its numbers in memory. Requires a type().
-    ScalarType valueType() const { return isColor() ? ScalarType::UInt32 : *type(); }
+    ScalarType valueType() const {
+        assert(isColor() || type());
+        return isColor() ? ScalarType::UInt32 : *type();
+    }
 };
 
 class PcdReader : LineByLine {

@@ -44,14 +44,6 @@ bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
     return inPlane(b.a) && inPlane(b.b) && inPlane(b.c);
 }
 
-[[maybe_unused]] bool usesFinitePositions(const PointSet& points,
-                                          std::span<const Triangle> triangles) {
-    return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-        return isFinite(points.position[t.a]) && isFinite(points.position[t.b]) &&
-               isFinite(points.position[t.c]);
-    });
-}
-
 class FaultFinder {
   public:
     FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
@@ -226,7 +218,7 @@ void FaultFinder::testPair(Index a, Index b) {
 }  // namespace
 
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
-    assert(cornersBelow(triangles, points.size()) && usesFinitePositions(points, triangles));
+    assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
     return FaultFinder(points, triangles).findAll();
 }
 

@@ -76,6 +76,7 @@ class TriangleTree {
 
     /// Distance from `x` to the nearest triangle. Requires one.
     double distance(const Vec3& x) const {
+        assert(!levels_.empty());
         double best = std::numeric_limits<double>::max();
         visit(levels_.size() - 1, 0, x, best);
         return std::sqrt(best);
@@ -112,7 +113,7 @@ class TriangleTree {
 }  // namespace
 
 Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
-    assert(cornersBelow(triangles, points.size()));
+    assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
     Fidelity fidelity;
     if (triangles.empty()) return fidelity;
     const TriangleTree tree(points, triangles);

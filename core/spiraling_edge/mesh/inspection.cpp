@@ -276,6 +276,7 @@ MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangl
 }
 
 MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
     return inspected(points, triangles, searchLocalFaults);
 }
 

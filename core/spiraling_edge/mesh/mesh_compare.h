@@ -18,8 +18,8 @@ inline constexpr double kSamePointTolerance = 1e-6;
 
 /// A mesh of a file, with vertices renumbered as the points that it was made on.
 struct MatchedMesh {
-    /// The triangles in the order of the file. A corner n with n >= points is strangers[n -
-    /// points].
+    /// The triangles in the order of the file. A corner n with n >= points is
+    /// unmatchedVertices[n - points].
     std::vector<Triangle> triangles;
     std::vector<Vec3> unmatchedVertices;  ///< Vertices of triangles that lie on no point.
     std::vector<Index> unmatchedNumbers;  ///< Their numbers in the file, ascending.

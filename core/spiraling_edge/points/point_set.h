@@ -2,6 +2,8 @@
 /// neighbor lists ordered by distance.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -104,6 +106,18 @@ struct PointSet {
 inline double nearestDistance(const PointSet& points, Index p) {
     const auto list = points.neighbors[p];
     return list.empty() ? 0.0 : glm::distance(points.position[list.front()], points.position[p]);
+}
+
+/// True if the corners of all triangles have finite positions. Requires corners below
+/// points.size(). O(t) for t triangles.
+inline bool haveFinitePositions(const PointSet& points, std::span<const Triangle> triangles) {
+    const auto isFiniteAt = [&](Index p) {
+        const Vec3& x = points.position[p];
+        return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+    };
+    return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+        return isFiniteAt(t.a) && isFiniteAt(t.b) && isFiniteAt(t.c);
+    });
 }
 
 /// Checks the preconditions of the stepper: equal array lengths (`setAside` and `rim` may be

@@ -294,7 +294,7 @@ std::string fanText(const GuardEvidence& e, bool kept) {
     if (!kept) return "What if: no triangle is made.";
     return (e.b == kNone ? sentence("What if: the spoke to {}", e.a)
                          : sentence("What if: the triangle over {} and {}", e.a, e.b)) +
-           " is made, whatever the rules on fans say.";
+           " is made, regardless of the rules on fans.";
 }
 
 /// The end of a sentence about a what-if that overrides the numbers; empty without one.
@@ -309,9 +309,9 @@ std::string whatIfText(const Evidence& e, const Event& event) {
         const std::string point = "What if: point " + str(testedPoint(event));
         if constexpr (std::is_same_v<Evidence, LimitEvidence>)
             return point +
-                   (kept ? " is advanced to, whatever the test says." : " is not advanced to.");
+                   (kept ? " is advanced to, regardless of the test." : " is not advanced to.");
         if constexpr (std::is_same_v<Evidence, GuardEvidence>) return fanText(e, kept);
-        return point + (kept ? " is kept" : " is dropped") + ", whatever the test says.";
+        return point + (kept ? " is kept" : " is dropped") + ", regardless of the test.";
     }
     return {};
 }

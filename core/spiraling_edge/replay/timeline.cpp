@@ -130,8 +130,8 @@ Timeline::Keyframe Timeline::makeKeyframe() {
 
 void Timeline::storeKeyframe() {
     if (keyframes_.contains(position())) return;
-    // Each keyframe after the last pivot holds the whole mesh: never so many that those of the
-    // pivots are thinned out.
+    // Each keyframe after the last pivot holds the whole mesh: few enough that those of the
+    // pivots stay.
     const bool first = keyframes_.empty();
     if (!first && !state().repair.empty() && bytesOf(state().repair) > byteBudget_ / 4) return;
     Keyframe keyframe = makeKeyframe();

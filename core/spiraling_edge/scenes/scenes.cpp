@@ -144,7 +144,7 @@ constexpr std::array kScenes{
           figure2, "5.advance.1"},
     Scene{"figure-4", "Figure 4: start and end move",
           "At pivot 8 the ring is concave on both sides: start and end advance, and what lies "
-          "behind them is dropped.",
+          "beyond them is dropped.",
           figure4, "8.limits.1"},
     Scene{"figure-5", "Figure 5: the convexity test",
           "At pivot 6 the surface bends so much that the angle sort lets in the point next on the "

@@ -10,7 +10,7 @@
 using namespace se;
 using namespace se::test;
 
-TEST_CASE("doctor: no clean set is accused") {
+TEST_CASE("doctor: no clean set has a problem") {
     const std::filesystem::path folder = sharedFile("points");
     if (folder.empty()) return;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

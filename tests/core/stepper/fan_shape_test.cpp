@@ -21,9 +21,9 @@ TEST_CASE("nocross: a spoke across a ring edge nearby is not made") {
         return std::pair(rig.newTriangles(), objections(rig));
     };
     CHECK(run(paper()).first == kWith5);
-    const auto [made, said] = run(paperBut(&RobustRules::noCross));
+    const auto [made, found] = run(paperBut(&RobustRules::noCross));
     CHECK(made == kWithout5);
-    CHECK(said == Verdicts{Verdict::Crosses});
+    CHECK(found == Verdicts{Verdict::Crosses});
 }
 
 TEST_CASE("nocross: a ring step is found from either of its points, if it is an edge") {
@@ -50,9 +50,9 @@ TEST_CASE("nocross: a rim edge across a ring edge nearby is not made") {
         return std::pair(rig.newTriangles(), objections(rig));
     };
     CHECK(run(paper()).first == kWith5And6);
-    const auto [made, said] = run(paperBut(&RobustRules::noCross));
+    const auto [made, found] = run(paperBut(&RobustRules::noCross));
     CHECK(made == kWith5);
-    CHECK(said == Verdicts{Verdict::Crosses});
+    CHECK(found == Verdicts{Verdict::Crosses});
 }
 
 TEST_CASE("nocross: edges that only share a point with the fan do not cross it") {
@@ -132,9 +132,9 @@ TEST_CASE("nomeet: a triangle that meets a finished one nearby is not made") {
     const Vec3 side(1, 0, 0);
     const Vec3 up(0, 0, 1);
     CHECK(run(side, true, paper()).first == kWith5);
-    const auto [made, said] = run(side, true, paperBut(&RobustRules::noMeet));
+    const auto [made, found] = run(side, true, paperBut(&RobustRules::noMeet));
     CHECK(made == kWithout5);
-    CHECK(said == Verdicts{Verdict::Meets});
+    CHECK(found == Verdicts{Verdict::Meets});
     // It tests only listed points, and only where the surface bends.
     CHECK(run(side, false, paperBut(&RobustRules::noMeet)).first == kWith5);
     CHECK(run(up, true, paperBut(&RobustRules::noMeet)).first == kWith5);
@@ -166,9 +166,9 @@ TEST_CASE("nolayer: a triangle that is a second layer of a finished one nearby i
     const Params layer = paperBut(&RobustRules::noLayer);
     const Vec3 up(0, 0, 1);
     CHECK(run(0.1, up, paper()).first == kWith5);
-    const auto [made, said] = run(0.1, up, layer);
+    const auto [made, found] = run(0.1, up, layer);
     CHECK(made == kWithout5);
-    CHECK(said == Verdicts{Verdict::Covers});
+    CHECK(found == Verdicts{Verdict::Covers});
     // Too far above; and the other side of a thin wall.
     CHECK(run(2.0, up, layer).first == kWith5);
     CHECK(run(0.1, -up, layer).first == kWith5);

@@ -136,12 +136,12 @@ TEST_CASE("guard: a candidate that would use an edge twice is dropped") {
         Rig on(underHalf(more), paperBut(&RobustRules::guard));
         on.mesh({old}).list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
         CHECK(on.newTriangles() == kWithout5);
-        const auto said = on.all<GuardEvidence>();
-        REQUIRE(said.size() == 1);
-        CHECK(said[0].verdict == Verdict::EdgeTaken);
-        CHECK(said[0].a == 5);
-        CHECK(said[0].b == kNone);
-        CHECK(said[0].dropped == 5);
+        const auto found = on.all<GuardEvidence>();
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].verdict == Verdict::EdgeTaken);
+        CHECK(found[0].a == 5);
+        CHECK(found[0].b == kNone);
+        CHECK(found[0].dropped == 5);
     }
 }
 

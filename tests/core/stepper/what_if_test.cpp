@@ -29,7 +29,7 @@ Params withWhatIfs(std::vector<WhatIf> whatIf, std::string_view set = "paper") {
     return params;
 }
 
-WhatIf said(const std::string& text) {
+WhatIf whatIf(const std::string& text) {
     const auto what = whatIfFromText(text);
     REQUIRE_MESSAGE(what.ok(), text);
     return what.value();
@@ -108,11 +108,11 @@ TEST_CASE("what-ifs read back from their text") {
          {"137.sphere keep 812", "137.reciprocal drop 812", "12.limits drop 3", "9.twopoint keep 4",
           "12.limits keep 3", "7.guard keep 5", "7.guard drop 2", "137.advance pivot 640",
           "137 move 812 0.1 -2 3.5e-05", "1 list 812 5 7 9", "1 list 812"}) {
-        CHECK(lineOf(said(text)) == text);
-        CHECK_FALSE(describe(said(text)).empty());
+        CHECK(lineOf(whatIf(text)) == text);
+        CHECK_FALSE(describe(whatIf(text)).empty());
     }
-    CHECK(said("137.sphere.3 keep 812") == said("137.sphere keep 812"));
-    CHECK(said("137 move 1 1,2,3") == said("137 move 1 1 2 3"));
+    CHECK(whatIf("137.sphere.3 keep 812") == whatIf("137.sphere keep 812"));
+    CHECK(whatIf("137 move 1 1,2,3") == whatIf("137 move 1 1 2 3"));
     for (const char* text : {"", "137", "137 keep 812", "0.sphere keep 1", "137.emit keep 3",
                              "137.sphere keep", "137.sphere keep -1", "137 move 812 1 2",
                              "137 move 812 1 2 nan", "137.sphere push 4", "137 list 812 x"}) {
@@ -126,7 +126,7 @@ TEST_CASE("a fork changes the run, and taking it back gives the same hash") {
     const std::uint64_t before = hashOf(points, Params{});
     CHECK(before == stateHash(runAll(points, Params{}).state));
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
-    const Params fork = withWhatIfs({said(at(removed, "keep", testedPoint(removed)))});
+    const Params fork = withWhatIfs({whatIf(at(removed, "keep", testedPoint(removed)))});
     CHECK(answer(points, fork).ok());
     CHECK(hashOf(points, fork) != before);
     CHECK(hashOf(points, fork) == hashOf(points, fork));
@@ -149,7 +149,7 @@ TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing befo
         const Index point = testedPoint(event);
         const std::uint32_t pivot = event.address.pivot;
         CHECK(inFan(usual, pivot, point) != expected);
-        const auto events = eventsOf(points, withWhatIfs({said(at(event, verb, point))}));
+        const auto events = eventsOf(points, withWhatIfs({whatIf(at(event, verb, point))}));
         CHECK(inFan(events, pivot, point) == expected);
         for (std::size_t i = 0; i < usual.size() && usual[i].address.pivot < pivot; ++i) {
             CHECK(describe(events[i]) == describe(usual[i]));
@@ -162,7 +162,7 @@ TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing befo
 TEST_CASE("start and end do not advance to a point that is held off") {
     const PointSet points = sphere();
     const Event moved = firstEvent(points, Params{}, verdictIs<LimitEvidence>(Verdict::Moved));
-    const Params fork = withWhatIfs({said(at(moved, "drop", testedPoint(moved)))});
+    const Params fork = withWhatIfs({whatIf(at(moved, "drop", testedPoint(moved)))});
     CHECK(answer(points, fork).ok());
     const auto events = eventsOf(points, fork);
     CHECK(std::none_of(events.begin(), events.end(), [&](const Event& event) {
@@ -179,7 +179,7 @@ TEST_CASE("the traversal continues at the given point") {
     const State& state = stepper.state();
     const Index entry = state.rings.next(state.rings.next(state.pivot.pivot));
     const Index point = state.rings.point(entry);
-    const Params fork = withWhatIfs({said("5.advance pivot " + std::to_string(point))});
+    const Params fork = withWhatIfs({whatIf("5.advance pivot " + std::to_string(point))});
     CHECK(answer(points, fork).ok());
     Stepper forked(points, fork);
     for (int i = 0; i < 5; ++i) forked.stepPivot();
@@ -188,7 +188,7 @@ TEST_CASE("the traversal continues at the given point") {
     // A point that is DONE is on no ring.
     const Index done = state.done.front();
     const Status refused =
-        answer(points, withWhatIfs({said("5.advance pivot " + std::to_string(done))}));
+        answer(points, withWhatIfs({whatIf("5.advance pivot " + std::to_string(done))}));
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.error().message.find("no edge ring") != std::string::npos);
 }
@@ -198,7 +198,7 @@ TEST_CASE("moved from the first pivot on, a point is as if it had been there") {
     PointSet moved = points;
     moved.position[20] += 0.3 * (points.position[points.neighbors[20][0]] - points.position[20]);
     WhatIf what{WhatIfKind::Move, 1, Stage::Pivot, 20, moved.position[20], {}};
-    CHECK(said(lineOf(what)) == what);
+    CHECK(whatIf(lineOf(what)) == what);
     // Its list, and those that hold it, are by distance again.
     const auto edited = editedPoints(points, withWhatIfs({what}));
     REQUIRE(edited.size() == 1);
@@ -263,7 +263,7 @@ TEST_CASE("a pivot makes no triangle where a what-if drops it, under any rules")
         const auto before = eventsAt(points, usual, 20);
         REQUIRE(countOf<EmitEvidence>(before) > 0);
         const std::string line = "20.guard drop " + std::to_string(pivotOf(before));
-        const Params fork = withWhatIfs({said(line)}, set);
+        const Params fork = withWhatIfs({whatIf(line)}, set);
         CHECK(answer(points, fork).ok());
         const auto after = eventsAt(points, fork, 20);
         CHECK(countOf<EmitEvidence>(after) == 0);
@@ -272,7 +272,7 @@ TEST_CASE("a pivot makes no triangle where a what-if drops it, under any rules")
         });
         REQUIRE(guard != after.end());
         CHECK(describe(*guard) == "What if: no triangle is made.");
-        CHECK_FALSE(answer(points, withWhatIfs({said("20.guard drop 99")}, set)).ok());
+        CHECK_FALSE(answer(points, withWhatIfs({whatIf("20.guard drop 99")}, set)).ok());
     }
 }
 
@@ -282,7 +282,7 @@ TEST_CASE("start or end advances against a convex ring by a what-if") {
     for (const Event& event : eventsOf(points, Params{})) {
         const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
         if (limit == nullptr || limit->verdict != Verdict::NotConcave) continue;
-        const Params fork = withWhatIfs({said(at(event, "keep", limit->to))});
+        const Params fork = withWhatIfs({whatIf(at(event, "keep", limit->to))});
         if (!answer(points, fork)) continue;
         for (const Event& now : eventsAt(points, fork, event.address.pivot)) {
             const auto* moved = std::get_if<LimitEvidence>(&now.evidence);
@@ -308,7 +308,7 @@ TEST_CASE("a rule on fans can be overruled, and the mesh stays a manifold") {
             std::vector<Event> here = events;
             std::erase_if(here, [&](const Event& each) { return each.address.pivot != pivot; });
             const Index subject = guard->dropped == kNone ? pivotOf(here) : guard->dropped;
-            const Params fork = withWhatIfs({said(at(event, "keep", subject))}, "robust");
+            const Params fork = withWhatIfs({whatIf(at(event, "keep", subject))}, "robust");
             const std::string what = lineOf(fork.whatIf[0]);
             if (!answer(points, fork)) continue;
             const auto after = eventsAt(points, fork, pivot);
@@ -326,7 +326,7 @@ TEST_CASE("a what-if that would break an invariant is refused with its name") {
     const PointSet points = sphere();
     const auto reason = [&](const Event& event) {
         const Status status =
-            answer(points, withWhatIfs({said(at(event, "keep", testedPoint(event)))}));
+            answer(points, withWhatIfs({whatIf(at(event, "keep", testedPoint(event)))}));
         REQUIRE_FALSE(status.ok());
         return status.error().message;
     };
@@ -335,9 +335,9 @@ TEST_CASE("a what-if that would break an invariant is refused with its name") {
     };
     CHECK(reason(sorted(Verdict::AlreadyDone)).find("invariant 7") != std::string::npos);
     CHECK(reason(sorted(Verdict::NotBeforeEnd)).find("invariant 8") != std::string::npos);
-    CHECK_FALSE(answer(points, withWhatIfs({said("99999.sphere keep 1")})).ok());
-    CHECK_FALSE(answer(points, withWhatIfs({said("5.sphere keep 99999")})).ok());
-    CHECK_FALSE(answer(points, withWhatIfs({said("5 list 20 20")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({whatIf("99999.sphere keep 1")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({whatIf("5.sphere keep 99999")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({whatIf("5 list 20 20")})).ok());
     const Vec3 taken = points.position[7];
     const WhatIf onto{WhatIfKind::Move, 3, Stage::Pivot, 20, taken, {}};
     const Status there = answer(points, withWhatIfs({onto}));
@@ -350,7 +350,7 @@ TEST_CASE("forks are the same with a log and without, stepped, run, and revisite
     const PointSet points = sphere();
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
     WhatIf moved{WhatIfKind::Move, 12, Stage::Pivot, 20, points.position[20] * 1.01, {}};
-    const Params fork = withWhatIfs({said(at(removed, "keep", testedPoint(removed))), moved});
+    const Params fork = withWhatIfs({whatIf(at(removed, "keep", testedPoint(removed))), moved});
     const std::uint64_t hash = stateHash(runAll(points, fork).state);
     EventLog log;
     CHECK(stateHash(runAll(points, fork, &log).state) == hash);

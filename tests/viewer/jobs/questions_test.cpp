@@ -48,7 +48,7 @@ TEST_CASE(
     CHECK(selectionFromText(" 7,3 ", 10).value() == Selection::ofEdge(3, 7));
     CHECK(selectionFromText("edge 7-3", 10).value() == Selection::ofEdge(3, 7));
     CHECK(selectionFromText("(1, 2, 3)", 10).value() == Selection::ofTriangle({1, 2, 3}));
-    for (const auto& [text, said] : std::initializer_list<std::pair<const char*, const char*>>{
+    for (const auto& [text, expected] : std::initializer_list<std::pair<const char*, const char*>>{
              {"", "812,640"},
              {"1 2 3 4", "812,640"},
              {"12", "the points are 0 to 9"},
@@ -58,7 +58,7 @@ TEST_CASE(
         CAPTURE(std::string(text));
         const auto read = selectionFromText(text, 10);
         REQUIRE_FALSE(read.ok());
-        CHECK(read.error().message.find(said) != std::string::npos);
+        CHECK(read.error().message.find(expected) != std::string::npos);
     }
 }
 
@@ -254,8 +254,8 @@ TEST_CASE("Closest decisions and charts are queried once in a run, and are void 
     QuestionApp app;
     Questions& questions = app.session().questions();
     CHECK(questions.leastMargin().empty());
-    questions.wantClosest();
-    questions.wantCharts();
+    questions.requestClosest();
+    questions.requestCharts();
     app.session().waitUntilDone();
     REQUIRE(questions.closest().answer() != nullptr);
     REQUIRE(questions.charts().answer() != nullptr);
@@ -264,7 +264,7 @@ TEST_CASE("Closest decisions and charts are queried once in a run, and are void 
     for (std::size_t i = 1; i < lines.size(); ++i)
         CHECK(std::abs(lines[i - 1].reading->margin) <= std::abs(lines[i].reading->margin));
     CHECK(questions.leastMargin().size() == app.session().model().points.size());
-    questions.wantClosest();
+    questions.requestClosest();
     CHECK_FALSE(questions.busy());
     app.session().open({"scene:sphere", {}, "paper"});
     app.session().waitUntilDone();
@@ -312,7 +312,7 @@ TEST_CASE("A point keeps its shape when tinted, and gets its plain color back") 
     OpenSession open("scene:stranded-point");
     open.session.moves().goToPivot(40);
     open.session.waitUntilDone();
-    open.session.questions().wantClosest();
+    open.session.questions().requestClosest();
     open.session.waitUntilDone();
     const std::span<const double> margins = open.session.questions().leastMargin();
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};

@@ -51,9 +51,9 @@ bool says(const std::vector<EvidenceRow>& rows, std::string_view name, std::stri
 /// "-0" that is no part of a number such as -0.5 or 1e-05.
 bool hasMinusZero(const std::string& text) {
     for (std::size_t at = text.find("-0"); at != std::string::npos; at = text.find("-0", at + 1)) {
-        const char behind = at + 2 < text.size() ? text[at + 2] : ' ';
+        const char next = at + 2 < text.size() ? text[at + 2] : ' ';
         const char before = at > 0 ? text[at - 1] : ' ';
-        if (behind != '.' && std::isdigit(behind) == 0 && before != 'e') return true;
+        if (next != '.' && std::isdigit(next) == 0 && before != 'e') return true;
     }
     return false;
 }

@@ -155,11 +155,11 @@ TEST_CASE("Unknown layers and modes are skipped and reported, the others are use
     LayerModes expected{};
     modeOf(expected, LayerId::Normals) = LayerMode::PinnedOn;
     CHECK(read.value().layers == expected);
-    const std::string& said = read.value().leftOut;
-    CHECK(said.starts_with("a.sesession: "));
+    const std::string& sentence = read.value().leftOut;
+    CHECK(sentence.starts_with("a.sesession: "));
     for (const char* named : {"\"hologram\"", "mode 1 of layer \"points\"", "mode \"no\""}) {
         CAPTURE(named);
-        CHECK(said.find(named) != std::string::npos);
+        CHECK(sentence.find(named) != std::string::npos);
     }
     CHECK(sessionFromJson(minimal(R"(, "layers": {"points": "on"})"), "a", "").value().leftOut ==
           "");
