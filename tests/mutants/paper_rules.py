@@ -318,7 +318,6 @@ TABLE = {
         ("rim.two-begins-at-from",
          "const bool before = isFree(gap.to);",
          "const bool before = !MUT && isFree(gap.to);"),
-        ("rim.second-as-third", "x != second && context", "(MUT || x != second) && context"),
         ("rim.unknown-gap", "if (!gap.known()) return false;", "if (!gap.known()) return MUT;"),
     ],
     "stepper/phases/what_if_phase.cpp": [

@@ -85,6 +85,13 @@ class Rig {
         points_.type[p] = withCornerBit(static_cast<std::uint8_t>(faces));
         return *this;
     }
+    /// A rim point with its gap, counterclockwise between two of its neighbors.
+    Rig& rim(Index p, const RimGap& gap) {
+        points_.type[p] = kRimPoint;
+        points_.rim.resize(points_.size());
+        points_.rim[p] = gap;
+        return *this;
+    }
     Rig& normal(Index p, const Vec3& n) {
         points_.normal[p] = n / std::sqrt(glm::dot(n, n));
         return *this;

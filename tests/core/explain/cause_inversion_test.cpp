@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "spiraling_edge/explain/remedy.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -17,6 +19,14 @@ std::vector<RunFailure> failuresIn(const PointSet& points) {
     auto all = failuresOfRun(points, paper());
     REQUIRE(all.ok());
     return all.value();
+}
+
+/// 100 points of a torus, each moved by up to 0.15 along each axis, a third of their spacing.
+PointSet noisyTorus(std::uint64_t seed) {
+    PointFile file = closedFamilies(0.2)[1].sample(seed);
+    Random random(seed);
+    for (Vec3& x : file.position) x += 0.15 * random.inCube();
+    return prepared(file, reach(12));
 }
 
 bool isGone(const CauseInversion& inversion) { return inversion.outcome < Inversion::NoEffect; }
@@ -76,6 +86,30 @@ TEST_CASE("cause inversion: the hole of four takes the point beyond it at every 
     }
 }
 
+TEST_CASE("cause inversion: a third point of a wall is taken off the list of the pivot") {
+    // Figure 14: 2 joins the ring of 0 and 1 as the nearest point of the same wall.
+    PointSet points;
+    points.position = {{0, 0, 0}, {0.8, 0.2, 0}, {-1, 0.2, 0}, {-1, 1, 0}};
+    points.normal.assign(4, Vec3(0, 0, 1));
+    points.type = {kNegativeY, kNegativeY, kNegativeY, kInterior};
+    for (const Points& list : std::vector<Points>{{1, 2, 3}, {}, {}, {}})
+        points.neighbors.append(list);
+    REQUIRE(validate(points).ok());
+    EventLog log;
+    runAll(points, paper(), &log);
+    const auto inserted = std::find_if(log.events().begin(), log.events().end(), [](const auto& e) {
+        return std::holds_alternative<InsertEvidence>(e.evidence);
+    });
+    REQUIRE(inserted != log.events().end());
+    REQUIRE(std::get<InsertEvidence>(inserted->evidence).third == 2);
+    const auto inverse = inverseOf(points, lineOf(*inserted, {points, paper(), 0}));
+    REQUIRE(inverse.has_value());
+    CHECK(inverse->kind == WhatIfKind::List);
+    CHECK(inverse->pivot == 1);
+    CHECK(inverse->point == 0);
+    CHECK(inverse->list == Points{1, 3});
+}
+
 TEST_CASE("cause inversion: with a decision that is not the cause the failure stays") {
     const PointSet points = prepared(findScene("noise")->build());
     std::vector<RunFailure> failures = failuresIn(points);
@@ -96,6 +130,61 @@ TEST_CASE("cause inversion: with a decision that is not the cause the failure st
     REQUIRE(inversions.ok());
     CHECK(inversions.value()[0].outcome == Inversion::NoEffect);
     CHECK_FALSE(inversions.value()[0].reason.empty());
+}
+
+TEST_CASE("cause inversion: a decision that another test repeats is inverted there, too") {
+    const PointSet points = noisyTorus(4);
+    const std::vector<RunFailure> failures = failuresIn(points);
+    const auto chosen = sampleOfEach(failures, failures.size());
+    const auto inversions = invertCauses(points, paper(), failures, chosen);
+    REQUIRE(inversions.ok());
+    const auto failuresWith = [&](const std::vector<WhatIf>& inverses) {
+        Params forked = paper();
+        forked.whatIf = inverses;
+        return inspectMesh(points, runAll(points, forked).state.mesh());
+    };
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const CauseInversion& inversion = inversions.value()[i];
+        const MeshFailure& failure = failures[chosen[i]].failure;
+        if (inversion.outcome != Inversion::Later || failure.kind->find == nullptr) continue;
+        CAPTURE(describe(failure));
+        REQUIRE(inversion.inverses.size() > 1);
+        CHECK(isStillThere(failure, failuresWith({inversion.inverses.front()})));
+        for (const MeshFailure& each : failuresWith(inversion.inverses))
+            CHECK_FALSE((each.kind == failure.kind && each.points == failure.points));
+        ++seen;
+    }
+    CHECK(seen > 0);
+}
+
+TEST_CASE("cause inversion: only a failure that was not there before takes the place of one") {
+    const PointSet points = noisyTorus(4);
+    const std::vector<RunFailure> failures = failuresIn(points);
+    const auto chosen = sampleOfEach(failures, failures.size());
+    const auto inversions = invertCauses(points, paper(), failures, chosen);
+    REQUIRE(inversions.ok());
+    const auto isKnown = [&](const MeshFailure& each) {
+        return std::any_of(failures.begin(), failures.end(), [&](const RunFailure& known) {
+            return known.failure.kind == each.kind && known.failure.points == each.points;
+        });
+    };
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const CauseInversion& inversion = inversions.value()[i];
+        if (inversion.outcome != Inversion::Replaced) continue;
+        const MeshFailure& failure = failures[chosen[i]].failure;
+        CAPTURE(describe(failure));
+        Params forked = paper();
+        forked.whatIf = inversion.inverses;
+        ++seen;
+        const auto after = failuresOfRun(points, forked);
+        REQUIRE(after.ok());
+        CHECK(std::any_of(after.value().begin(), after.value().end(), [&](const RunFailure& each) {
+            return !isKnown(each.failure) && isStillThere(failure, {each.failure});
+        }));
+    }
+    CHECK(seen > 0);
 }
 
 TEST_CASE("cause inversion: where two triangles cross, the earlier one may be wrong") {

@@ -255,3 +255,23 @@ TEST_CASE("moments: of other runs all failures are followed") {
     CHECK(isComplete(found.value().totals));
     CHECK(found.value().failures.size() == failuresOfRun(points, paper()).value().size());
 }
+
+TEST_CASE("moments: of a stopped run, points and rings that were not DONE yet are no failures") {
+    const PointSet points = prepared(closedFamilies(0.2)[0].sample(1));
+    Params params = paper();
+    params.maxTrianglesPerPoint = 1;
+    const Run run = runAll(points, params);
+    REQUIRE(run.stop == StopReason::Capped);
+    REQUIRE(run.mesh.unusedPoints > 0);
+    REQUIRE(run.mesh.boundaryLoops == 1);
+    const auto found = searchFailures(points, params);
+    REQUIRE(found.ok());
+    for (std::size_t i = 0; i < failureClasses().size(); ++i) {
+        CAPTURE(failureClasses()[i].name);
+        const std::size_t expected = failureClasses()[i].name == "triangle_cap" ? 1 : 0;
+        CHECK(found.value().totals[i].listed == expected);
+        CHECK(found.value().totals[i].total == expected);
+    }
+    REQUIRE(found.value().failures.size() == 1);
+    CHECK(found.value().failures[0].failure.kind->name == "triangle_cap");
+}

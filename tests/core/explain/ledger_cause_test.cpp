@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
 
 #include "spiraling_edge/explain/failure_moments.h"
 #include "spiraling_edge/explain/ledger.h"
@@ -10,6 +13,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
+#include "support/random_points.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -177,6 +181,64 @@ TEST_CASE("ledger: a point that no later fan could hold fell at its own test") {
     CHECK(failure.moments.created.event.address.stage == Stage::Strand);
 }
 
+TEST_CASE("ledger: a point has the refused fans in which it would have been first or last") {
+    // Pivots 2 to 7 around the hexagon have over 180 degrees between their two ring neighbors.
+    const PointSet points = hexagon();
+    for (Index p = 1; p <= 6; ++p) {
+        CAPTURE(p);
+        Points pivots;
+        for (const LedgerLine& line : ledgerOf(points, Subject::point(p)).lines) {
+            if (line.event.address.stage != Stage::TwoPoint) continue;
+            CHECK(line.role == LineRole::Refused);
+            pivots.push_back(line.pivot);
+        }
+        std::sort(pivots.begin(), pivots.end());
+        Points beside{p == 1 ? Index{6} : p - 1, p == 6 ? Index{1} : p + 1};
+        std::sort(beside.begin(), beside.end());
+        CHECK(pivots == beside);
+    }
+}
+
+TEST_CASE(
+    "ledger: a point that one of its entries takes has the refused fan, whatever the others") {
+    // Without the circumsphere's test, which would take it once more.
+    Params params = paperBut(&RobustRules::gap);
+    params.paper.sphere = false;
+    std::size_t seen = 0;
+    for (const std::uint64_t seed : {26, 41}) {
+        CAPTURE(seed);
+        const PointSet points = randomPoints(seed);
+        EventLog log;
+        runAll(points, params, &log);
+        std::set<Index> taken;         // by some entry, at this pivot
+        std::set<Index> refusedAgain;  // of these, by a later entry
+        for (const Event& event : log.events()) {
+            if (isA<PivotEvidence>(event)) {
+                taken.clear();
+                refusedAgain.clear();
+            }
+            if (const auto* e = as<ReciprocalEvidence>(event)) {
+                if (e->verdict == Verdict::Kept) taken.insert(e->point);
+                if (e->verdict != Verdict::Kept && taken.contains(e->point))
+                    refusedAgain.insert(e->point);
+            }
+            const auto* hole = as<HoleEvidence>(event);
+            if (hole != nullptr && hole->verdict == Verdict::FarSide)
+                refusedAgain.erase(hole->point);
+            if (!isA<GuardEvidence>(event)) continue;
+            for (const Index p : refusedAgain) {
+                ++seen;
+                CAPTURE(toString(event.address));
+                const Ledger ledger = ledgerOf(points, Subject::point(p), params);
+                CHECK(std::any_of(ledger.lines.begin(), ledger.lines.end(), [&](const auto& line) {
+                    return line.event.address == event.address && line.role == LineRole::Refused;
+                }));
+            }
+        }
+    }
+    CHECK(seen > 0);
+}
+
 TEST_CASE("ledger: an edge has only tests at its own two pivots") {
     const PointSet points = hexagon();
     for (Index a = 0; a < 7; ++a) {
@@ -276,6 +338,48 @@ TEST_CASE(
     }
     MESSAGE(gone, " gone, ", back, " back");
     CHECK(gone > 0);
+}
+
+TEST_CASE("ledger: a point that was taken out with its patch and put back names its return") {
+    // A hexagon of 24 triangles, and a pillow of 2 over it, whose points list both.
+    std::vector<Vec3> position;
+    for (int j = -2; j <= 2; ++j) {
+        for (int i = -2; i <= 2; ++i) {
+            if (std::abs(i + j) <= 2) position.emplace_back(i + 0.5 * j, std::sqrt(0.75) * j, 0.0);
+        }
+    }
+    const auto first = static_cast<Index>(position.size());
+    for (const double degrees : {30.0, 150.0, 270.0})
+        position.push_back(polar(degrees, std::sqrt(1.0 / 3.0)) + Vec3(0, 0, 0.05));
+    std::vector<Points> lists(position.size());
+    for (Index p = 0; p < position.size(); ++p) {
+        for (Index q = 0; q < position.size(); ++q) {
+            const bool listed = glm::length(position[q] - position[p]) < 1.1 && q != p;
+            if (listed && (p >= first || q < first)) lists[p].push_back(q);
+        }
+        std::stable_sort(lists[p].begin(), lists[p].end(), [&](Index a, Index b) {
+            return glm::length(position[a] - position[p]) < glm::length(position[b] - position[p]);
+        });
+    }
+    const PointSet points = inPlane(std::move(position), lists);
+    Params params = paperBut(&RobustRules::dropPatches);
+    params.robust.reinsert = true;
+    REQUIRE(runAll(points, params).state.repair.droppedPatches == 1);
+    for (Index p = first; p < points.size(); ++p) {
+        CAPTURE(p);
+        const Ledger ledger = ledgerOf(points, Subject::point(p), params);
+        CHECK(ledger.present);
+        std::vector<Stage> changes;
+        for (const LedgerLine& line : ledger.lines) {
+            if (line.role == LineRole::Undone || line.event.address.stage == Stage::Reinsert)
+                changes.push_back(line.event.address.stage);
+        }
+        CHECK((changes == std::vector<Stage>{Stage::DropPatch, Stage::Reinsert}));
+        const LedgerLine& cause = ledger.lines[ledger.cause];
+        CHECK(cause.event.address.stage == Stage::Reinsert);
+        CHECK(testedPoint(cause.event) == p);
+        CHECK(cause.role == LineRole::Made);
+    }
 }
 
 TEST_CASE("ledger: a third point of a wall fell with the fan that it was inserted for") {

@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "spiraling_edge/replay/timeline.h"
 #include "support/clouds.h"
@@ -70,6 +72,26 @@ TEST_CASE("closest calls: by margin, and the moves are as small as the margins")
         CHECK(glm::length(decision.move.by) <= 10.0 * margin * arm + 1e-8);
         CHECK(decisions.leastMargin[testedPoint(decision.event)] <= margin);
     }
+}
+
+TEST_CASE("closest calls: the least margin of a point is that of all its tests, near either side") {
+    const PointSet points = prepared(closedFamilies(0.3)[0].sample(4));
+    const Params params = paper();
+    EventLog log;
+    runAll(points, params, &log);
+    std::vector<double> least(points.size(), std::numeric_limits<double>::infinity());
+    Index pivot = kNone;
+    std::size_t refused = 0;
+    for (const Event& event : log.events()) {
+        if (const auto* e = std::get_if<PivotEvidence>(&event.evidence)) pivot = e->pivot;
+        const auto reading = readingOf(event, {points, params, pivot});
+        const Index p = testedPoint(event);
+        if (!reading || p == kNone) continue;
+        refused += reading->margin < 0.0 ? 1 : 0;
+        least[p] = std::min(least[p], std::abs(reading->margin));
+    }
+    CHECK(refused > 0);
+    CHECK(nearestOf(points, params, 1).leastMargin == least);
 }
 
 TEST_CASE("closest calls: a lattice decides at the very limit") {

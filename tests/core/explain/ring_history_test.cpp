@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "spiraling_edge/replay/decision_query.h"
 #include "spiraling_edge/replay/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -90,6 +93,33 @@ TEST_CASE("ring: a join makes one ring that came of what made either") {
     const RingHistory before = historyOf(points, {{join.address.pivot - 1, Stage::Pivot, 0}, 0});
     for (const LedgerLine& line : before.lines) CHECK(has(joined, line.event));
     CHECK(joined.lines.size() > before.lines.size());
+}
+
+TEST_CASE("ring: rings of two seeds that join came of both") {
+    // Two hexagons with the point 1 in common. The ring around the first waits on the shelf; the
+    // fan at 7 takes 1 from it.
+    PointSet points;
+    points.position = {Vec3(0)};
+    for (int i = 0; i < 6; ++i) points.position.push_back(polar(60.0 * i));
+    points.position.emplace_back(2, 0, 0);
+    for (const double degrees : {0.0, 60.0, 120.0, 240.0, 300.0})
+        points.position.push_back(Vec3(2, 0, 0) + polar(degrees));
+    points.normal.assign(points.size(), Vec3(0, 0, 1));
+    points.type.assign(points.size(), kInterior);
+    points.neighbors.append(Points{1, 2, 3, 4, 5, 6});
+    for (Index p = 1; p <= 6; ++p) points.neighbors.append(Points{0});
+    points.neighbors.append(Points{8, 9, 10, 1, 11, 12});
+    for (Index p = 8; p <= 12; ++p) points.neighbors.append(Points{7});
+    REQUIRE(validate(points).ok());
+    const Params params = paperBut(&RobustRules::shelve);
+
+    const auto history = whyRing(points, params, {{8, Stage::Join, 1}, 0});
+    REQUIRE(history.ok());
+    CHECK(history.value().length == 12);
+    std::vector<std::string> lines;
+    for (const LedgerLine& line : history.value().lines)
+        lines.push_back(toString(line.event.address));
+    CHECK(lines == std::vector<std::string>{"1.seed.1", "8.seed.1", "8.join.1"});
 }
 
 TEST_CASE("ring: lengths and number of rings are those of the run at every pivot") {

@@ -8,6 +8,7 @@
 #include "spiraling_edge/replay/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
+#include "support/repair_mesh.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -151,6 +152,30 @@ TEST_CASE("run comparison: decisions without a consequence come before the first
     CHECK(found.harmless->a.line->role != found.harmless->b.line->role);
 }
 
+TEST_CASE("run comparison: the harmless difference is the first decision made differently") {
+    const PointSet points = sceneNamed("torus");
+    const Params a = paper();
+    const Params b = paperBut(&Readings::freeSector);
+    const RunComparison found = compared({points, a}, {points, b});
+    REQUIRE(found.harmless);
+    REQUIRE(found.harmlessPivots > 1);
+    const auto outcomes = [&](const Params& params) {
+        EventLog log;
+        runAll(points, params, &log);
+        std::vector<std::vector<Outcome>> ofPivot;
+        for (const Event& event : log.events()) {
+            ofPivot.resize(std::max<std::size_t>(ofPivot.size(), event.address.pivot + 1));
+            ofPivot.back().push_back(outcomeOf(event));
+        }
+        return ofPivot;
+    };
+    const auto inA = outcomes(a);
+    const auto inB = outcomes(b);
+    const auto first = std::mismatch(inA.begin(), inA.end(), inB.begin(), inB.end()).first;
+    CHECK(found.harmless->a.line->event.address.pivot ==
+          static_cast<std::uint32_t>(first - inA.begin()));
+}
+
 TEST_CASE("run comparison: other neighbor lists part at a decision about what only one lists") {
     const PointSet a = sceneNamed("torus");
     const Params params = paper();
@@ -203,6 +228,37 @@ TEST_CASE("run comparison: each triangle is made at its address") {
         CHECK((has(emit->corners.a) && has(emit->corners.b) && has(emit->corners.c)));
     }
     CHECK(emitted > 10);
+}
+
+TEST_CASE(
+    "run comparison: triangles of both windings on three points each have their own address") {
+    // A seed with a single further neighbor; the rule takes no patch out beside nothing larger.
+    const PointSet points = flatPoints({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const Params params = paperBut(&RobustRules::dropPatches);
+    const auto made = makeMesh({points, params});
+    REQUIRE(made.ok());
+    REQUIRE_FALSE(made.value().emitted.empty());
+    CHECK(made.value().triangles == Triangles{{0, 1, 2}, {0, 2, 1}});
+    REQUIRE(made.value().made.size() == 2);
+    CHECK(toString(made.value().made[0]) == "1.emit.1");
+    CHECK(toString(made.value().made[1]) == "1.emit.2");
+}
+
+TEST_CASE("run comparison: the first decision of several triangles is the earliest in the run") {
+    MadeMesh mesh;
+    mesh.made = {
+        {5, Stage::Emit, 2}, {3, Stage::Emit, 7}, {3, Stage::Emit, 1}, {4, Stage::Emit, 1}};
+    const auto firstOf = [&](const Points& triangles) {
+        const auto first = firstMade(mesh, triangles);
+        return first ? toString(*first) : "none";
+    };
+    CHECK(firstOf({0, 1, 2, 3}) == "3.emit.1");
+    CHECK(firstOf({1, 0}) == "3.emit.7");
+    CHECK(firstOf({0}) == "5.emit.2");
+    // Triangles that the record does not have do not count.
+    CHECK(firstOf({3, 4}) == "4.emit.1");
+    CHECK(firstOf({4}) == "none");
+    CHECK(firstOf({}) == "none");
 }
 
 TEST_CASE("run comparison: other numbers of points and cancelling are errors") {

@@ -229,6 +229,15 @@ TEST_CASE("exact: what a floating-point determinant gets wrong is still right") 
     CHECK(orient3d(a, b, c, d - Vec3(0, 0, tiny)) == -up);
 }
 
+TEST_CASE("exact: a point beside a line by one unit in the last place is on its side of it") {
+    // The differences to (24, 24) are rounded to equal numbers.
+    const Vec3 b(12, 12, 0);
+    const Vec3 c(24, 24, 0);
+    CHECK(orient2d({0.5 + 0x1p-53, 0.5, 0}, b, c, Axis::Z) < 0);
+    CHECK(orient2d({0.5, 0.5 + 0x1p-53, 0}, b, c, Axis::Z) > 0);
+    CHECK(orient2d({0.5, 0.5, 0}, b, c, Axis::Z) == 0);
+}
+
 TEST_CASE("exact: triangles meet exactly where no separating axis exists, on small lattices") {
     for (const std::int64_t reach : {1, 2, 4, 50}) {
         GridRandom random(static_cast<std::uint64_t>(reach) + 2);

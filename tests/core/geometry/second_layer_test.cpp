@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/clouds.h"
@@ -58,6 +59,19 @@ TEST_CASE("second layer: of a slanted pair the least gap counts") {
     CHECK_FALSE(moved({0, 0, 0.7}, 30.0).isLayer());
 }
 
+TEST_CASE("second layer: the least gap counts at whichever corner it is") {
+    for (const double height : {0.3, 0.7}) {
+        CAPTURE(height);
+        Pair pair = moved({0, 0, height}, 30.0);
+        for (int turn = 0; turn < 3; ++turn) {
+            CHECK(pair.isLayer() == (height < 0.5));
+            const auto corner = pair.points.position.begin();
+            std::rotate(corner, corner + 1, corner + 3);
+            std::rotate(corner + 3, corner + 4, corner + 6);
+        }
+    }
+}
+
 TEST_CASE("second layer: normals enclose at most 45 degrees") {
     CHECK(moved({0, 0, 0.1}, 44.0).isLayer());
     CHECK_FALSE(moved({0, 0, 0.1}, 46.0).isLayer());
@@ -90,6 +104,23 @@ TEST_CASE("second layer: none without area") {
     Pair pair = moved({0, 0, 0.1});
     pair.points.position[5] = pair.points.position[4];
     CHECK_FALSE(pair.isLayer());
+}
+
+TEST_CASE("conflict: two triangles that cross, or of which one is a second layer of the other") {
+    const auto inConflict = [](const Pair& pair) {
+        const PointSet& points = pair.points;
+        const Triangle a{0, 1, 2};
+        const Triangle b{3, 4, 5};
+        const ShapedTriangle shaped(points, a);
+        const bool found = conflict(points, a, b);
+        CHECK(found == conflict(points, shaped, b));
+        CHECK(found == conflict(points, shaped, ShapedTriangle(points, b)));
+        return found;
+    };
+    CHECK(inConflict(moved({0, 0, 0.499})));
+    CHECK_FALSE(inConflict(moved({0, 0, 0.501})));
+    CHECK(inConflict(moved({0, 0.1, -0.2}, 80.0)));
+    CHECK_FALSE(inConflict(moved({0, 0.1, 0.2}, 80.0)));
 }
 
 TEST_CASE("second layer: no pair of a sphere, of a torus or of two joined") {

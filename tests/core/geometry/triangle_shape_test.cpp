@@ -35,3 +35,17 @@ TEST_CASE("a triangle begins with its least corner, in the same direction") {
         CHECK(s.c == 9);
     }
 }
+
+TEST_CASE("shape faults: four for a flipped triangle, one for a single normal against it") {
+    PointSet points;
+    points.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    points.normal.assign(3, Vec3(0, 0, 1));
+    CHECK(shapeFaults(points, {0, 1, 2}) == 0);
+    CHECK(shapeFaults(points, {0, 2, 1}) == 4);
+    points.normal[1] = {0, 0, -1};
+    CHECK(shapeFaults(points, {0, 1, 2}) == 1);
+    CHECK(shapeFaults(points, {0, 2, 1}) == 4);
+    points.normal[2] = {0, 0, -1};
+    CHECK(shapeFaults(points, {0, 1, 2}) == 4);
+    CHECK(shapeFaults(points, {0, 2, 1}) == 1);
+}

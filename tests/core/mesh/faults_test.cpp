@@ -208,10 +208,15 @@ TEST_CASE("faults: the grid finds the intersections and layers that trying every
 }
 
 TEST_CASE("faults: with a triangle made very often the search ends at its bound, and soon") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    const Triangles triangles(100000, {0, 1, 2});  // Five billion pairs.
+    // Five billion pairs. Every second one is turned over, and without normals the order of the
+    // corners tells the side: half of the pairs are second layers.
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Vec3(0));
+    Triangles triangles(100000, {0, 1, 2});
+    for (std::size_t i = 0; i < triangles.size(); i += 2) triangles[i] = {0, 2, 1};
     const auto counts = countFaults(findFaults(points, triangles));
     CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMaxPairs);
+    CHECK(static_cast<double>(counts[static_cast<std::size_t>(FaultKind::SecondLayer)]) ==
+          doctest::Approx(0.5 * kMaxPairs).epsilon(0.001));
     // Those about an edge grow with the triangles, not with their pairs.
     CHECK(counts[static_cast<std::size_t>(FaultKind::NonManifoldEdge)] == 99999);
 }
@@ -262,6 +267,16 @@ TEST_CASE("faults: pairs in one plane, which take exact arithmetic, end the sear
     const FaultSearch ended = tangled(1500);
     CHECK_FALSE(ended.complete);
     CHECK_FALSE(ofKind(ended.faults, FaultKind::Intersecting).empty());
+}
+
+TEST_CASE("faults: a pair in one plane counts 2048 units more beyond 16 for each triangle") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const auto workOf = [&](std::size_t count) {
+        return searchFaults(points, Triangles(count, {0, 1, 2})).work;
+    };
+    const std::uint64_t ofPair = workOf(2);
+    CHECK(workOf(33) == 528 * ofPair);  // 16 pairs for each of 33.
+    CHECK(workOf(40) == 780 * ofPair + (780 - 16 * 40) * 2048);
 }
 
 TEST_CASE("faults: a triangle over many cells crosses a small one like any other") {

@@ -223,3 +223,23 @@ TEST_CASE("noise: a point that was chosen stays, though a later one reaches it")
     const std::vector<Vec3> two{{0, 0, 0}, {0.5, 0, 0}};
     CHECK(thinned(two, {0.0, 0.1}, {0.1, 1.0}) == std::vector<bool>{true, true});
 }
+
+TEST_CASE("noise: points that stay get the mean normal of their patch, the others keep theirs") {
+    const PointFile file = noisySphere(1000, 1.0, 1);
+    const Prepared prepared = prepareFor("robust", file);
+    REQUIRE(prepared.report.noisyPoints > 0);
+    const std::vector<bool> all(file.position.size(), true);
+    const auto lists =
+        findNeighbors(file.position, file.normal, all, {KNearest{kNoisePatch}, true, false});
+    REQUIRE(lists.ok());
+    std::size_t wrong = 0;
+    for (Index p = 0; p < file.position.size(); ++p) {
+        Vec3 expected = file.normal[p];
+        if (!prepared.points.setAside[p]) {
+            for (const Index q : lists.value()[p]) expected += file.normal[q];
+        }
+        expected = glm::normalize(expected);
+        wrong += glm::distance(prepared.points.normal[p], expected) < 1e-9 ? 0U : 1U;
+    }
+    CHECK(wrong == 0);
+}

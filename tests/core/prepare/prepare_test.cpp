@@ -131,6 +131,12 @@ TEST_CASE("findNeighbors: a radius takes all points up to and at its length") {
     CHECK(find(lattice, within(1.0, false))[0] == std::vector<Index>{1, 6, 36});
 }
 
+TEST_CASE("findNeighbors: a point at exactly the radius is listed, one beyond it is not") {
+    const OraclePoints two{{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}, {true, true}};
+    CHECK(find(two, within(1.0, true)) == Lists{{1}, {0}});
+    CHECK(find(two, within(0.999999, true)) == Lists{{}, {}});
+}
+
 TEST_CASE("findNeighbors: none, one and two points") {
     CHECK(find({}, nearest(3, true)).empty());
     const OraclePoints one{{{1, 2, 3}}, {{0, 0, 1}}, {true}};

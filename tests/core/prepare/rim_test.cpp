@@ -254,3 +254,154 @@ TEST_CASE("rim: the points found are those of the borders of the scanned meshes"
         CHECK(10 * right > 9 * flagged);
     }
 }
+
+// ---- small holes --------------------------------------------------------------------------------
+
+namespace {
+
+/// A round hole in the plane: its points are one apart and list each other around it. A spoke is a
+/// further neighbor of one of them alone.
+class RoundHole {
+  public:
+    /// `given` are the first points, in no list yet.
+    explicit RoundHole(Index count, std::vector<Vec3> given = {})
+        : count_(count),
+          first_(static_cast<Index>(given.size())),
+          radius_(radiusOf(count)),
+          position_(std::move(given)) {
+        for (Index i = 0; i < count; ++i) position_.push_back(polar(degreesAt(i), radius_));
+        lists_.resize(position_.size());
+        for (Index i = 0; i < count; ++i) join(around(i), around(i + 1));
+    }
+    static double radiusOf(Index count) { return 0.5 / std::sin(kPi / count); }
+
+    /// Point i of the hole, counterclockwise.
+    Index around(Index i) const { return first_ + i % count_; }
+    void join(Index p, Index q) { lists_[p].push_back(q); }
+    /// A new point that lists no other.
+    Index point(const Vec3& x) {
+        position_.push_back(x);
+        lists_.emplace_back();
+        return static_cast<Index>(position_.size() - 1);
+    }
+    /// Point i of the hole lists a new point, in this direction counterclockwise from outward.
+    void spoke(Index i, double degrees) {
+        const Index p = around(i);
+        join(p, point(position_[p] + polar(degreesAt(i) + degrees, 0.8)));
+    }
+    /// A spoke straight outward for each point of the hole but `except`.
+    void spokes(Index except = kNone) {
+        for (Index i = 0; i < count_; ++i) {
+            if (i != except) spoke(i, 0.0);
+        }
+    }
+    Rim rim(std::vector<std::uint8_t> type = {}) const {
+        NeighborLists lists;
+        for (const auto& list : lists_) lists.append(list);
+        if (!type.empty()) type.resize(position_.size(), kInterior);
+        auto found =
+            findRim(position_, std::vector<Vec3>(position_.size(), Vec3(0, 0, 1)), lists, type, 1);
+        REQUIRE(found.ok());
+        return std::move(found.value());
+    }
+
+  private:
+    double degreesAt(Index i) const { return 360.0 * i / count_; }
+
+    Index count_, first_;
+    double radius_;
+    std::vector<Vec3> position_;
+    std::vector<std::vector<Index>> lists_;
+};
+
+}  // namespace
+
+TEST_CASE("rim: a hole is at least 2.5 of its edges wide") {
+    // A round one of 8 is 2.41 wide, of 9 it is 2.75.
+    RoundHole narrow(8);
+    narrow.spokes();
+    const Rim none = narrow.rim();
+    CHECK(none.candidates == 8);
+    CHECK(none.chains.empty());
+    CHECK(none.points() == 0);
+    RoundHole wide(9);
+    wide.spokes();
+    const Rim one = wide.rim();
+    REQUIRE(one.chains.size() == 1);
+    CHECK(one.chains[0] == std::vector<Index>{0, 8, 7, 6, 5, 4, 3, 2, 1});
+    for (Index i = 0; i < 9; ++i) CHECK(one.gap[i] == RimGap{(i + 1) % 9, (i + 8) % 9});
+    CHECK(one.points() == 9);
+}
+
+TEST_CASE("rim: two in three points of a chain have gaps of more than 120 degrees") {
+    // With a spoke into the hole a gap of 110 degrees is left: a walk goes on along it.
+    const auto chains = [](Index inward) {
+        RoundHole hole(12);
+        hole.spokes();
+        for (Index i = 0; i < inward; ++i) hole.spoke(11 - i, 145.0);
+        const Rim rim = hole.rim();
+        CHECK(rim.candidates == 12 - inward);
+        return rim.chains.size();
+    };
+    CHECK(chains(4) == 1);
+    CHECK(chains(5) == 0);
+}
+
+TEST_CASE("rim: a chain with most of its points on walls is none") {
+    RoundHole hole(12);
+    hole.spokes();
+    const auto onWall = [&](std::size_t count) {
+        std::vector<std::uint8_t> type(12, kInterior);
+        std::fill_n(type.begin(), count, kPositiveX);
+        return hole.rim(type);
+    };
+    const Rim half = onWall(6);
+    CHECK(half.chains.size() == 1);
+    for (Index i = 0; i < 12; ++i) CHECK(half.gap[i].known() == (i >= 6));
+    const Rim most = onWall(7);
+    CHECK(most.chains.empty());
+    CHECK(most.points() == 0);
+}
+
+TEST_CASE("rim: a point beside a chain joins it if its gap lies between two points of the chain") {
+    // 12 lies behind the middle of the edge from 1 to 0, and sees the hole between them.
+    RoundHole hole(12);
+    const Index beside =
+        hole.point(polar(15.0, RoundHole::radiusOf(12) * std::cos(kPi / 12) + 0.1));
+    hole.join(beside, 0);
+    hole.join(beside, 1);
+    hole.join(beside, hole.point(polar(15.0, 3.0)));
+    hole.spokes();
+    const Rim rim = hole.rim();
+    CHECK(rim.candidates == 13);
+    REQUIRE(rim.chains.size() == 1);
+    CHECK(rim.chains[0] == std::vector<Index>{0, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, beside});
+    CHECK(rim.gap[beside] == RimGap{1, 0});
+    CHECK(rim.gap[1] == RimGap{2, beside});
+    CHECK(rim.gap[0] == RimGap{beside, 11});
+}
+
+TEST_CASE("rim: where a walk closes farther on, the points before are on no chain") {
+    // 0 lies outside the hole; the end of its gap is point 0 of the hole.
+    const Vec3 start = Vec3(RoundHole::radiusOf(12), 0, 0) + polar(60, 0.5);
+    RoundHole hole(12, {start});
+    hole.join(0, hole.around(0));
+    hole.join(0, hole.point(start + polar(30, 0.5)));
+    hole.spokes();
+    const Rim rim = hole.rim();
+    CHECK(rim.candidates == 13);
+    REQUIRE(rim.chains.size() == 1);
+    CHECK(rim.chains[0] == std::vector<Index>{1, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2});
+    CHECK_FALSE(rim.gap[0].known());
+}
+
+TEST_CASE("rim: a walk goes on along the gap where it came from, not along a wider one behind") {
+    // Behind point 4 there is a gap of 190 degrees; that of the hole has 140.
+    RoundHole hole(9);
+    hole.spokes(4);
+    hole.spoke(4, 80.0);
+    const Rim rim = hole.rim();
+    REQUIRE(rim.chains.size() == 1);
+    CHECK(rim.chains[0] == std::vector<Index>{0, 8, 7, 6, 5, 4, 3, 2, 1});
+    CHECK(rim.gap[4] == RimGap{5, 3});
+}

@@ -9,6 +9,7 @@
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
 #include "support/rig.h"
 
 using namespace se;
@@ -146,19 +147,80 @@ TEST_CASE("live: the third triangle at an edge, not the fourth") {
     CHECK(describe(first) == "Triangle 2 is the third at the edge 0, 1: non-manifold.");
 }
 
-TEST_CASE("live: a crossing is reported for the later triangle, at any distance in the run") {
+namespace {
+
+/// The only failure of these triangles, of points without lists and normals: "" if there is none,
+/// "several" if there are more.
+std::string onlyFailure(std::vector<Vec3> position, const std::vector<Triangle>& triangles) {
+    PointSet points;
+    points.position = std::move(position);
+    points.normal.assign(points.size(), Vec3(0));
+    points.type.assign(points.size(), kInterior);
+    points.neighbors.offset.assign(points.size() + 1, 0);
+    const auto found = seeAll(points, triangles);
+    if (found.size() > 1) return "several";
+    return found.empty() ? "" : describe(found[0]);
+}
+
+}  // namespace
+
+TEST_CASE("live: a crossing is reported for the later triangle, however large one of them is") {
     // The large one lies over more cells than are kept.
-    const PointSet points =
-        flat({{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}, {-9, -9, 1e-4}, {9, -9, 1e-4}, {0, 9, -2e-4}});
-    const auto found = seeAll(points, {{3, 4, 5}, {0, 1, 2}});
-    const auto crosses = [](const LiveFailure& f) {
-        return f.kind->name == "intersecting_triangles";
+    const std::vector<Vec3> position{{0, 0, 0},    {99, 0, 0},   {0, 99, 0},
+                                     {20, 20, -1}, {21, 20, -1}, {20, 20, 1}};
+    const Triangle large{0, 1, 2};
+    const Triangle small{3, 4, 5};
+    const char* const crosses = "Triangle 1 overlaps 0: they share more than their common corners.";
+    CHECK(onlyFailure(position, {large, small}) == crosses);
+    CHECK(onlyFailure(position, {small, large}) == crosses);
+}
+
+TEST_CASE("live: a needle is reported, and nothing else about it") {
+    const std::vector<Vec3> position{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+    const char* const needle = "Triangle 0 is a needle, or has a corner twice.";
+    CHECK(onlyFailure(position, {{0, 1, 2}}) == needle);
+    CHECK(onlyFailure(position, {{0, 1, 1}}) == needle);
+    CHECK(onlyFailure(position, {{0, 1, 3}}).empty());
+}
+
+TEST_CASE("live: two triangles within ten degrees of each other at their edge are folded") {
+    const auto foldedAt = [](double degrees) {
+        const Vec3 tip = polar(180 - degrees);
+        return onlyFailure({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {tip.x, 0, tip.y}},
+                           {{0, 1, 2}, {1, 0, 3}});
     };
-    const auto failures = inspectMesh(points, std::vector<Triangle>{{3, 4, 5}, {0, 1, 2}});
-    const bool meets = std::any_of(failures.begin(), failures.end(), [](const MeshFailure& f) {
-        return f.kind->name == "intersecting_triangles";
-    });
-    CHECK(meets == std::any_of(found.begin(), found.end(), crosses));
+    CHECK(foldedAt(9.9) == "Triangle 1 lies folded onto 0.");
+    CHECK(foldedAt(10.1).empty());
+}
+
+TEST_CASE("live: a triangle close over another one that faces the same way is a second layer") {
+    const auto layerAt = [](double height) {
+        return onlyFailure(
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, height}, {1, 0, height}, {0, 1, height}},
+            {{0, 1, 2}, {3, 4, 5}});
+    };
+    // Half of the mean edge length is 0.569.
+    CHECK(layerAt(0.56) == "Triangle 1 is a second layer of 0.");
+    CHECK(layerAt(0.58).empty());
+}
+
+TEST_CASE("live: two triangles at a DONE point that share no edge there are more than one fan") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}});
+    const auto atEnd = [&](const std::vector<Triangle>& triangles) {
+        LiveCheck check(points);
+        for (Index i = 0; i < triangles.size(); ++i) {
+            const Event made{{1, Stage::Emit, i + 1}, EmitEvidence{i, triangles[i]}};
+            REQUIRE(check.check(made).empty());
+        }
+        std::string text;
+        for (const LiveFailure& each :
+             check.check(Event{{2, Stage::Ring, 1}, RingEvidence{0, false, kDone}}))
+            text += describe(each);
+        return text;
+    };
+    CHECK(atEnd({{0, 1, 2}, {0, 3, 4}}) == "The triangles about point 0 are more than one fan.");
+    CHECK(atEnd({{0, 1, 2}, {0, 3, 4}, {0, 2, 3}}).empty());
+    CHECK(atEnd({}) == "Point 0 is DONE and in no triangle.");
 }
 
 TEST_CASE("live: crossings are looked for up to a fixed amount of work") {

@@ -130,3 +130,64 @@ TEST_CASE("lanes: a ring that this pivot has pushed may split on the stack") {
     CHECK(keeper.stack()[0].length == 3);
     CHECK(keeper.stack()[1].length == 2);
 }
+
+TEST_CASE("lanes: a shelved ring goes below those that are on the stack") {
+    LaneTracker keeper;
+    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
+    keeper.take(eventOf(2, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
+    keeper.take(eventOf(2, Stage::Split, SplitEvidence{4, 6, 4, 1}));
+    keeper.take(eventOf(9, Stage::Done, ShelveEvidence{6, 0}));
+    REQUIRE(keeper.stack().size() == 2);
+    CHECK(keeper.stack()[0].lane == 0);
+    CHECK(keeper.stack()[1].lane == 1);
+    keeper.take(eventOf(9, Stage::Advance, AdvanceEvidence{4, 0, true}));
+    REQUIRE(keeper.active().has_value());
+    CHECK(keeper.active()->lane == 1);
+    // The next one goes above those that are shelved.
+    keeper.take(eventOf(15, Stage::Done, ShelveEvidence{4, 1}));
+    CHECK(keeper.stack()[0].lane == 0);
+    CHECK(keeper.stack()[1].lane == 1);
+}
+
+TEST_CASE("lanes: where the pivot's ring was closed, the one that it had split off is active") {
+    LaneTracker keeper;
+    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
+    keeper.take(eventOf(2, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
+    keeper.take(eventOf(2, Stage::Split, SplitEvidence{4, 7, 3, 1}));
+    keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 7, 90.0}));
+    keeper.take(eventOf(3, Stage::Split, SplitEvidence{4, 2, 5, 2}));
+    keeper.take(eventOf(3, Stage::Ring, CloseEvidence{3, 4}));
+    CHECK_FALSE(keeper.active().has_value());
+    // The run goes on in the ring of five without an event.
+    EdgeRings rings(5);
+    Index entry = rings.start(0, 1);
+    for (const Index p : {2U, 3U, 4U}) entry = rings.insertAfter(entry, p);
+    keeper.takeChanges();
+    keeper.settle(rings);
+    REQUIRE(keeper.active().has_value());
+    CHECK(keeper.active()->lane == 2);
+    CHECK(keeper.active()->length == 5);
+    REQUIRE(keeper.stack().size() == 1);
+    CHECK(keeper.stack()[0].lane == 1);
+    const auto changes = keeper.takeChanges();
+    REQUIRE(changes.size() == 1);
+    CHECK(changes[0].kind == LaneChangeKind::Activated);
+    // Nothing is left to correct.
+    keeper.settle(rings);
+    CHECK(keeper.takeChanges().empty());
+}
+
+TEST_CASE("lanes: a ring of two that an earlier pivot has stacked is not the one that is closed") {
+    LaneTracker keeper;
+    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
+    keeper.take(eventOf(2, Stage::Pivot, PivotEvidence{0, 1, 2, 6, 90.0}));
+    keeper.take(eventOf(2, Stage::Split, SplitEvidence{4, 4, 2, 1}));
+    keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 4, 90.0}));
+    keeper.take(eventOf(3, Stage::Ring, CloseEvidence{3, 4}));
+    CHECK_FALSE(keeper.active().has_value());
+    REQUIRE(keeper.stack().size() == 1);
+    CHECK(keeper.stack()[0].lane == 1);
+    const auto changes = keeper.takeChanges();
+    CHECK(changes.back().kind == LaneChangeKind::Closed);
+    CHECK(changes.back().lane == 0);
+}

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <utility>
 
 #include "spiraling_edge/stepper/rules.h"
 #include "support/oracles.h"
@@ -302,4 +303,71 @@ TEST_CASE("7 a triangle restarts the circuit") {
     rig.pivot();
     CHECK(rig.triangles() == Triangles{{0, 4, 1}});
     CHECK(rig.state().circuit == 0);
+}
+
+// ---- 7 for rim points ---------------------------------------------------------------------------
+
+namespace {
+
+/// The rim point 0: its surface lies to the north, its gap from 1 in the west to 2 in the east. The
+/// others are 3 and 4 at these angles, and two points far away.
+std::vector<Vec3> onRim(double third, double fourth) {
+    return {{0, 0, 0}, polar(180), polar(0), polar(third), polar(fourth), {-9, -9, 0}, {9, -9, 0}};
+}
+const RimGap kSouth{1, 2};
+
+}  // namespace
+
+TEST_CASE("7 rim: a rim point is a pivot like an interior one while its gap is elsewhere") {
+    Rig rig(onRim(30, 100));
+    rig.rim(0, kSouth).ring({0, 4, 5, 6, 3}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 3, 4}});
+    CHECK(rig.all<InsertEvidence>().empty());
+    CHECK(rig.status(0) == kDone);
+}
+
+TEST_CASE("7 rim: beside the gap its end is the third point before, its beginning the one after") {
+    Rig before(onRim(90, 40));
+    before.rim(0, kSouth).ring({0, 4, 5, 6, 1}).pivot();
+    REQUIRE(before.all<InsertEvidence>().size() == 1);
+    CHECK(before.all<InsertEvidence>()[0].verdict == Verdict::Before);
+    CHECK(before.triangles() == Triangles{{0, 2, 4}});
+    Rig after(onRim(90, 140));
+    after.rim(0, kSouth).ring({0, 2, 5, 6, 4}).pivot();
+    REQUIRE(after.all<InsertEvidence>().size() == 1);
+    CHECK(after.all<InsertEvidence>()[0].verdict == Verdict::After);
+    CHECK(after.triangles() == Triangles{{0, 4, 1}});
+}
+
+TEST_CASE("7 rim: a rim point with surface on both sides of its gap, or on none, is passed over") {
+    // From first = 3 to last = 4, around the gap or within it; both ends of the gap are UNUSED.
+    for (const auto& sector : {std::pair(150.0, 40.0), std::pair(200.0, 300.0)}) {
+        CAPTURE(sector.first);
+        Rig rig(onRim(sector.first, sector.second));
+        rig.rim(0, kSouth).ring({0, 4, 5, 6, 3}).pivot();
+        CHECK(rig.all<InsertEvidence>().empty());
+        CHECK(rig.all<SkipEvidence>().size() == 1);
+        CHECK(rig.triangles().empty());
+        CHECK(rig.activeRing() == Points{4, 5, 6, 3, 0});
+        for (const Index end : {1U, 2U}) CHECK(rig.status(end) == kUnused);
+    }
+}
+
+TEST_CASE("7 rim: a rim point whose gap is not known is passed over") {
+    Rig rig(onRim(30, 100));
+    rig.type(0, kRimPoint).ring({0, 4, 5, 6, 3}).pivot();
+    CHECK(rig.all<SkipEvidence>().size() == 1);
+    CHECK(rig.triangles().empty());
+    CHECK(rig.activeRing() == Points{4, 5, 6, 3, 0});
+}
+
+TEST_CASE("7.1 rim: on a ring of two the third point is the gap's end, else its beginning") {
+    const auto run = [](const std::vector<Index>& done) {
+        Rig rig(onRim(60, 90));
+        rig.rim(0, kSouth).type(3, kRimPoint).done(done).ring({0, 3}).open(0).open(3).pivot();
+        return std::pair(rig.all<InsertEvidence>().at(0).verdict, rig.triangles());
+    };
+    CHECK(run({}) == std::pair(Verdict::Before, Triangles{{0, 2, 3}}));
+    CHECK(run({2}) == std::pair(Verdict::After, Triangles{{0, 3, 1}}));
+    CHECK(run({1, 2}) == std::pair(Verdict::NoThirdPoint, Triangles{}));
 }

@@ -50,9 +50,7 @@ bool insertThird(AnyContext auto& context, InsertEvidence evidence, Index third,
 /// remaining sector lies on the surface.
 bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
     const RimGap gap = context.points.gapAt(p);
-    const auto isFree = [&](Index x) {
-        return x != kNone && x != second && context.state.status[x] == kUnused;
-    };
+    const auto isFree = [&](Index x) { return x != kNone && context.state.status[x] == kUnused; };
     const bool before = isFree(gap.to);
     const Index third = before ? gap.to : isFree(gap.from) ? gap.from : kNone;
     return insertThird(
