@@ -4,7 +4,6 @@
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/repair.h"
 #include "support/clouds.h"
-#include "support/random_points.h"
 #include "support/repair_mesh.h"
 
 using namespace se;

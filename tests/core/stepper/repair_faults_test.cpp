@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
 #include "support/repair_mesh.h"
 
 using namespace se;

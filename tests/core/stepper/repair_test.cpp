@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
-
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "support/clouds.h"

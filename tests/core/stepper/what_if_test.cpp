@@ -464,11 +464,11 @@ TEST_CASE("points are edited in the order of the pivots, and not by lists of the
 }
 
 TEST_CASE("a neighbor that a what-if drops at the sort is no candidate") {
-    const auto trianglesWith = [](std::vector<WhatIf> whatIf) {
+    const auto trianglesWith = [](std::vector<WhatIf> changes) {
         Rig rig({{0, 0, 0}, polar(0), polar(150), {-9, -9, 0}, {9, -9, 0}, polar(75, 0.8)},
-                withWhatIfs(std::move(whatIf)));
+                withWhatIfs(std::move(changes)));
         return rig.list(0, {5}).ring({0, 2, 3, 4, 1}).pivot().triangles();
     };
     CHECK(trianglesWith({}) == Triangles{{0, 1, 5}, {0, 5, 2}});
-    CHECK(trianglesWith({said("1.sort drop 5")}) == Triangles{{0, 1, 2}});
+    CHECK(trianglesWith({whatIf("1.sort drop 5")}) == Triangles{{0, 1, 2}});
 }
