@@ -234,7 +234,8 @@ TABLE = {
     ],
     "stepper/robust/repair_close.cpp": [
         ("close-hole.openings", "if (isOpening(points, loop, shape)) return false;", "if (!MUT) OLD"),
-        ("close-hole.round-patch", "return !(shape.turnsRoundPatch &&", "return MUT || !(shape.turnsRoundPatch &&"),
+        ("close-hole.round-patch", "return !(shape.turnsRoundPatch &&", "return MUT || !(shape.turnsRoundPatch &&",
+         "Triangles around a patch from outside are flipped, so that none is made; the test saves the search."),
         ("close-hole.width", "if (spacing > 0.0 && shape.width()", "if (!MUT && spacing > 0.0 && shape.width()"),
         ("close-hole.length", "|| loop.size() > limit) return {};", "|| loop.size() > (MUT ? 1000U : limit)) return {};"),
         ("close-hole.not-widened", "if (widenByTriangle(m, side, ring)) continue;", "if (MUT) return {}; OLD"),

@@ -279,6 +279,17 @@ TEST_CASE("rim: a ring of which more than two in three points are where the surf
     }
 }
 
+TEST_CASE(
+    "rim: a ring of which more than two in three are rim points stays, without the rule too") {
+    for (const Index rim : {6U, 7U}) {
+        Rig late(withRim(9), fillWith());
+        setRim(late, 9, 0).startAt(Phase::Advance).retryLevel(kDelayedAllowed, 8);
+        for (Index p = 0; p < rim; ++p) late.rim(p, {});
+        late.run();
+        CHECK(late.state().counters.openings == (rim > 6 ? 1 : 0));
+    }
+}
+
 TEST_CASE("rim: a ring that runs round a patch of the surface is an opening") {
     for (const bool patch : {false, true}) {
         std::vector<Vec3> position = withRim(7);

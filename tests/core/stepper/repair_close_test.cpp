@@ -3,6 +3,7 @@
 
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/repair.h"
+#include "spiraling_edge/stepper/robust/hole_filling.h"
 #include "support/clouds.h"
 #include "support/repair_mesh.h"
 
@@ -82,6 +83,17 @@ TEST_CASE("closeholes: rings longer than filllength, and holes wider than fillwi
     CHECK(closeAll(points, narrower, m).empty());
 }
 
+TEST_CASE("closeholes: a wide hole where the surface ends at most points stays open") {
+    // Three by three points less: at 12 of the 16 around, half of the directions are free.
+    Points gone;
+    for (Index row = 2; row <= 4; ++row) {
+        for (Index column = 2; column <= 4; ++column) gone.push_back(gridPoint(column, row));
+    }
+    const PointSet points = flatPoints(gridPoints());
+    RepairState m = beginRepair(points.size(), gridWithout(gone));
+    CHECK(closeAll(points, robust(), m).empty());
+}
+
 TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third") {
     auto position = gridPoints();
     const auto tip = static_cast<Index>(position.size());
@@ -93,6 +105,41 @@ TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third"
     RepairState m = beginRepair(points.size(), triangles);
     CHECK_FALSE(closeNextHole(points, robust(), m));
     CHECK(m.triangles == triangles);
+}
+
+// ---- the filling of a ring ----------------------------------------------------------------------
+
+TEST_CASE("filling: of a rhombus, with the diagonal that makes the least angle larger") {
+    const PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
+    RepairState m = beginRepair(4, {});
+    const HoleRing ring{{0, 1, 2, 3}, {kNone, kNone, kNone, kNone}, {}};
+    Filling filling = FillingSearch(points, m, ring).find();
+    std::sort(filling.begin(), filling.end());
+    CHECK(filling == Filling{{0, 1, 3}, {1, 2, 3}});
+}
+
+TEST_CASE("filling: with no edge that a triangle has already") {
+    // An upright triangle on one diagonal, which cuts every filling with the other.
+    std::vector<Vec3> position = square();
+    position.emplace_back(2, 2, 5);
+    const PointSet points = flatPoints(position);
+    const HoleRing ring{{0, 1, 2, 3}, {kNone, kNone, kNone, kNone}, {}};
+    RepairState free = beginRepair(5, {});
+    CHECK(FillingSearch(points, free, ring).find().size() == 2);
+    RepairState taken = beginRepair(5, {{0, 2, 4}});
+    CHECK(FillingSearch(points, taken, ring).find().empty());
+}
+
+TEST_CASE("filling: a ring is widened by the triangle across a side, but not to a pinched point") {
+    for (const bool pinched : {false, true}) {
+        Triangles triangles{{0, 1, 2}};
+        if (pinched) triangles.push_back({2, 3, 4});
+        const RepairState m = beginRepair(6, triangles);
+        HoleRing ring{{1, 0, 5}, {0, kNone, kNone}, {}};
+        CHECK(widenByTriangle(m, 0, ring) == !pinched);
+        CHECK(ring.points == (pinched ? Points{1, 0, 5} : Points{1, 2, 0, 5}));
+        CHECK(ring.gone == (pinched ? Points{} : Points{0}));
+    }
 }
 
 // ---- droppatches --------------------------------------------------------------------------------

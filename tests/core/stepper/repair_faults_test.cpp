@@ -64,6 +64,36 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
     CHECK(flippedIn(input.points, m.triangles) == 0);
 }
 
+TEST_CASE("reseat: no point in the last round, after which it could not be put back") {
+    const Misplaced input = misplaced();
+    RepairState m = beginRepair(11, input.triangles);
+    m.round = kRepairRounds - 1;
+    CHECK(takeOutNext(input.points, m) == kNone);
+}
+
+TEST_CASE("reseat: a point of two fans stays") {
+    Misplaced input = misplaced();
+    std::vector<Vec3> position = input.points.position;
+    position.insert(position.end(), {{50, 50, 0}, {51, 50, 0}});
+    input.points = flatPoints(position);
+    input.triangles.insert(input.triangles.begin(), {10, 11, 12});
+    RepairState m = beginRepair(13, input.triangles);
+    REQUIRE(m.pinched[10]);
+    for (Index x = takeOutNext(input.points, m); x != kNone; x = takeOutNext(input.points, m))
+        CHECK(x != 10);
+}
+
+TEST_CASE("faulty: a flipped triangle, and one far off its normals in conflict with another") {
+    const PointSet points =
+        flatPoints({{0, 0, 0}, {2, 0, 0}, {1, 1, 1.2}, {1, 0.4, -1}, {1.2, 0.4, 2}, {0.8, 0.4, 2}});
+    RepairState alone = beginRepair(6, {{0, 1, 2}});
+    CHECK_FALSE(isFaulty(points, alone, 0));
+    RepairState cut = beginRepair(6, {{0, 1, 2}, {3, 4, 5}});
+    CHECK(isFaulty(points, cut, 0));
+    RepairState flipped = beginRepair(6, {{1, 0, 2}});
+    CHECK(isFaulty(points, flipped, 0));
+}
+
 TEST_CASE("reseat: leaves a mesh without flipped triangles alone") {
     const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
     RepairState m = beginRepair(points.size(), runAll(points, paper()).state.triangles);
