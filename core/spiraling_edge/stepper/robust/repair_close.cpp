@@ -2,7 +2,6 @@
 /// filled with triangles between its points, none of which has a fault; where that needs more room,
 /// triangles around it go as well, or one of its points.
 #include <algorithm>
-#include <unordered_set>
 
 #include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/stepper/robust/hole_filling.h"
@@ -71,19 +70,6 @@ std::vector<HalfEdge> loopFrom(const PointSet& points, const RepairState& m, Hal
     return simple && loop.size() >= 3 ? loop : std::vector<HalfEdge>{};
 }
 
-/// True if the triangles that are connected to this one by edges are at most `limit`. O(limit).
-bool isPatchOf(const RepairState& m, Index t, std::size_t limit) {
-    std::vector<Index> found{t};
-    std::unordered_set<Index> seen{t};
-    for (std::size_t i = 0; i < found.size() && found.size() <= limit; ++i) {
-        for (Index k = 0; k < 3; ++k) {
-            const HalfEdge other = m.twin[3 * found[i] + k];
-            if (other != kNone && seen.insert(other / 3).second) found.push_back(other / 3);
-        }
-    }
-    return found.size() <= limit;
-}
-
 /// Mean distance of the points where the sides begin to their nearest neighbor.
 double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
     double sum = 0.0;
@@ -105,7 +91,9 @@ bool isHole(const PointSet& points, const Params& params, const RepairState& m,
     const double spacing = spacingAt(points, loop);
     if (spacing > 0.0 && shape.width() > params.maxFillWidth * spacing) return false;
     if (isOpening(points, loop, shape)) return false;
-    return !(shape.turnsRoundPatch && isPatchOf(m, border.front() / 3, largestPatch(shape)));
+    const std::size_t largest = largestPatch(shape);
+    return !(shape.turnsRoundPatch &&
+             patchAt(m, border.front() / 3, largest + 1).size() <= largest);
 }
 
 HoleRing ringInside(const RepairState& m, const std::vector<HalfEdge>& border) {

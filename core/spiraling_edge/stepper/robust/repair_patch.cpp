@@ -8,21 +8,6 @@
 namespace se {
 namespace {
 
-/// The triangles that are connected to this one by edges, in the order they are reached; the
-/// search ends at `limit`.
-std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit) {
-    std::vector<Index> patch{t};
-    for (std::size_t i = 0; i < patch.size() && patch.size() < limit; ++i) {
-        for (Index k = 0; k < 3; ++k) {
-            const HalfEdge other = m.twin[3 * patch[i] + k];
-            if (other == kNone) continue;
-            if (std::find(patch.begin(), patch.end(), other / 3) == patch.end())
-                patch.push_back(other / 3);
-        }
-    }
-    return patch;
-}
-
 /// True if a triangle with a smaller index has an edge with this one.
 bool hasLesserNeighbor(const RepairState& m, Index t) {
     const HalfEdge h = 3 * t;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 namespace se {
 
@@ -83,6 +84,18 @@ void sortUnique(std::vector<Index>& list) {
 }
 
 }  // namespace
+
+std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit) {
+    std::vector<Index> patch{t};
+    std::unordered_set<Index> seen{t};
+    for (std::size_t i = 0; i < patch.size() && patch.size() < limit; ++i) {
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge other = m.twin[3 * patch[i] + k];
+            if (other != kNone && seen.insert(other / 3).second) patch.push_back(other / 3);
+        }
+    }
+    return patch;
+}
 
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places) {

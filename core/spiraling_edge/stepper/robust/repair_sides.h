@@ -64,6 +64,10 @@ auto sidesOfPinched(Repair& m, Index point) {
                      static_cast<std::size_t>(end - first));
 }
 
+/// The triangles that are connected to this one by edges, in the order they are reached; the search
+/// ends at `limit`. O(limit).
+std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit);
+
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.
 void dropTriangle(RepairState& m, Index t);
 void dropTriangles(RepairState& m, std::vector<Index> list);
