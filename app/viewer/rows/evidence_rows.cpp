@@ -293,6 +293,7 @@ void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& o
 
 void addRows(const DropPatchEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("triangles", grouped(e.triangles) + ", taken out");
+    if (e.kept > 0) out.row("kept", "a fan of " + grouped(e.kept));
     out.row("point", pointsText({e.point}));
 }
 

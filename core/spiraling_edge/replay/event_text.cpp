@@ -209,8 +209,11 @@ std::string text(const ReinsertEvidence& e) {
     return sentence("Stranded point {} goes into the triangle it lies over.", e.point);
 }
 std::string text(const DropPatchEvidence& e) {
-    return sentence("The {} triangles at point {} lie beside a larger component: taken out.",
-                    e.triangles, e.point);
+    if (e.kept > 0)
+        return sentence("Point {} keeps its fan of {}; its other fans are taken out: {}.", e.point,
+                        counted(e.kept, "triangle"), counted(e.triangles, "triangle"));
+    return sentence("A component of {} at point {} lies beside a larger one: taken out.",
+                    counted(e.triangles, "triangle"), e.point);
 }
 std::string text(const CloseHoleEvidence& e) {
     return sentence("The hole of {} points at {} - {} is filled.", e.length, e.first, e.second);

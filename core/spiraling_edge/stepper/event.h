@@ -261,10 +261,12 @@ struct FillEvidence {
     double leastDegrees;  ///< The ear's least angle.
     bool forced;          ///< No ear without a fault was left.
 };
-/// A small component beside a larger one was taken out (RobustRules::dropPatches).
+/// A small component beside a larger one was taken out, or all fans at a point but the largest
+/// (RobustRules::dropPatches).
 struct DropPatchEvidence {
-    Index point;      ///< The least of its points.
-    Index triangles;  ///< Their number.
+    Index point;      ///< The least of the component's points, or the one with the fans.
+    Index triangles;  ///< Number of triangles that were taken out.
+    Index kept = 0;   ///< Number of triangles in the fan that stays; 0 for a component.
 };
 /// A stranded point took the place of triangles, or divided or joined the border
 /// (RobustRules::reinsert).

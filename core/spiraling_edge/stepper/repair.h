@@ -29,7 +29,8 @@ struct RepairState {
     std::vector<HalfEdge> twin;
     /// One side that leaves each point; kNone for a point in no triangle.
     std::vector<HalfEdge> sideOf;
-    /// Points whose triangles form more than one fan. Only `closeholes` changes triangles at them.
+    /// Points whose triangles form more than one fan. Only `closeholes` and
+    /// `droppatches` change triangles at them.
     std::vector<bool> pinched;
     /// All points, to find triangles near a place; made when first needed.
     std::shared_ptr<const PointTree> tree;
@@ -41,7 +42,7 @@ struct RepairState {
     std::vector<std::uint8_t> conflictFlips;
     /// Per triangle: its corners when it was last found without a fault.
     std::vector<Triangle> sound;
-    /// Sides at pinched points, by point; up to date while holes are closed.
+    /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
     std::vector<PinchedSide> pinchedSides;
     /// The next place for the present phase to look at: a position in PointSet::order, a triangle,
     /// or a side.
@@ -66,6 +67,10 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
 /// RobustRules::dropPatches: takes out the next component of under kSmallComponent triangles with a
 /// point that lists one of a component of more. Nothing if none is left.
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& repair);
+
+/// RobustRules::dropPatches: takes out all fans but the largest, of equal ones the first, at the
+/// next pinched point, after which no point is pinched. Nothing if none is left.
+std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
 /// a side of the border or beside it, if no new triangle has a fault. Nothing if no point is left

@@ -31,6 +31,7 @@ enum class Phase : std::uint8_t {
     Fill,        ///< Beyond the paper: the next ear of a hole.
     Advance,     ///< §6.5, §7
     // Beyond the paper, after the last pivot (repair.h):
+    DropFans,     ///< All fans but the largest at one point.
     DropPatch,    ///< One small patch.
     Reinsert,     ///< One stranded point.
     CloseHole,    ///< One hole.
@@ -41,7 +42,7 @@ enum class Phase : std::uint8_t {
 
 /// True for the phases after the last pivot, which edit the mesh.
 constexpr bool isRepair(Phase phase) {
-    return phase >= Phase::DropPatch && phase <= Phase::RepairFault;
+    return phase >= Phase::DropFans && phase <= Phase::RepairFault;
 }
 
 /// Status of a point (§4): UNUSED 0, USED n > 0 = number of its ring entries, DONE -1.

@@ -134,6 +134,7 @@ void beginRepairPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
 void phaseRepairFault(AnyContext auto& context);
+void phaseDropFans(AnyContext auto& context);
 void phaseDropPatch(AnyContext auto& context);
 void phaseCloseHole(AnyContext auto& context);
 // phases/boundary.cpp: §7

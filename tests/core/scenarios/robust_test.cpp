@@ -51,6 +51,7 @@ TEST_CASE("robust: an oriented manifold from random points, lists, normals and t
         CHECK_MESSAGE(run.state.finished(), "seed ", seed);
         CHECK_MESSAGE(run.stop == StopReason::Finished, "seed ", seed);
         CHECK_MESSAGE(isOrientedManifold(run.mesh), "seed ", seed);
+        CHECK_MESSAGE(run.mesh.nonManifoldVertices == 0, "seed ", seed);
         CHECK_MESSAGE(isOrientedManifold(reportMesh(points, run.state.triangles)), "seed ", seed);
         triangles += run.mesh.triangles;
     }
@@ -94,7 +95,7 @@ TEST_CASE("robust: the numbers of Table 1, on stand-ins") {
     const Run run = runAll(*cloud, robust());
     CHECK(run.mesh.unusedPoints == 0);
     // What is left: two loops inside, and a point where two of the surface's parts touch.
-    CHECK(describeFaults(*cloud, run.state.mesh()) == "non_manifold_vertices 1 holes 2 ");
+    CHECK(describeFaults(*cloud, run.state.mesh()) == "holes 2 ");
 }
 
 TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossings") {
@@ -169,9 +170,11 @@ TEST_CASE("robust: the mannequin is open at its neck, with few faults elsewhere"
     // Spacings vary by a factor of 500. Closing all holes by triangles with faults would make
     // some 950 more.
     const MeshInspection found = inspectWithTotals(*points, run.state.mesh());
-    CHECK(faultCount(found.totals) < 500);
+    CHECK(faultCount(found.totals) < 400);
     CHECK(run.mesh.components == 1);
-    CHECK(run.mesh.boundaryLoops < 13);
+    CHECK(run.mesh.nonManifoldVertices == 0);
+    // Two of them come from fans that are dropped at points with several.
+    CHECK(run.mesh.boundaryLoops < 15);
 }
 
 // ---- the run as a run ---------------------------------------------------------------------------

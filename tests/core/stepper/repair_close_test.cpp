@@ -183,3 +183,54 @@ TEST_CASE("droppatches: a small component alone stays") {
     CHECK_FALSE(dropNextPatch(points, m));
     CHECK(m.triangles.size() == 4);
 }
+
+TEST_CASE("droppatches: of two fans at a point the larger stays, of equal ones the first") {
+    const PointSet points = flatPoints(gridPoints());
+    const Index pinch = gridPoint(3, 3);
+    RepairState m = beginRepair(points.size(),
+                                gridWithout({gridPoint(2, 3), gridPoint(4, 3), gridPoint(3, 1)}));
+    REQUIRE(m.pinched[pinch]);
+    const std::size_t before = m.triangles.size();
+    const auto step = dropNextFans(m);
+    REQUIRE(step);
+    CHECK(step->point == pinch);
+    CHECK(step->triangles == 1);
+    CHECK(step->kept == 1);
+    CHECK(m.triangles.size() == before - 1);
+    CHECK(manifoldFault(m) == "");
+    CHECK_FALSE(m.pinched[pinch]);
+    CHECK_FALSE(dropNextFans(m));
+}
+
+TEST_CASE("droppatches: a point that loses its only triangle is stranded") {
+    RepairState m = beginRepair(8, {{0, 1, 2}, {2, 3, 4}, {4, 5, 6}, {5, 4, 7}});
+    const auto step = dropNextFans(m);
+    REQUIRE(step);
+    CHECK(step->point == 2);
+    // Without 2 3 4, point 4 has one fan.
+    CHECK_FALSE(dropNextFans(m));
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 2}, {4, 5, 6}, {5, 4, 7}}));
+    CHECK(m.sideOf[3] == kNone);
+    CHECK(manifoldFault(m) == "");
+}
+
+TEST_CASE("droppatches: a point whose fan is divided by the step before loses one part") {
+    // Four triangles about 1, the middle two at 4, where another fan has three.
+    RepairState m = beginRepair(
+        11, {{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 6}, {4, 7, 8}, {4, 8, 9}, {4, 9, 10}});
+    const auto first = dropNextFans(m);
+    REQUIRE(first);
+    CHECK(first->point == 4);
+    CHECK(first->triangles == 2);
+    CHECK(first->kept == 3);
+    CHECK(m.pinched[1]);
+    CHECK(adjacencyFault(m) == "");
+    const auto second = dropNextFans(m);
+    REQUIRE(second);
+    CHECK(second->point == 1);
+    CHECK(second->triangles == 1);
+    CHECK(m.triangles.size() == 4);
+    CHECK(reachedSides(m, 4) == 3);
+    CHECK(manifoldFault(m) == "");
+    CHECK_FALSE(dropNextFans(m));
+}

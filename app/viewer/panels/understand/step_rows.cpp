@@ -172,8 +172,14 @@ void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
         const std::string ring = "ring " + grouped(run.ringLength[row.pivot - 1]);
         note = note.empty() ? ring : ring + ", " + note;
     }
+    const std::size_t triangles = trianglesOf(run, row.pivot);
+    if (summary.tests == 0 && triangles == 0) {
+        // A repair after the last pivot has no counts: the whole width is free.
+        pen.text(note, context.palette.textDim, pen.end());
+        return;
+    }
     pen.label(note, context.palette.textDim);
-    pen.triangles(trianglesOf(run, row.pivot));
+    pen.triangles(triangles);
     pen.counts(summary.tests, summary.refused);
 }
 

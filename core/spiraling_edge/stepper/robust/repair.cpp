@@ -28,9 +28,12 @@ struct RepairPhase {
     bool (*isOn)(const RobustRules& rules, std::uint32_t round);
 };
 constexpr RepairPhase kOrder[] = {
-    // No later step makes a patch.
-    {Phase::DropPatch,
-     [](const RobustRules& rules, std::uint32_t round) { return rules.dropPatches && round == 0; }},
+    // Until then holes are filled that meet at a point, which then has one fan again.
+    {Phase::DropFans,
+     [](const RobustRules& rules, std::uint32_t round) {
+         return rules.dropPatches && round + 1 == kRepairRounds;
+     }},
+    {Phase::DropPatch, [](const RobustRules& rules, std::uint32_t) { return rules.dropPatches; }},
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},
     {Phase::Flip, [](const RobustRules& rules, std::uint32_t) { return rules.flip; }},
@@ -113,6 +116,10 @@ void phaseReinsert(AnyContext auto& context) {
     finishStep(context, Stage::Reinsert, reinsertNext(context.points, context.state.repair));
 }
 
+void phaseDropFans(AnyContext auto& context) {
+    finishStep(context, Stage::DropPatch, dropNextFans(context.state.repair));
+}
+
 void phaseDropPatch(AnyContext auto& context) {
     finishStep(context, Stage::DropPatch, dropNextPatch(context.points, context.state.repair));
 }
@@ -138,6 +145,8 @@ template void phaseReinsert(UnloggedContext&);
 template void phaseReinsert(LoggedContext&);
 template void phaseFlip(UnloggedContext&);
 template void phaseFlip(LoggedContext&);
+template void phaseDropFans(UnloggedContext&);
+template void phaseDropFans(LoggedContext&);
 template void phaseDropPatch(UnloggedContext&);
 template void phaseDropPatch(LoggedContext&);
 template void phaseCloseHole(UnloggedContext&);

@@ -20,11 +20,10 @@ inline Index cornerOf(const RepairState& m, HalfEdge h) {
     return h % 3 == 0 ? t.a : (h % 3 == 1 ? t.b : t.c);
 }
 
-/// Calls visit(side) for every side that leaves the point, around it in both directions from
-/// sideOf.
+/// Calls visit(side) for every side of a fan that leaves its point, around it in both directions
+/// from `begin`.
 template <typename Visit>
-void forEachSideOf(const RepairState& m, Index point, Visit&& visit) {
-    const HalfEdge begin = m.sideOf[point];
+void forEachSideFrom(const RepairState& m, HalfEdge begin, Visit&& visit) {
     if (begin == kNone) return;
     HalfEdge h = begin;
     do {
@@ -36,6 +35,12 @@ void forEachSideOf(const RepairState& m, Index point, Visit&& visit) {
         h = following(h);  // Clockwise, from a border.
         visit(h);
     }
+}
+
+/// Calls visit(side) for every side that leaves the point, in the fan of sideOf.
+template <typename Visit>
+void forEachSideOf(const RepairState& m, Index point, Visit&& visit) {
+    forEachSideFrom(m, m.sideOf[point], visit);
 }
 
 inline bool joined(const RepairState& m, Index u, Index v) {
