@@ -114,9 +114,14 @@ picture gap scene:figure-9 "-0.1 -0.9 -0.03" 0.45 "15 0" --rules paper -k 12
 picture nocross $scans/hippo.ply "-0.0915 0.0365 0.042" 0.03 "0 0" --rules robust
 focus=0.9 picture nofold $scans/kitten.xyz "-0.2065 0.0487 -0.193" 0.05 "0 -20" --rules corrected -k 32
 picture nomeet $scans/fin90.xyz "0.0146 0.1174 0.0204" 0.08 "0 -40" --rules robust
+focus=0.9 picture nolayer $scans/kitten.xyz "0.1311 -0.4316 -0.1008" 0.05 "0 0" --rules corrected --rule guard=on -k 24
 lines=0 large=0.04 picture rim $scans/hippo.ply "0.02 -0.05 -0.04" 0.38 "-30 0 70" --rules robust
 focus=0.9 picture delay $scans/kitten.xyz "-0.191 0.291 0.0128" 0.055 "0 0" --rules corrected -k 24
+picture shelve $scans/oni.xyz "-0.1377 0.4443 0.2898" 0.12 "0 0" --rules robust -k 16
 picture fill $scans/hippo.ply "0.2115 0.156 0.1306" 0.0165 "0 0" --rules robust
+picture droppatches $scans/fin90.xyz "0.0228 0.5348 0.0122" 0.06 "0 -40" --rules robust
 picture reinsert $scans/hippo.ply "-0.138 -0.0086 -0.121" 0.031 "0 0" --rules robust
+picture closeholes $scans/hippo.ply "0.2475 -0.036 0.1056" 0.016 "0 0" --rules corrected --rule guard=on
 picture flip $scans/kitten.xyz "-0.0831 0.2031 0.2035" 0.039 "0 0" --rules robust
+picture remesh $scans/fin90.xyz "0.0221 0.2069 0.0043" 0.06 "0 -40" --rules robust
 picture reseat scene:linked-tori "2.0995 -0.3689 -0.1898" 0.28 "0 0" --rules corrected --rule guard=on --rule reinsert=on --rule flip=on -k 32
