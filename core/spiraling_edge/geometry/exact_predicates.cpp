@@ -174,9 +174,10 @@ int orient2d(const Vec3& a3, const Vec3& b3, const Vec3& c3, Axis dropped) {
         .sign();
 }
 
-bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* t) {
-    const int sp = orient3d(t[0], t[1], t[2], p);
-    const int sq = orient3d(t[0], t[1], t[2], q);
+namespace {
+
+/// segmentMeetsTriangle() for ends on these sides of the triangle's plane.
+bool segmentMeets(const Vec3& p, const Vec3& q, const Vec3* t, int sp, int sq) {
     if (sp * sq > 0) return false;
     if (sp == 0 && sq == 0) return coplanarSegmentMeets(p, q, t);
     const int a = orient3d(p, q, t[0], t[1]);
@@ -185,14 +186,32 @@ bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* t) {
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
+/// The sides of the plane of `t` on which the corners of `other` are.
+std::array<int, 3> sidesOf(const Vec3* t, const Vec3* other) {
+    return {orient3d(t[0], t[1], t[2], other[0]), orient3d(t[0], t[1], t[2], other[1]),
+            orient3d(t[0], t[1], t[2], other[2])};
+}
+
+bool isOneSided(const std::array<int, 3>& side) {
+    return side[0] == side[1] && side[1] == side[2] && side[0] != 0;
+}
+
+}  // namespace
+
+bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* t) {
+    return segmentMeets(p, q, t, orient3d(t[0], t[1], t[2], p), orient3d(t[0], t[1], t[2], q));
+}
+
 bool trianglesMeet(const Vec3* a, const Vec3* b) {
     // Most pairs are decided by the plane of one with the other entirely on one side.
-    const std::array side{orient3d(b[0], b[1], b[2], a[0]), orient3d(b[0], b[1], b[2], a[1]),
-                          orient3d(b[0], b[1], b[2], a[2])};
-    if (side[0] == side[1] && side[1] == side[2] && side[0] != 0) return false;
-    for (int i = 0; i < 3; ++i) {
-        if (segmentMeetsTriangle(a[i], a[(i + 1) % 3], b)) return true;
-        if (segmentMeetsTriangle(b[i], b[(i + 1) % 3], a)) return true;
+    const std::array ofA = sidesOf(b, a);
+    if (isOneSided(ofA)) return false;
+    const std::array ofB = sidesOf(a, b);
+    if (isOneSided(ofB)) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if (segmentMeets(a[i], a[j], b, ofA[i], ofA[j])) return true;
+        if (segmentMeets(b[i], b[j], a, ofB[i], ofB[j])) return true;
     }
     return false;
 }

@@ -97,6 +97,27 @@ double twiceAreaOf(const Polygon& polygon) {
     return sum;
 }
 
+/// True if `other` lies clearly beyond an edge of `t`, or on its ends, seen along `up`: a quick
+/// answer for most pairs, without a projection. `margin` is far above the rounding of an area.
+bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& normal,
+                    const Triangle& other, const Vec3& up, double margin) {
+    const std::array corner{t.a, t.b, t.c};
+    const std::array others{other.a, other.b, other.c};
+    // Counterclockwise seen along `up`.
+    const Vec3 axis = glm::dot(normal, up) < 0.0 ? -up : up;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Index u = corner[i];
+        const Index v = corner[(i + 1) % 3];
+        const Vec3& from = points.position[u];
+        const Vec3 inward = glm::cross(axis, points.position[v] - from);
+        const bool beyond = std::all_of(others.begin(), others.end(), [&](Index p) {
+            return p == u || p == v || glm::dot(inward, points.position[p] - from) < -margin;
+        });
+        if (beyond) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 LayerShape layerShape(const PointSet& points, const Triangle& t) {
@@ -117,7 +138,12 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& 
     // Also false where one is zero.
     if (!(glm::dot(shapeA.outward, shapeB.outward) >= kLayerCosine)) return false;
     const Vec3& origin = points.position[a.a];
-    const Projection projection(origin, shapeA.outward + shapeB.outward);
+    const Vec3 along = shapeA.outward + shapeB.outward;
+    const double margin = 1e-9 * (shapeA.reach + shapeB.reach) * (shapeA.reach + shapeB.reach);
+    if (liesBeyondEdge(points, a, shapeA.normal, b, along, margin) ||
+        liesBeyondEdge(points, b, shapeB.normal, a, along, margin))
+        return false;
+    const Projection projection(origin, along);
     const FlatTriangle one = projection.flat(points, a);
     const FlatTriangle other = projection.flat(points, b);
     if (separates(one, other) || separates(other, one)) return false;

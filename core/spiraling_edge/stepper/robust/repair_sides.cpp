@@ -60,6 +60,26 @@ void listPinched(RepairState& m) {
 
 namespace {
 
+/// A ball about a place, as far as the farthest point in its list.
+struct Ball {
+    Vec3 center;
+    double radius;
+    bool holds(const Vec3& x) const {
+        const Vec3 d = x - center;
+        return glm::dot(d, d) <= radius * radius;
+    }
+};
+
+/// A ball that holds all of these, with room for rounding.
+Ball around(const std::vector<Ball>& balls) {
+    Ball all{Vec3(0.0), 0.0};
+    for (const Ball& ball : balls) all.center += ball.center / static_cast<double>(balls.size());
+    for (const Ball& ball : balls)
+        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
+    all.radius *= 1.0 + 1e-9;
+    return all;
+}
+
 /// Calls visit(t) for each triangle near the places, once for each of its corners that is.
 template <typename Visit>
 void visitNear(const PointSet& points, RepairState& m, std::span<const Index> places,
@@ -68,14 +88,22 @@ void visitNear(const PointSet& points, RepairState& m, std::span<const Index> pl
         m.tree = std::make_shared<const PointTree>(points.position);
         m.treePoints = &points;
     }
+    std::vector<Ball> balls;
+    balls.reserve(places.size());
     for (const Index p : places) {
-        const Vec3& place = points.position[p];
-        double reach = 0.0;
+        Ball& ball = balls.emplace_back(Ball{points.position[p], 0.0});
         for (const Index q : points.neighbors[p])
-            reach = std::max(reach, glm::distance(points.position[q], place));
-        m.tree->within(points.position, place, reach,
-                       [&](Index q) { forEachSideOf(m, q, [&](HalfEdge h) { visit(h / 3); }); });
+            ball.radius = std::max(ball.radius, glm::distance(points.position[q], ball.center));
     }
+    // One search for all, since the balls share most of their points.
+    const Ball all = around(balls);
+    m.tree->within(points.position, all.center, all.radius, [&](Index q) {
+        if (m.sideOf[q] == kNone) return;
+        const bool isNear = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
+            return ball.holds(points.position[q]);
+        });
+        if (isNear) forEachSideOf(m, q, [&](HalfEdge h) { visit(h / 3); });
+    });
 }
 
 void sortUnique(std::vector<Index>& list) {
