@@ -148,7 +148,7 @@ def build(work, jobs):
 
 
 def begin_test():
-    for number in (signal.SIGINT, signal.SIGQUIT):  # A shell's background jobs ignore them.
+    for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT):  # A shell's background jobs ignore them.
         signal.signal(number, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -5,6 +5,8 @@
 #include "spiraling_edge/stepper/repair.h"
 #include "spiraling_edge/stepper/robust/hole_filling.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/random_points.h"
 #include "support/repair_mesh.h"
 
 using namespace se;
@@ -95,16 +97,48 @@ TEST_CASE("closeholes: a wide hole where the surface ends at most points stays o
 }
 
 TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third") {
+    // On the same side of the hole's edge as the triangle of the grid; the tip over the hole, or
+    // beside it, where the border sides of the hole still follow each other.
+    for (const double y : {2.5, 1.5}) {
+        auto position = gridPoints();
+        const auto tip = static_cast<Index>(position.size());
+        position.emplace_back(2.5, y, 1.0);
+        const PointSet points = flatPoints(position);
+        Triangles triangles = gridWithout({gridPoint(3, 3)});
+        triangles.push_back({gridPoint(3, 2), gridPoint(2, 2), tip});
+        RepairState m = beginRepair(points.size(), triangles);
+        CHECK_FALSE(closeNextHole(points, robust(), m));
+        CHECK(m.triangles == triangles);
+    }
+}
+
+TEST_CASE("closeholes: a hole with no room for a triangle is widened by one across its side") {
+    // The points 0 1 2 lie almost on a line. The triangle over it goes, and its tip is joined to
+    // the point in the middle.
+    const PointSet points =
+        flatPoints({{0, 0, 0}, {2, -0.01, 0}, {4, 0, 0}, {2, 3, 0}, {1, -2, 0}, {3, -2, 0}});
+    RepairState m = beginRepair(6, {{2, 1, 5}, {1, 0, 4}, {1, 4, 5}, {0, 2, 3}});
+    CHECK(closeAll(points, robust(), m) == Points{3});
+    CHECK(asSet(m.triangles) == asSet({{2, 1, 5}, {1, 0, 4}, {1, 4, 5}, {0, 1, 3}, {1, 2, 3}}));
+    CHECK(m.takenOut == 0);
+}
+
+TEST_CASE("closeholes: a point that leaves no room for a triangle is taken out") {
+    // A triangle is missing; where it had a neighbor, a flipped triangle leads to a point over the
+    // grid, so that the hole has a fourth point, at which every triangle lies over the grid.
     auto position = gridPoints();
-    const auto tip = static_cast<Index>(position.size());
-    position.emplace_back(2.5, 2.5, 1.0);
+    const auto point = static_cast<Index>(position.size());
+    position.emplace_back(3.5, 2.3, 0.3);
     const PointSet points = flatPoints(position);
-    Triangles triangles = gridWithout({gridPoint(3, 3)});
-    // On the same side of the hole's edge as the triangle of the grid.
-    triangles.push_back({gridPoint(3, 2), gridPoint(2, 2), tip});
+    const Triangle missing{gridPoint(3, 3), gridPoint(4, 3), gridPoint(4, 4)};
+    Triangles triangles = gridWithout({});
+    std::erase(triangles, missing);
+    triangles.push_back({missing.a, missing.b, point});
     RepairState m = beginRepair(points.size(), triangles);
-    CHECK_FALSE(closeNextHole(points, robust(), m));
-    CHECK(m.triangles == triangles);
+    CHECK(closeAll(points, robust(), m) == Points{4});
+    CHECK(asSet(m.triangles) == asSet(gridWithout({})));
+    CHECK(m.sideOf[point] == kNone);
+    CHECK(m.takenOut == 1);
 }
 
 // ---- the filling of a ring ----------------------------------------------------------------------
@@ -128,6 +162,39 @@ TEST_CASE("filling: with no edge that a triangle has already") {
     CHECK(FillingSearch(points, free, ring).find().size() == 2);
     RepairState taken = beginRepair(5, {{0, 2, 4}});
     CHECK(FillingSearch(points, taken, ring).find().empty());
+}
+
+TEST_CASE("filling: with no triangle folded onto the one across a side") {
+    // A wedge whose lower triangle is there, under the upper one.
+    const auto size = [](double height) {
+        PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, height}, {2, 4, -height}});
+        points.normal = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+        RepairState m = beginRepair(4, {{1, 0, 3}});
+        const HoleRing ring{{0, 1, 2}, {0, kNone, kNone}, {}};
+        return FillingSearch(points, m, ring).find().size();
+    };
+    CHECK(size(1.0) == 1);
+    CHECK(size(0.2) == 0);
+}
+
+TEST_CASE("filling: with no two triangles of which one lies over the other") {
+    // A winding ramp. After a full turn it lies over its beginning.
+    const auto size = [](Index quarters) {
+        std::vector<Vec3> position;
+        const auto add = [&](Index i, double radius) {
+            position.push_back(polar(90.0 * i, radius) + Vec3(0, 0, 0.1 * i));
+        };
+        for (Index i = 0; i <= quarters; ++i) add(i, 2.0);
+        for (Index i = quarters + 1; i-- > 0;) add(i, 0.5);
+        const PointSet points = flatPoints(position);
+        HoleRing ring;
+        for (Index p = 0; p < points.size(); ++p) ring.points.push_back(p);
+        ring.outer.assign(ring.size(), kNone);
+        RepairState m = beginRepair(points.size(), {});
+        return FillingSearch(points, m, ring).find().size();
+    };
+    CHECK(size(3) == 6);
+    CHECK(size(5) == 0);
 }
 
 TEST_CASE("filling: a ring is widened by the triangle across a side, but not to a pinched point") {
@@ -233,4 +300,30 @@ TEST_CASE("droppatches: a point whose fan is divided by the step before loses on
     CHECK(reachedSides(m, 4) == 3);
     CHECK(manifoldFault(m) == "");
     CHECK_FALSE(dropNextFans(m));
+}
+
+TEST_CASE("droppatches: in the end no point of a run has two fans") {
+    std::size_t dropped = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        CAPTURE(seed);
+        const Run run = runAll(randomPoints(seed), paperBut(&RobustRules::dropPatches));
+        CHECK(run.mesh.nonManifoldVertices == 0);
+        dropped += run.state.repair.droppedPatches;
+    }
+    CHECK(dropped > 0);
+}
+
+TEST_CASE("droppatches: holes that meet at a point are filled before its fans would go") {
+    const PointSet points = flatPoints(gridPoints());
+    Params params = paperBut(&RobustRules::dropPatches);
+    params.robust.closeHoles = true;
+    Stepper stepper(points, params);
+    State state(points.size());
+    state.phase = Phase::RepairFault;  // The last of the first round.
+    state.repair = beginRepair(points.size(), gridWithout({gridPoint(2, 3), gridPoint(4, 3)}));
+    stepper.setState(state);
+    stepper.run();
+    CHECK(stepper.state().repair.droppedPatches == 0);
+    CHECK(stepper.state().repair.closedHoles == 2);
+    CHECK(stepper.state().repair.round == kRepairRounds);
 }

@@ -107,6 +107,23 @@ TEST_CASE("reseat: a point at the border or with three triangles stays") {
     CHECK(takeOutNext(points, m) == kNone);
 }
 
+TEST_CASE("reseat: a point across a side of the flipped triangle may be the one to take out") {
+    // A pentagon about point 5, and at one of its sides a triangle that is bent under it. All
+    // corners of that one lie on the border.
+    std::vector<Vec3> position;
+    for (int i = 0; i < 5; ++i) position.push_back(polar(72.0 * i));
+    position.emplace_back(0, 0, 0);
+    position.push_back(polar(36, 0.4) - Vec3(0, 0, 0.7));
+    const PointSet points = flatPoints(position);
+    Triangles triangles{{1, 0, 6}};
+    for (Index i = 0; i < 5; ++i) triangles.push_back({i, (i + 1) % 5, 5});
+    REQUIRE(isFlipped(points, triangles[0]));
+    RepairState m = beginRepair(7, triangles);
+    CHECK(takeOutNext(points, m) == 5);
+    CHECK(m.triangles.size() == 4);
+    CHECK(manifoldFault(m) == "");
+}
+
 TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than without") {
     std::size_t with = 0;
     std::size_t without = 0;
@@ -163,6 +180,19 @@ TEST_CASE("remesh: a flipped triangle that no single flip mends") {
     CHECK(flippedIn(points, m.triangles) == 0);
     CHECK(manifoldFault(m) == "");
     CHECK_FALSE(remeshNext(points, m));
+}
+
+TEST_CASE("remesh: flipped triangles that need more than four triangles to go") {
+    // A U, as a fan from the end of one arm.
+    const PointSet points = flatPoints(
+        {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});
+    const Triangles fan{{2, 3, 4}, {2, 4, 5}, {2, 5, 6}, {2, 6, 7}, {2, 7, 0}, {2, 0, 1}};
+    REQUIRE(flippedIn(points, fan) == 2);
+    RepairState m = beginRepair(8, fan);
+    REQUIRE(remeshNext(points, m));
+    CHECK(m.triangles.size() == fan.size());
+    CHECK(flippedIn(points, m.triangles) == 0);
+    CHECK(manifoldFault(m) == "");
 }
 
 TEST_CASE("remesh: leaves a mesh without faults alone") {

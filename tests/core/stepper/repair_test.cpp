@@ -205,6 +205,17 @@ TEST_CASE("reinsert: a place does not grow to a point of two fans") {
     }
 }
 
+TEST_CASE("reinsert: a place does not grow around a point of three triangles") {
+    // A tent without a floor: the place of two of its sides has all points of the third one.
+    PointSet points = flatPoints({{0, 0, 2}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -0.5, 1}});
+    for (Index p = 0; p < 4; ++p)
+        points.normal[p] = glm::normalize(points.position[p] - Vec3(0, 0, 0.5));
+    RepairState m = beginRepair(5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
+    REQUIRE(reinsertNext(points, m));
+    CHECK(manifoldFault(m) == "");
+    CHECK(m.triangles.size() == 5);
+}
+
 TEST_CASE("reinsert: with the rule, points that a run stranded are used, without, they are not") {
     std::size_t with = 0;
     std::size_t without = 0;
