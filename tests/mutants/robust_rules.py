@@ -221,7 +221,8 @@ TABLE = {
          "if (!isSteep(points, mine, kRough)) return false;",
          "if (MUT || !isSteep(points, mine, kRough)) return false;"),
         ("pinched.stay", "if (m.pinched[p]) m.pinched[p] =", "if (!MUT && m.pinched[p]) m.pinched[p] ="),
-        ("near.half-the-reach", "position, place, reach,", "position, place, MUT ? 0.5 * reach : reach,"),
+        ("near.half-the-reach", "<= radius * radius;", "<= (MUT ? 0.25 : 1.0) * radius * radius;"),
+        ("near.few-places", "all.radius *= 1.0 + 1e-9;", "all.radius *= MUT ? 0.7 : 1.0 + 1e-9;"),
     ],
     "stepper/robust/hole_filling.cpp": [
         ("filling.existing-edge", "if (!closing && search_.staysJoined", "if (!MUT && !closing && search_.staysJoined"),

@@ -12,6 +12,7 @@
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
 
@@ -43,6 +44,18 @@ bool holds(const Triangle& t, const Subject& subject) {
 bool isInMesh(std::span<const Triangle> mesh, const Subject& subject) {
     return std::any_of(mesh.begin(), mesh.end(),
                        [&](const Triangle& t) { return holds(t, subject); });
+}
+
+/// The same for the mesh under repair, which is asked after each step. O(triangles at a point),
+/// unless that one is pinched.
+bool isInMesh(const RepairState& repair, const Subject& subject) {
+    const Index p = subject[0];
+    if (repair.pinched[p]) return isInMesh(repair.triangles, subject);
+    bool found = false;
+    forEachSideOf(repair, p, [&](HalfEdge side) {
+        found = found || holds(repair.triangles[side / 3], subject);
+    });
+    return found;
 }
 
 constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
@@ -250,7 +263,7 @@ class LedgerBuilder {
         std::optional<LineRole> role = roleOf(pivot.point, event);
         if (editsMesh(event)) {
             if (!inMesh_) inMesh_ = isInMesh(pivot.after.triangles, subject_);
-            const bool now = isInMesh(pivot.after.mesh(), subject_);
+            const bool now = isInMesh(pivot.after.repair, subject_);
             if (now != *inMesh_) role = now ? LineRole::Made : LineRole::Undone;
             inMesh_ = now;
         }
