@@ -182,6 +182,12 @@ bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTrian
     return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
+bool mayConflict(const Box& a, const Box& b) {
+    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
+    const Vec3 sides = (a.high - a.low) + (b.high - b.low);
+    return a.grown(0.25 * (sides.x + sides.y + sides.z)).meets(b);
+}
+
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
     const Box box = boxOf(points, b);
     // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
@@ -196,9 +202,7 @@ bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b) {
     const Box boxA = boxOf(points, a);
     const Box boxB = boxOf(points, b);
-    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
-    const Vec3 sides = (boxA.high - boxA.low) + (boxB.high - boxB.low);
-    if (!boxA.grown(0.25 * (sides.x + sides.y + sides.z)).meets(boxB)) return false;
+    if (!mayConflict(boxA, boxB)) return false;
     if (boxA.meets(boxB) && trianglesShareMore(points.position, a, b)) return true;
     return isSecondLayer(points, a, b);
 }

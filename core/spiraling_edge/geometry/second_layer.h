@@ -39,6 +39,8 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
+/// False if a triangle in one box cannot be in conflict with one in the other.
+bool mayConflict(const Box& a, const Box& b);
 /// True if two triangles are not in conflict by their boxes alone.
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 /// True if two triangles share more than their common corners, or one is a second layer of the

@@ -108,8 +108,13 @@ bool widenByTriangle(const RepairState& m, std::size_t side, HoleRing& ring) {
 
 FillingSearch::FillingSearch(const PointSet& points, RepairState& repair, const HoleRing& ring)
     : points_(points), m_(repair), ring_(ring) {
+    // All triangles of a filling lie in the box of the ring.
+    Box box(points.position[ring.points.front()]);
+    for (const Index p : ring.points) box.add(points.position[p]);
     for (const Index t : trianglesNear(points, repair, ring.points)) {
-        if (!isGone(ring, t)) near_.emplace_back(points, repair.triangles[t]);
+        const Triangle& near = repair.triangles[t];
+        if (!isGone(ring, t) && mayConflict(box, boxOf(points, near)))
+            near_.emplace_back(points, near);
     }
 }
 

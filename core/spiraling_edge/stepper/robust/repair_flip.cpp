@@ -61,6 +61,11 @@ class FlipScore {
         }
         return count;
     }
+    /// The same for the two triangles of the edge.
+    int conflictsBefore() const {
+        if (!conflictsBefore_) conflictsBefore_ = conflicts(quad_.left(), quad_.right());
+        return *conflictsBefore_;
+    }
     /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
     bool conflictNearby(const Triangle& a, const Triangle& b) const {
         const std::vector<Index> near =
@@ -85,6 +90,7 @@ class FlipScore {
     RepairState& m_;
     HalfEdge h_, g_;
     Quad quad_;
+    mutable std::optional<int> conflictsBefore_;
 };
 
 /// Cosine of the least angle of the two triangles.
@@ -135,9 +141,10 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
     const Quad& q = score.quad();
     const int before = score.before();
     const int after = score.after();
-    const bool fewer = after <= before && after + score.conflicts(q.flippedU(), q.flippedV()) <
-                                              before + score.conflicts(q.left(), q.right());
-    if (!fewer) return Gain::None;
+    if (after > before) return Gain::None;
+    const int fewerThan = before + score.conflictsBefore() - after;
+    if (fewerThan == 0 || score.conflicts(q.flippedU(), q.flippedV()) >= fewerThan)
+        return Gain::None;
     if (after < before) return Gain::Shape;
     const auto flips = std::max(m.conflictFlips[h / 3], m.conflictFlips[m.twin[h] / 3]);
     return flips < kMaxConflictFlips ? Gain::Conflicts : Gain::None;
@@ -147,7 +154,7 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
 /// another.
 bool isRough(const PointSet& points, const Quad& q, const FlipScore& score) {
     return (isSteep(points, q.left(), kRough) || isSteep(points, q.right(), kRough)) &&
-           score.conflicts(q.left(), q.right()) > 0;
+           score.conflictsBefore() > 0;
 }
 
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,

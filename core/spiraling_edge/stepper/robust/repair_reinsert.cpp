@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
@@ -135,8 +136,29 @@ struct Insertion {
 
 struct NearTriangle {
     Index index;
+    double distanceSq;  ///< Of its nearest corner from the point.
     ShapedTriangle shaped;
 };
+
+/// The triangles near a point, the nearest first, since most conflicts are with those.
+std::vector<NearTriangle> nearestFirst(const PointSet& points, RepairState& m, Index x) {
+    std::vector<NearTriangle> near;
+    const std::vector<Index> list = trianglesNear(points, m, std::array{x});
+    near.reserve(list.size());
+    for (const Index t : list) {
+        const Triangle& corners = m.triangles[t];
+        double least = std::numeric_limits<double>::max();
+        for (const Index p : {corners.a, corners.b, corners.c}) {
+            const Vec3 d = points.position[p] - points.position[x];
+            least = std::min(least, glm::dot(d, d));
+        }
+        near.push_back({t, least, ShapedTriangle(points, corners)});
+    }
+    std::stable_sort(near.begin(), near.end(), [](const NearTriangle& a, const NearTriangle& b) {
+        return a.distanceSq < b.distanceSq;
+    });
+    return near;
+}
 
 /// A triangle between the point and an old edge, and what was found out about it: it is made for
 /// many places.
@@ -147,7 +169,7 @@ struct NewTriangle {
     ShapedTriangle shaped;
     int faults;
     double cosine;                       ///< Of its least angle.
-    std::vector<std::size_t> conflicts;  ///< With these near triangles, ascending positions,
+    std::vector<std::size_t> conflicts;  ///< With the near triangles at these positions,
     std::size_t tested = 0;              ///< of those before this one.
 };
 
@@ -157,8 +179,7 @@ class PlaceSearch {
     PlaceSearch(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {}
 
     std::optional<Change> find() {
-        for (const Index t : trianglesNear(points_, m_, std::array{x_}))
-            near_.push_back({t, ShapedTriangle(points_, m_.triangles[t])});
+        near_ = nearestFirst(points_, m_, x_);
         std::vector<Index> begins;
         for (const Index p : points_.neighbors[x_])
             forEachSideOf(m_, p, [&](HalfEdge side) {
@@ -226,15 +247,13 @@ class PlaceSearch {
         t.conflicts.push_back(place);
         return true;
     }
-    bool inConflict(NewTriangle& t, Index old) {
-        const auto found =
-            std::lower_bound(near_.begin(), near_.end(), old,
-                             [](const NearTriangle& n, Index index) { return n.index < index; });
-        if (found == near_.end() || found->index != old)
-            return conflict(points_, t.shaped, m_.triangles[old]);
+    bool inConflict(const NewTriangle& t, Index old) {
+        const auto found = std::find_if(near_.begin(), near_.end(),
+                                        [&](const NearTriangle& n) { return n.index == old; });
+        if (found == near_.end()) return conflict(points_, t.shaped, m_.triangles[old]);
         const auto place = static_cast<std::size_t>(found - near_.begin());
-        while (t.tested <= place) testNext(t);
-        return std::binary_search(t.conflicts.begin(), t.conflicts.end(), place);
+        if (place >= t.tested) return conflict(points_, t.shaped, found->shaped);
+        return std::find(t.conflicts.begin(), t.conflicts.end(), place) != t.conflicts.end();
     }
 
     /// The first triangle before `i` that is in conflict with it; else `i`.
@@ -248,7 +267,7 @@ class PlaceSearch {
     /// The first side of the place whose old triangle across is in conflict with new triangle `i`,
     /// if that has a good shape; the number of sides if there is none.
     std::size_t sideInTheWay(const Change& change, std::size_t i) {
-        NewTriangle& t = made(change, i);
+        const NewTriangle& t = made(change, i);
         if (t.faults > 0 || t.cosine >= kThin) return change.size();
         const auto isInTheWay = [&](HalfEdge outer) {
             return outer != kNone && inConflict(t, outer / 3);
