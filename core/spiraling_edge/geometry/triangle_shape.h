@@ -98,14 +98,19 @@ inline bool folded(const PointSet& points, const Triangle& a, const Triangle& b)
 
 /// Cosine of the least angle: the smaller, the better. 1 for a triangle without area.
 inline double leastAngleCosine(const PointSet& points, const Triangle& t) {
-    const auto cosineAt = [&](Index x, Index y, Index z) {
-        const Vec3 u = points.position[y] - points.position[x];
-        const Vec3 v = points.position[z] - points.position[x];
-        const double size = std::sqrt(glm::dot(u, u) * glm::dot(v, v));
-        return size > 0.0 ? glm::dot(u, v) / size : 1.0;
+    const Vec3 ab = points.position[t.b] - points.position[t.a];
+    const Vec3 bc = points.position[t.c] - points.position[t.b];
+    const Vec3 ca = points.position[t.a] - points.position[t.c];
+    const double abSq = glm::dot(ab, ab);
+    const double bcSq = glm::dot(bc, bc);
+    const double caSq = glm::dot(ca, ca);
+    // Between a side that arrives at a corner and the one that leaves it.
+    const auto cosine = [](const Vec3& in, double inSq, const Vec3& out, double outSq) {
+        const double size = std::sqrt(inSq * outSq);
+        return size > 0.0 ? -glm::dot(in, out) / size : 1.0;
     };
-    return std::max(cosineAt(t.a, t.b, t.c),
-                    std::max(cosineAt(t.b, t.c, t.a), cosineAt(t.c, t.a, t.b)));
+    return std::max(cosine(ca, caSq, ab, abSq),
+                    std::max(cosine(ab, abSq, bc, bcSq), cosine(bc, bcSq, ca, caSq)));
 }
 
 }  // namespace se

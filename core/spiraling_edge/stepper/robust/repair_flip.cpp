@@ -103,11 +103,9 @@ bool isFlat(const PointSet& points, const RobustThresholds& thresholds, const Qu
     return normalsCosine(points, q.left(), q.right()) > thresholds.flipFlatCosine;
 }
 
-/// True if one of the triangles is so narrow, with three points almost collinear, that it may stand
-/// on a flat surface like a wall. The surface is flat there if the normals of the four points
-/// agree.
-bool standsOnFlat(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
-    if (worstCosine(points, q.left(), q.right()) < thresholds.flipNarrowCosine) return false;
+/// True if the normals of the four points agree: a triangle so narrow, with three points almost
+/// collinear, that it may stand on the surface like a wall says nothing about that.
+bool isFlatByNormals(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
     const std::array corners{q.u, q.v, q.x, q.y};
     Vec3 sum(0.0);
     for (const Index p : corners) sum += points.normal[p];
@@ -120,12 +118,14 @@ bool standsOnFlat(const PointSet& points, const RobustThresholds& thresholds, co
 bool givesBetterAngles(const PointSet& points, const RobustThresholds& thresholds,
                        const FlipScore& score) {
     const Quad& q = score.quad();
-    const bool better = worstCosine(points, q.flippedU(), q.flippedV()) <
-                        worstCosine(points, q.left(), q.right()) - 1e-9;
+    const bool flat = isFlat(points, thresholds, q);
+    const double now = worstCosine(points, q.left(), q.right());
+    if (!flat && now < thresholds.flipNarrowCosine) return false;
+    const bool better = worstCosine(points, q.flippedU(), q.flippedV()) < now - 1e-9;
     if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= thresholds.flipFlatCosine)
         return false;
-    if (isFlat(points, thresholds, q)) return score.after() == 0;
-    return standsOnFlat(points, thresholds, q) && score.after() == 0 &&
+    if (flat) return score.after() == 0;
+    return isFlatByNormals(points, thresholds, q) && score.after() == 0 &&
            !score.conflictNearby(q.flippedU(), q.flippedV());
 }
 
