@@ -246,9 +246,10 @@ TABLE = {
         ("close-hole.point-keeps-side", "m.sideOf[p] = kNone;\n            ++m.takenOut;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_patch.cpp": [
+        ("fans.third-side-unpaired", "if (m.twin[h] == kNone && leaving == 1", "if (!MUT && m.twin[h] == kNone && leaving == 1"),
         ("fans.smallest-stays", "{ return a.size() < b.size(); }", "{ return MUT ? a.size() > b.size() : a.size() < b.size(); }"),
         ("fans.gone-sides-stay", "if (!std::binary_search(gone.begin(), gone.end(), h / 3)) each", "if (MUT || !std::binary_search(gone.begin(), gone.end(), h / 3)) each"),
-        ("fans.divided-not-seen", "m.pinched[rim.point] = reachedSides", "m.pinched[rim.point] = !MUT && reachedSides"),
+        ("fans.divided-not-seen", "m.pinched[left.point] = reachedSides", "m.pinched[left.point] = !MUT && reachedSides"),
         ("fans.list-kept", "std::erase_if(m.pinchedSides, [&](const PinchedSide& s) {", "if (!MUT) OLD"),
         ("fans.twins-kept", "if (m.twin[h] != kNone) m.twin[m.twin[h]] = kNone;", "if (!MUT) OLD"),
         ("patch.alone", "|| !isBesideLarger(points, m, corners))", "|| (!MUT && !isBesideLarger(points, m, corners)))"),

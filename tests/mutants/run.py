@@ -148,7 +148,8 @@ def build(work, jobs):
 
 
 def begin_test():
-    for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT):  # A shell's background jobs ignore them.
+    # A shell's background jobs ignore the last two, nohup the first.
+    for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT):
         signal.signal(number, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -98,9 +98,7 @@ void addRemesh(const LayerInput& in, const RemeshEvidence& e, DrawList& out) {
 
 void addDropPatch(const LayerInput& in, const DropPatchEvidence& e, DrawList& out) {
     addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
-    addPoint(in, e.point,
-             std::to_string(e.triangles) + (e.triangles == 1 ? " triangle" : " triangles") +
-                 " taken out",
+    addPoint(in, e.point, counted(e.triangles, "triangle", "triangles") + " taken out",
              Shape::Cross, in.palette.rejected, out);
 }
 

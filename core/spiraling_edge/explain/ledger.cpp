@@ -46,8 +46,8 @@ bool isInMesh(std::span<const Triangle> mesh, const Subject& subject) {
                        [&](const Triangle& t) { return holds(t, subject); });
 }
 
-/// The same for the mesh under repair, which is asked after each step. O(triangles at a point),
-/// unless that one is pinched.
+/// True if the mesh under repair has the subject; called after each step. O(triangles at a point),
+/// O(triangles) at a pinched one.
 bool isInMesh(const RepairState& repair, const Subject& subject) {
     const Index p = subject[0];
     if (repair.pinched[p]) return isInMesh(repair.triangles, subject);

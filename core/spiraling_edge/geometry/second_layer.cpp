@@ -97,8 +97,9 @@ double twiceAreaOf(const Polygon& polygon) {
     return sum;
 }
 
-/// True if `other` lies clearly beyond an edge of `t`, or on its ends, seen along `up`: a quick
-/// answer for most pairs, without a projection. `margin` is far above the rounding of an area.
+/// True if, seen along `up`, each corner of `other` is an end of one edge of `t` or clearly beyond
+/// it: an answer for most pairs without a projection. `margin` is far above the rounding of an
+/// area.
 bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& normal,
                     const Triangle& other, const Vec3& up, double margin) {
     const std::array corner{t.a, t.b, t.c};
@@ -182,17 +183,23 @@ bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTrian
     return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
+namespace {
+
+/// No triangle in the box has a longer reach: an edge is no longer than the sum of the sides.
+double mostReachIn(const Box& box) {
+    const Vec3 sides = box.high - box.low;
+    return 0.25 * (sides.x + sides.y + sides.z);
+}
+
+}  // namespace
+
 bool mayConflict(const Box& a, const Box& b) {
-    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
-    const Vec3 sides = (a.high - a.low) + (b.high - b.low);
-    return a.grown(0.25 * (sides.x + sides.y + sides.z)).meets(b);
+    return a.grown(mostReachIn(a) + mostReachIn(b)).meets(b);
 }
 
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
     const Box box = boxOf(points, b);
-    // An edge is no longer than the sum of its box's sides, and a reach is a quarter of one.
-    const Vec3 sides = box.high - box.low;
-    return !a.box.grown(a.shape.reach + 0.25 * (sides.x + sides.y + sides.z)).meets(box);
+    return !a.box.grown(a.shape.reach + mostReachIn(box)).meets(box);
 }
 
 bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {

@@ -39,7 +39,7 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
-/// False if a triangle in one box cannot be in conflict with one in the other.
+/// False only if the boxes alone show that no triangles in them are in conflict.
 bool mayConflict(const Box& a, const Box& b);
 /// True if two triangles are not in conflict by their boxes alone.
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);

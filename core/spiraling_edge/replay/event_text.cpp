@@ -210,7 +210,7 @@ std::string text(const ReinsertEvidence& e) {
 }
 std::string text(const DropPatchEvidence& e) {
     if (e.kept > 0)
-        return sentence("Point {} keeps its fan of {}; its other fans are taken out: {}.", e.point,
+        return sentence("Point {} keeps its fan of {}; its other fans, {}, are taken out.", e.point,
                         counted(e.kept, "triangle"), counted(e.triangles, "triangle"));
     return sentence("A component of {} at point {} lies beside a larger one: taken out.",
                     counted(e.triangles, "triangle"), e.point);

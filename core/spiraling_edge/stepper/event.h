@@ -39,7 +39,7 @@ enum class Stage : std::uint8_t {
     Join,        ///< §6.5, Fig. 12
     Advance,     ///< §6.5: the next pivot.
     // Beyond the paper, after the last pivot:
-    DropPatch,     ///< A small patch beside a larger component is taken out.
+    DropPatch,     ///< A small component, or all fans at a point but the largest, is taken out.
     Reinsert,      ///< A stranded point is put in.
     CloseHole,     ///< A hole is filled.
     Flip,          ///< An edge is flipped.

@@ -85,8 +85,9 @@ struct RobustRules {
     /// A ring that would be freed with interior points is closed by ears, best least angle first,
     /// unless it is too long or too wide, or longer than five and an opening.
     bool fill = false;
-    /// After the last pivot: a component of a few triangles beside a larger one is taken out, and in
-    /// the end all fans but the largest at a point; `reinsert` may put their points back.
+    /// After the last pivot: a component of a few triangles beside a larger one is taken out; in
+    /// the last round, at each point, all fans but the largest. `reinsert` may put their points
+    /// back.
     bool dropPatches = false;
     /// After the last pivot: a stranded point takes the place of the triangles it lies over.
     bool reinsert = false;

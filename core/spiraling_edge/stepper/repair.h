@@ -68,8 +68,8 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
 /// point that lists one of a component of more. Nothing if none is left.
 std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairState& repair);
 
-/// RobustRules::dropPatches: takes out all fans but the largest, of equal ones the first, at the
-/// next pinched point, after which no point is pinched. Nothing if none is left.
+/// RobustRules::dropPatches: takes out all fans at the next pinched point but the largest, of equal
+/// ones the first. Nothing if no point is pinched.
 std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto

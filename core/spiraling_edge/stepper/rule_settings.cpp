@@ -313,7 +313,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     beyondPaper(number<&Params::maxFillWidth>("fillwidth", "6.5", "... and of at most this width",
                                               1.0, 4096.0, "spacings")),
     robust<&RobustRules::dropPatches>("droppatches", "4",
-                                      "small patches beside a component or fan are taken out"),
+                                      "small components and extra fans at points are taken out"),
     robust<&RobustRules::reinsert>("reinsert", "4",
                                    "stranded points take the place of triangles nearby"),
     robust<&RobustRules::closeHoles>("closeholes", "6.5", "holes of the finished mesh are filled"),

@@ -266,6 +266,13 @@ TEST_CASE("exact: triangles meet exactly where no separating axis exists, on sma
     }
 }
 
+TEST_CASE("exact: a triangle without area off the plane of another does not meet it") {
+    const Vec3 whole[3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Vec3 line[3] = {{1, 2, 2}, {1, 3, 3}, {1, 4, 4}};
+    CHECK_FALSE(trianglesMeet(whole, line));
+    CHECK_FALSE(trianglesMeet(line, whole));
+}
+
 TEST_CASE("exact: a segment meets a triangle through it, at its rim, and lying in it") {
     const Vec3 t[3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     CHECK(segmentMeetsTriangle({1, 1, -1}, {1, 1, 1}, t));

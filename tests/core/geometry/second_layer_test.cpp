@@ -91,6 +91,27 @@ TEST_CASE("second layer: two percent of the smaller triangle lie over or under t
     CHECK(small.isLayer());
 }
 
+TEST_CASE("second layer: over the other at a common edge or corner, not beside it") {
+    // Third corner on either side of a common edge, in both windings.
+    for (const double across : {-0.6, -1e-3, 1e-3, 0.6}) {
+        for (const bool turned : {false, true}) {
+            Pair pair({{0, 0, 0}, {1, 0, 0}, {0.5, 0.6, 0}, {0.5, across, 0.01}, {}, {}});
+            const Triangle a{0, 1, 2};
+            const Triangle b = turned ? Triangle{0, 1, 3} : Triangle{1, 0, 3};
+            CAPTURE(across);
+            // At 0.001 it is upright.
+            CHECK(isSecondLayer(pair.points, a, b) == (across > 1e-2));
+        }
+    }
+    // A corner in common: turned away from the other, and over it.
+    for (const bool over : {false, true}) {
+        const double y = over ? 0.5 : -0.5;
+        Pair pair({{0, 0, 0}, {1, 0, 0}, {0.5, 0.6, 0}, {0.2, y, 0.01}, {0.8, y, 0.01}, {}});
+        CHECK(isSecondLayer(pair.points, {0, 1, 2}, {0, 3, 4}) == over);
+        CHECK(isSecondLayer(pair.points, {0, 1, 2}, {0, 4, 3}) == over);
+    }
+}
+
 TEST_CASE("second layer: a normal is turned to the side of its corners' normals") {
     Pair pair = moved({0, 0, 0.1});
     std::swap(pair.points.position[1], pair.points.position[2]);  // inside out

@@ -175,7 +175,7 @@ TEST_CASE("bothwalls: where the ring passes from wall to wall no point is left p
     const auto pinched = [](double size, std::uint64_t seed, bool on) {
         Params params = robust();
         params.robust.bothWalls = on;
-        params.robust.closeHoles = params.robust.dropPatches = false;  // They would mend them.
+        params.robust.closeHoles = params.robust.dropPatches = false;  // Both would repair them.
         return runAll(gyroidInBox().sample(size, seed), params).mesh.nonManifoldVertices;
     };
     CHECK(pinched(1400.0, 55, false) == 1);

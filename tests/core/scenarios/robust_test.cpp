@@ -94,7 +94,7 @@ TEST_CASE("robust: the numbers of Table 1, on stand-ins") {
     if (!cloud) return;
     const Run run = runAll(*cloud, robust());
     CHECK(run.mesh.unusedPoints == 0);
-    // What is left: two loops inside, and a point where two of the surface's parts touch.
+    // What is left: two loops inside.
     CHECK(describeFaults(*cloud, run.state.mesh()) == "holes 2 ");
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("robust: the mannequin is open at its neck, with few faults elsewhere"
     CHECK(faultCount(found.totals) < 400);
     CHECK(run.mesh.components == 1);
     CHECK(run.mesh.nonManifoldVertices == 0);
-    // Two of them come from fans that are dropped at points with several.
+    // Two of them are where fans were dropped.
     CHECK(run.mesh.boundaryLoops < 15);
 }
 

@@ -182,7 +182,7 @@ TEST_CASE("remesh: a flipped triangle that no single flip mends") {
     CHECK_FALSE(remeshNext(points, m));
 }
 
-TEST_CASE("remesh: flipped triangles that need more than four triangles to go") {
+TEST_CASE("remesh: replaces more than four triangles where four do not suffice") {
     // A U, as a fan from the end of one arm.
     const PointSet points = flatPoints(
         {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});

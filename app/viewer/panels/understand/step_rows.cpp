@@ -174,7 +174,7 @@ void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
     }
     const std::size_t triangles = trianglesOf(run, row.pivot);
     if (summary.tests == 0 && triangles == 0) {
-        // A repair after the last pivot has no counts: the whole width is free.
+        // Nothing to count, as in a repair: the note may take the whole width.
         pen.text(note, context.palette.textDim, pen.end());
         return;
     }

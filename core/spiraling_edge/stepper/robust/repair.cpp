@@ -28,11 +28,13 @@ struct RepairPhase {
     bool (*isOn)(const RobustRules& rules, std::uint32_t round);
 };
 constexpr RepairPhase kOrder[] = {
-    // Until then holes are filled that meet at a point, which then has one fan again.
+    // Only in the last round: until then, filling the holes that meet at a point may leave it one
+    // fan.
     {Phase::DropFans,
      [](const RobustRules& rules, std::uint32_t round) {
          return rules.dropPatches && round + 1 == kRepairRounds;
      }},
+    // Fans that are dropped may leave a patch.
     {Phase::DropPatch, [](const RobustRules& rules, std::uint32_t) { return rules.dropPatches; }},
     {Phase::Reinsert, [](const RobustRules& rules, std::uint32_t) { return rules.reinsert; }},
     {Phase::CloseHole, [](const RobustRules& rules, std::uint32_t) { return rules.closeHoles; }},

@@ -61,7 +61,7 @@ class FlipScore {
         }
         return count;
     }
-    /// The same for the two triangles of the edge.
+    /// Conflicts of the two triangles of the edge, counted once.
     int conflictsBefore() const {
         if (!conflictsBefore_) conflictsBefore_ = conflicts(quad_.left(), quad_.right());
         return *conflictsBefore_;
@@ -103,8 +103,8 @@ bool isFlat(const PointSet& points, const RobustThresholds& thresholds, const Qu
     return normalsCosine(points, q.left(), q.right()) > thresholds.flipFlatCosine;
 }
 
-/// True if the normals of the four points agree: a triangle so narrow, with three points almost
-/// collinear, that it may stand on the surface like a wall says nothing about that.
+/// True if the surface is flat by the normals of the four points: for narrow triangles, with three
+/// points almost collinear, which may stand on it like a wall.
 bool isFlatByNormals(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
     const std::array corners{q.u, q.v, q.x, q.y};
     Vec3 sum(0.0);
@@ -142,9 +142,8 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
     const int before = score.before();
     const int after = score.after();
     if (after > before) return Gain::None;
-    const int fewerThan = before + score.conflictsBefore() - after;
-    if (fewerThan == 0 || score.conflicts(q.flippedU(), q.flippedV()) >= fewerThan)
-        return Gain::None;
+    const int tooMany = before + score.conflictsBefore() - after;
+    if (tooMany == 0 || score.conflicts(q.flippedU(), q.flippedV()) >= tooMany) return Gain::None;
     if (after < before) return Gain::Shape;
     const auto flips = std::max(m.conflictFlips[h / 3], m.conflictFlips[m.twin[h] / 3]);
     return flips < kMaxConflictFlips ? Gain::Conflicts : Gain::None;

@@ -1,5 +1,5 @@
-/// RobustRules::dropPatches: a few triangles beside a larger component, a late patch over the
-/// finished surface, are taken out, and where a point has several fans, all but the largest;
+/// RobustRules::dropPatches: a component of a few triangles beside a larger one, a late patch over
+/// the finished surface, is taken out; in the last round, at each point, all fans but the largest.
 /// RobustRules::reinsert may put their points back.
 #include <algorithm>
 
@@ -53,16 +53,17 @@ std::vector<std::vector<HalfEdge>> fansOf(const RepairState& m, Index p) {
     return fans;
 }
 
-/// A point of triangles that are taken out, and the sides of others that leave it.
-struct Rim {
+/// The sides that leave a point, without those of triangles that go.
+struct SidesLeft {
     Index point;
     std::vector<HalfEdge> sides;
 };
 
-std::vector<Rim> rimOf(const RepairState& m, const std::vector<Index>& gone) {
-    std::vector<Rim> rim;
+/// For each corner of the triangles `gone`, which ascend.
+std::vector<SidesLeft> sidesLeftBy(const RepairState& m, const std::vector<Index>& gone) {
+    std::vector<SidesLeft> left;
     for (const Index p : pointsOf(m, gone)) {
-        Rim& each = rim.emplace_back(Rim{p, {}});
+        SidesLeft& each = left.emplace_back(SidesLeft{p, {}});
         const auto add = [&](HalfEdge h) {
             if (!std::binary_search(gone.begin(), gone.end(), h / 3)) each.sides.push_back(h);
         };
@@ -72,30 +73,46 @@ std::vector<Rim> rimOf(const RepairState& m, const std::vector<Index>& gone) {
             forEachSideOf(m, p, add);
         }
     }
-    return rim;
+    return left;
 }
 
-/// Lists the sides of a point anew, which may have become pinched or stopped being so.
-void listSides(RepairState& m, const Rim& rim) {
-    m.sideOf[rim.point] = rim.sides.empty() ? kNone : rim.sides.front();
-    m.pinched[rim.point] = reachedSides(m, rim.point) != rim.sides.size();
-    std::erase_if(m.pinchedSides, [&](const PinchedSide& s) { return s.point == rim.point; });
-    if (!m.pinched[rim.point]) return;
+/// Pairs the sides of edges that had three triangles or more, of which one on each side is left.
+void pairSides(RepairState& m, const SidesLeft& left) {
+    for (const HalfEdge h : left.sides) {
+        const Index v = cornerOf(m, following(h));
+        std::size_t leaving = 0;
+        std::vector<HalfEdge> arriving;
+        for (const HalfEdge side : left.sides) {
+            leaving += cornerOf(m, following(side)) == v ? 1 : 0;
+            if (cornerOf(m, preceding(side)) == v) arriving.push_back(preceding(side));
+        }
+        if (m.twin[h] == kNone && leaving == 1 && arriving.size() == 1)
+            pair(m, h, arriving.front());
+    }
+}
+
+/// Updates sideOf, pinched and pinchedSides of a point at triangles that go.
+void updateSides(RepairState& m, const SidesLeft& left) {
+    m.sideOf[left.point] = left.sides.empty() ? kNone : left.sides.front();
+    m.pinched[left.point] = reachedSides(m, left.point) != left.sides.size();
+    std::erase_if(m.pinchedSides, [&](const PinchedSide& s) { return s.point == left.point; });
+    if (!m.pinched[left.point]) return;
     auto at = std::find_if(m.pinchedSides.begin(), m.pinchedSides.end(),
-                           [&](const PinchedSide& s) { return s.point > rim.point; });
-    for (const HalfEdge h : rim.sides) at = m.pinchedSides.insert(at, {rim.point, h}) + 1;
+                           [&](const PinchedSide& s) { return s.point > left.point; });
+    for (const HalfEdge h : left.sides) at = m.pinchedSides.insert(at, {left.point, h}) + 1;
 }
 
-/// Takes ascending triangles out of a mesh of which others stay beside them.
-void takeOut(RepairState& m, const std::vector<Index>& gone) {
-    const std::vector<Rim> rim = rimOf(m, gone);
+/// Takes out triangles, in ascending order, beside which others stay.
+void takeOutFans(RepairState& m, const std::vector<Index>& gone) {
+    const std::vector<SidesLeft> left = sidesLeftBy(m, gone);
     for (const Index t : gone) {
         for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
             if (m.twin[h] != kNone) m.twin[m.twin[h]] = kNone;
             m.twin[h] = kNone;
         }
     }
-    for (const Rim& each : rim) listSides(m, each);
+    for (const SidesLeft& each : left) pairSides(m, each);
+    for (const SidesLeft& each : left) updateSides(m, each);
     dropTriangles(m, gone);
 }
 
@@ -115,7 +132,7 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& m) {
         for (const HalfEdge h : *fan) gone.push_back(h / 3);
     }
     std::sort(gone.begin(), gone.end());
-    takeOut(m, gone);
+    takeOutFans(m, gone);
     ++m.droppedPatches;
     return DropPatchEvidence{p, static_cast<Index>(gone.size()),
                              static_cast<Index>(largest->size())};

@@ -136,7 +136,7 @@ struct Insertion {
 
 struct NearTriangle {
     Index index;
-    double distanceSq;  ///< Of its nearest corner from the point.
+    double distanceSq;  ///< From the point to its nearest corner, squared.
     ShapedTriangle shaped;
 };
 
@@ -168,9 +168,10 @@ struct NewTriangle {
 
     ShapedTriangle shaped;
     int faults;
-    double cosine;                       ///< Of its least angle.
-    std::vector<std::size_t> conflicts;  ///< With the near triangles at these positions,
-    std::size_t tested = 0;              ///< of those before this one.
+    double cosine;  ///< Of its least angle.
+    std::vector<std::size_t>
+        conflicts;           ///< Positions of tested near triangles in conflict with it.
+    std::size_t tested = 0;  ///< Number of near triangles tested, from the first on.
 };
 
 /// Finds the best place for one point.

@@ -20,8 +20,8 @@ inline Index cornerOf(const RepairState& m, HalfEdge h) {
     return h % 3 == 0 ? t.a : (h % 3 == 1 ? t.b : t.c);
 }
 
-/// Calls visit(side) for every side of a fan that leaves its point, around it in both directions
-/// from `begin`.
+/// Calls visit(side) for the sides of one fan that leave its point, in both directions from
+/// `begin`.
 template <typename Visit>
 void forEachSideFrom(const RepairState& m, HalfEdge begin, Visit&& visit) {
     if (begin == kNone) return;
@@ -70,7 +70,7 @@ auto sidesOfPinched(Repair& m, Index point) {
 }
 
 /// The triangles that are connected to this one by edges, in the order they are reached; the search
-/// ends at `limit`. O(limit).
+/// ends once `limit` are found, or up to two more. O(limit).
 std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit);
 
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.
