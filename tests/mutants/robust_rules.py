@@ -246,7 +246,7 @@ TABLE = {
         ("close-hole.point-keeps-side", "m.sideOf[p] = kNone;\n            ++m.takenOut;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_patch.cpp": [
-        ("fans.third-side-unpaired", "if (m.twin[h] == kNone && leaving == 1", "if (!MUT && m.twin[h] == kNone && leaving == 1"),
+        ("fans.third-side-unpaired", "if (leaving == 1 &&", "if (!MUT && leaving == 1 &&"),
         ("fans.smallest-stays", "{ return a.size() < b.size(); }", "{ return MUT ? a.size() > b.size() : a.size() < b.size(); }"),
         ("fans.gone-sides-stay", "if (!std::binary_search(gone.begin(), gone.end(), h / 3)) each", "if (MUT || !std::binary_search(gone.begin(), gone.end(), h / 3)) each"),
         ("fans.divided-not-seen", "m.pinched[left.point] = reachedSides", "m.pinched[left.point] = !MUT && reachedSides"),

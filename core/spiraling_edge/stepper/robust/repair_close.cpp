@@ -162,16 +162,6 @@ Filling widenUntilFilled(const PointSet& points, RepairState& m, HoleRing& ring)
     return {};
 }
 
-/// The corners of the triangles that are gone.
-std::vector<Index> cornersOfGone(const RepairState& m, const HoleRing& ring) {
-    std::vector<Index> corners;
-    for (const Index t : ring.gone) {
-        const Triangle& gone = m.triangles[t];
-        corners.insert(corners.end(), {gone.a, gone.b, gone.c});
-    }
-    return corners;
-}
-
 }  // namespace
 
 std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Params& params,
@@ -188,10 +178,10 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
         if (filling.empty()) continue;
         const CloseHoleEvidence evidence{cornerOf(m, first), cornerOf(m, following(first)),
                                          static_cast<Index>(border.size())};
-        const std::vector<Index> corners = cornersOfGone(m, ring);
+        const std::vector<Index> corners = cornersOf(m, ring.gone);
         putFilling(m, ring, filling);
         for (const Index p : corners) {
-            if (isOn(ring, p) || m.sideOf[p] == kNone) continue;
+            if (isOn(ring, p)) continue;
             m.sideOf[p] = kNone;
             ++m.takenOut;
         }

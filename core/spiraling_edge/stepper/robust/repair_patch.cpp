@@ -16,17 +16,6 @@ bool hasLesserNeighbor(const RepairState& m, Index t) {
                        [&](HalfEdge other) { return other < h; });
 }
 
-std::vector<Index> pointsOf(const RepairState& m, const std::vector<Index>& patch) {
-    std::vector<Index> corners;
-    for (const Index t : patch) {
-        const Triangle& each = m.triangles[t];
-        corners.insert(corners.end(), {each.a, each.b, each.c});
-    }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    return corners;
-}
-
 /// True if one of the points lists a point of a component with at least kSmallComponent triangles.
 bool isBesideLarger(const PointSet& points, const RepairState& m,
                     const std::vector<Index>& corners) {
@@ -62,7 +51,7 @@ struct SidesLeft {
 /// For each corner of the triangles `gone`, which ascend.
 std::vector<SidesLeft> sidesLeftBy(const RepairState& m, const std::vector<Index>& gone) {
     std::vector<SidesLeft> left;
-    for (const Index p : pointsOf(m, gone)) {
+    for (const Index p : cornersOf(m, gone)) {
         SidesLeft& each = left.emplace_back(SidesLeft{p, {}});
         const auto add = [&](HalfEdge h) {
             if (!std::binary_search(gone.begin(), gone.end(), h / 3)) each.sides.push_back(h);
@@ -79,6 +68,7 @@ std::vector<SidesLeft> sidesLeftBy(const RepairState& m, const std::vector<Index
 /// Pairs the sides of edges that had three triangles or more, of which one on each side is left.
 void pairSides(RepairState& m, const SidesLeft& left) {
     for (const HalfEdge h : left.sides) {
+        if (m.twin[h] != kNone) continue;
         const Index v = cornerOf(m, following(h));
         std::size_t leaving = 0;
         std::vector<HalfEdge> arriving;
@@ -86,8 +76,7 @@ void pairSides(RepairState& m, const SidesLeft& left) {
             leaving += cornerOf(m, following(side)) == v ? 1 : 0;
             if (cornerOf(m, preceding(side)) == v) arriving.push_back(preceding(side));
         }
-        if (m.twin[h] == kNone && leaving == 1 && arriving.size() == 1)
-            pair(m, h, arriving.front());
+        if (leaving == 1 && arriving.size() == 1) pair(m, h, arriving.front());
     }
 }
 
@@ -143,7 +132,7 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
         if (hasLesserNeighbor(m, m.next)) continue;  // Its patch was examined already.
         std::vector<Index> patch = patchAt(m, m.next, kSmallComponent);
         if (patch.size() >= kSmallComponent) continue;
-        const std::vector<Index> corners = pointsOf(m, patch);
+        const std::vector<Index> corners = cornersOf(m, patch);
         const bool pinched =
             std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
         if (pinched || !isBesideLarger(points, m, corners)) continue;

@@ -168,10 +168,9 @@ struct NewTriangle {
 
     ShapedTriangle shaped;
     int faults;
-    double cosine;  ///< Of its least angle.
-    std::vector<std::size_t>
-        conflicts;           ///< Positions of tested near triangles in conflict with it.
-    std::size_t tested = 0;  ///< Number of near triangles tested, from the first on.
+    double cosine;                       ///< Of its least angle.
+    std::size_t tested = 0;              ///< Number of near triangles tested, from the first on,
+    std::vector<std::size_t> conflicts;  ///< and the positions of those in conflict with it.
 };
 
 /// Finds the best place for one point.

@@ -113,6 +113,16 @@ void sortUnique(std::vector<Index>& list) {
 
 }  // namespace
 
+std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list) {
+    std::vector<Index> corners;
+    for (const Index t : list) {
+        const Triangle& each = m.triangles[t];
+        corners.insert(corners.end(), {each.a, each.b, each.c});
+    }
+    sortUnique(corners);
+    return corners;
+}
+
 std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit) {
     std::vector<Index> patch{t};
     std::unordered_set<Index> seen{t};

@@ -69,6 +69,9 @@ auto sidesOfPinched(Repair& m, Index point) {
                      static_cast<std::size_t>(end - first));
 }
 
+/// The corners of these triangles, ascending.
+std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list);
+
 /// The triangles that are connected to this one by edges, in the order they are reached; the search
 /// ends once `limit` are found, or up to two more. O(limit).
 std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit);
