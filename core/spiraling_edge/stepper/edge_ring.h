@@ -6,6 +6,7 @@
 ///  3. The active ring is not on the stack; no ring is on the stack twice.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "spiraling_edge/points/point_set.h"
@@ -28,6 +29,46 @@ struct Exchange {
     bool split = false;     ///< One ring became two; else two became one.
     Index ringOfX = kNone;  ///< Ring of x afterwards.
     Index ringOfY = kNone;  ///< Ring of y afterwards; equal to ringOfX after a join.
+};
+
+class EdgeRings;
+
+/// The entries of one ring, as a range.
+class RingEntries {
+  public:
+    class Iterator {
+      public:
+        using value_type = Index;
+        using difference_type = std::ptrdiff_t;
+        Iterator() = default;
+        Iterator(const EdgeRings& rings, Index entry, Index place)
+            : rings_(&rings), entry_(entry), place_(place) {}
+        Index operator*() const { return entry_; }
+        inline Iterator& operator++();
+        Iterator operator++(int) {
+            const Iterator here = *this;
+            ++*this;
+            return here;
+        }
+        friend bool operator==(const Iterator& a, const Iterator& b) {
+            return a.place_ == b.place_;
+        }
+
+      private:
+        const EdgeRings* rings_ = nullptr;
+        Index entry_ = kNone;
+        Index place_ = 0;
+    };
+
+    RingEntries(const EdgeRings& rings, Index head, Index length)
+        : rings_(&rings), head_(head), length_(length) {}
+    Iterator begin() const { return {*rings_, head_, 0}; }
+    Iterator end() const { return {*rings_, head_, length_}; }
+
+  private:
+    const EdgeRings* rings_;
+    Index head_;
+    Index length_;
 };
 
 /// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the rings as a
@@ -53,12 +94,9 @@ class EdgeRings {
     Index length(Index ring) const { return rings_[ring].length; }
     /// An entry of the ring to start walking at; for a stacked ring, the pivot when it is popped.
     Index head(Index ring) const { return rings_[ring].head; }
-    /// Calls visit(entry) for each entry of a ring, from its head on.
-    template <typename Visit>
-    void forEachEntry(Index ring, Visit&& visit) const {
-        Index entry = head(ring);
-        for (Index i = 0; i < length(ring); ++i, entry = next(entry)) visit(entry);
-    }
+    /// The entries of a ring, from its head on: `for (Index entry : rings.entriesOf(ring))`. Valid
+    /// until the rings change.
+    RingEntries entriesOf(Index ring) const { return {*this, head(ring), length(ring)}; }
     /// The active ring, kNone if there is none.
     Index active() const { return active_; }
     /// Stacked rings, the most recently pushed last.
@@ -139,5 +177,11 @@ class EdgeRings {
     Index freeEntry_ = kNone;
     Index active_ = kNone;
 };
+
+RingEntries::Iterator& RingEntries::Iterator::operator++() {
+    entry_ = rings_->next(entry_);
+    ++place_;
+    return *this;
+}
 
 }  // namespace se

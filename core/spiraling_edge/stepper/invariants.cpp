@@ -24,7 +24,7 @@ std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) 
     if (length < 2) return "2: a ring has fewer than two entries";
     std::string problem;
     const bool closes = params.readings.closeTwo && params.readings.openSteps;
-    rings.forEachEntry(ring, [&](Index e) {
+    for (const Index e : rings.entriesOf(ring)) {
         if (rings.ringOf(e) != ring) problem = at("2: an entry names another ring", rings.point(e));
         if (rings.prev(rings.next(e)) != e) {
             problem = at("2: next and prev disagree", rings.point(e));
@@ -34,7 +34,7 @@ std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) 
         if (closes && samePoint && !rings.open(before) && !rings.open(e)) {
             problem = at("2: a finished edge was not closed", rings.point(e));
         }
-    });
+    }
     Index entry = rings.head(ring);
     for (Index i = 0; i < length; ++i) entry = rings.next(entry);
     if (entry != rings.head(ring)) problem = "2: a ring's length is wrong";
@@ -51,7 +51,7 @@ std::string checkRings(const State& s, const Params& params) {
     for (const Index ring : rings) {
         const std::string problem = checkRing(s.rings, ring, params);
         if (!problem.empty()) return problem;
-        s.rings.forEachEntry(ring, [&](Index e) { ++entries[s.rings.point(e)]; });
+        for (const Index e : s.rings.entriesOf(ring)) ++entries[s.rings.point(e)];
     }
     for (Index p = 0; p < s.status.size(); ++p) {
         if (std::max(s.status[p], 0) != entries[p]) return at("1: status is not the entries", p);
@@ -182,8 +182,8 @@ std::string InvariantChecker::checkEdges(const State& s) {
     }
     std::string problem;
     for (const Index ring : liveRings(s.rings)) {
-        s.rings.forEachEntry(ring, [&](Index e) {
-            if (s.rings.open(e)) return;
+        for (const Index e : s.rings.entriesOf(ring)) {
+            if (s.rings.open(e)) continue;
             const Index u = s.rings.point(e);
             const Index v = s.rings.point(s.rings.next(e));
             if (directedEdges_.count(edgeKey(u, v)) == 0) {
@@ -192,7 +192,7 @@ std::string InvariantChecker::checkEdges(const State& s) {
             if (directedEdges_.count(edgeKey(v, u)) != 0) {
                 problem = at("3: both sides of a ring step are triangulated", u);
             }
-        });
+        }
     }
     return problem;
 }

@@ -42,10 +42,10 @@ LoopShape shapeOfRing(const StepContext& context) {
     assert(rings.active() != kNone);
     const Vec3 origin = context.positionAt(rings.head(rings.active()));
     ShapeSum sum;
-    rings.forEachEntry(rings.active(), [&](Index entry) {
+    for (const Index entry : rings.entriesOf(rings.active())) {
         sum.add(context.positionAt(entry) - origin, context.normalAt(entry),
                 context.positionAt(rings.next(entry)) - origin);
-    });
+    }
     return sum.shape();
 }
 
@@ -58,9 +58,9 @@ bool isPatchOf(const StepContext& context, std::size_t limit) {
     const auto add = [&](HalfEdge h) {
         if (h != kNone && seen.insert(h / 3).second) found.push_back(h / 3);
     };
-    s.rings.forEachEntry(s.rings.active(), [&](Index entry) {
+    for (const Index entry : s.rings.entriesOf(s.rings.active())) {
         add(s.edges.find(s.rings.point(entry), s.rings.point(s.rings.next(entry))));
-    });
+    }
     for (std::size_t i = 0; i < found.size() && found.size() <= limit; ++i) {
         const Triangle& t = s.triangles[found[i]];
         for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
@@ -80,9 +80,9 @@ bool runsRoundPatch(const StepContext& context, const LoopShape& shape) {
 bool touchesBoundary(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     bool found = false;
-    rings.forEachEntry(rings.active(), [&](Index entry) {
+    for (const Index entry : rings.entriesOf(rings.active())) {
         found = found || isBoundary(context.points.type[rings.point(entry)]);
-    });
+    }
     return found;
 }
 
@@ -99,12 +99,12 @@ bool isOpening(const StepContext& context, const LoopShape& shape) {
     Index boundary = 0;
     Index flagged = 0;
     Index rim = 0;
-    rings.forEachEntry(rings.active(), [&](Index entry) {
+    for (const Index entry : rings.entriesOf(rings.active())) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
         rim += isRim(context.points, point, context.params.thresholds.rimGapCosine) ? 1U : 0U;
-    });
+    }
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
     if (!context.params.robust.rim) return false;
@@ -171,9 +171,9 @@ bool isTooWide(const StepContext& context, const LoopShape& shape) {
     const EdgeRings& rings = context.state.rings;
     const double length = rings.length(rings.active());
     double spacing = 0.0;
-    rings.forEachEntry(rings.active(), [&](Index entry) {
+    for (const Index entry : rings.entriesOf(rings.active())) {
         spacing += nearestDistance(context.points, rings.point(entry)) / length;
-    });
+    }
     return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
 }
 
