@@ -75,16 +75,16 @@ bool forksAt(const Params& params, std::uint32_t pivot) {
 
 }  // namespace
 
-Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
-    : points_(points),
+Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
+    : points_(std::move(points)),
       params_(params),
-      edited_(editedPoints(points, params)),
+      edited_(editedPoints(*points_, params)),
       altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
-      state_(freshState(points, params)),
+      state_(freshState(*points_, params)),
       log_(log) {}
 
 const PointSet& Stepper::points() const {
-    const PointSet* found = &points_;
+    const PointSet* found = &*points_;
     const std::uint32_t pivot = edited_.empty() ? 0 : presentPivot(state_);
     for (const EditedPoints& each : edited_) {
         if (each.from <= pivot) found = &each.points;
@@ -95,8 +95,8 @@ const PointSet& Stepper::points() const {
 template <typename Work>
 bool Stepper::inContext(Work&& work) {
 #ifndef SPIRALING_EDGE_WITHOUT_LOG
-    if (log_ != nullptr) {
-        LoggedContext context{{points(), params_, state_}, *log_};
+    if (log_ != nullptr || observer_) {
+        LoggedContext context{{points(), params_, state_}, log_ != nullptr ? *log_ : observed_};
         return work(context);
     }
 #endif
@@ -110,14 +110,34 @@ bool Stepper::inContext(Work&& work) {
 }
 
 bool Stepper::advance() {
+    stopped_ = false;
     if (state_.finished()) return false;
-    return inContext([](auto& context) {
+    const EventLog& log = log_ != nullptr ? *log_ : observed_;
+    const std::size_t before = log.events().size();
+    const bool ends = endsStep(state_.phase);
+    inContext([](auto& context) {
         runPhase(context);
         return true;
     });
+    if (!observer_) return true;
+    for (std::size_t i = before; i < log.events().size(); ++i) {
+        stopped_ = observer_(log.events()[i]) || stopped_;
+    }
+    if (ends) observed_.clear();
+    return true;
+}
+
+bool Stepper::stepPivotObserved() {
+    bool complete = false;
+    do {
+        complete = endsStep(state_.phase);
+        if (!advance()) return false;
+    } while (!complete && !stopped_);
+    return complete;
 }
 
 bool Stepper::stepPivot() {
+    if (observer_) return stepPivotObserved();
     return inContext([](auto& context) {
         bool complete = false;
         while (!complete && !context.state.finished()) {
@@ -130,22 +150,29 @@ bool Stepper::stepPivot() {
 
 StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition) {
     while (stepPivot()) {
+        if (stopped_) return StopReason::Observer;
         if (condition(state_)) return StopReason::Condition;
     }
-    return state_.capped() ? StopReason::Capped : StopReason::Finished;
+    return reason();
 }
 
 StopReason Stepper::run() {
     // The choice of the context must be made for each pivot.
-    while (altered_ && stepPivot()) {
+    while ((altered_ || observer_) && stepPivot() && !stopped_) {
     }
+    if (stopped_) return StopReason::Observer;
     inContext([](auto& context) {
         while (!context.state.finished()) runPhase(context);
         return true;
     });
+    return reason();
+}
+
+StopReason Stepper::reason() const {
+    if (stopped_) return StopReason::Observer;
     return state_.capped() ? StopReason::Capped : StopReason::Finished;
 }
 
-State Stepper::takeState() { return std::exchange(state_, freshState(points_, params_)); }
+State Stepper::takeState() { return std::exchange(state_, freshState(*points_, params_)); }
 
 }  // namespace se

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/shared_points.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
@@ -26,23 +26,28 @@ std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& par
 enum class StopReason : std::uint8_t {
     Finished,   ///< Every point is DONE.
     Condition,  ///< The condition held.
+    Observer,   ///< The observer stopped it.
     Capped,     ///< AlertKind::TriangleCap.
 };
 
-/// Runs the Spiraling Edge algorithm on a State. Holds no state of its own but references:
-/// points must outlive it and pass validate(); they are never written.
+/// Is shown each decision in order, after the phase that made it. True stops the run when all
+/// decisions of that phase are shown.
+using DecisionObserver = std::function<bool(const Event&)>;
+
+/// Runs the Spiraling Edge algorithm on a State. The points must pass validate(); they are never
+/// written.
 ///
 /// Example: `Stepper stepper(points, params); while (stepper.stepPivot()) draw(stepper.state());`
 class Stepper {
   public:
     /// Every decision is appended to `log` unless it is null; see setLog().
-    Stepper(const PointSet& points, const Params& params, EventLog* log = nullptr);
+    Stepper(SharedPoints points, const Params& params, EventLog* log = nullptr);
 
     /// Runs one phase of a pivot. Returns false, doing nothing, if the run is finished.
     bool advance();
     /// Runs to the end of the current pivot, or of the next one if between two (including its
     /// seed). Returns false if no pivot was left (stranded points at the very end are still
-    /// marked).
+    /// marked), or if the observer stopped it before that end.
     bool stepPivot();
     /// Runs whole pivots until the condition holds between two of them, or to the end.
     StopReason runUntil(const std::function<bool(const State&)>& condition);
@@ -57,6 +62,15 @@ class Stepper {
     /// Moves the state out, e.g. for its triangles. The stepper starts over.
     State takeState();
     void setLog(EventLog* log) { log_ = log; }
+    /// An observer that is shown every decision from now on, with or without a log; none if empty.
+    /// Where it stops the run, the phase of that decision is complete: PivotReplay gives the state
+    /// at the decision itself. The next call goes on.
+    void setObserver(DecisionObserver observer) {
+        observer_ = std::move(observer);
+        stopped_ = false;
+    }
+    /// True if the observer stopped the last call.
+    bool stopped() const { return stopped_; }
     /// The points at the current place: what-ifs may change them during a run.
     const PointSet& points() const;
     const Params& params() const { return params_; }
@@ -66,8 +80,10 @@ class Stepper {
     /// the phases.
     template <typename Work>
     bool inContext(Work&& work);
+    bool stepPivotObserved();
+    StopReason reason() const;
 
-    const PointSet& points_;
+    SharedPoints points_;
     Params params_;
     std::vector<EditedPoints> edited_;
     /// Non-default paper rules or what-ifs: such a run takes the logging code path with or without
@@ -75,6 +91,9 @@ class Stepper {
     bool altered_;
     State state_;
     EventLog* log_;
+    DecisionObserver observer_;
+    EventLog observed_;  ///< The decisions of the present pivot, for an observer without a log.
+    bool stopped_ = false;
 };
 
 }  // namespace se

@@ -70,7 +70,7 @@ std::vector<Sign> signs() {
 }
 
 /// The subject of a likely query.
-Subject subjectOf(const Event& event) {
+Subject likelySubject(const Event& event) {
     if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
         return Subject::edge(flip->x, flip->y);
     if (const auto* hole = std::get_if<CloseHoleEvidence>(&event.evidence))
@@ -134,7 +134,7 @@ TEST_CASE("robust: what each rule decides is a line of the ledger of what it is 
         REQUIRE(found.points != nullptr);
         const std::string address = toString(found.event.address);
         CAPTURE(address);
-        const auto ledger = why(*found.points, params, subjectOf(found.event));
+        const auto ledger = why(*found.points, params, likelySubject(found.event));
         REQUIRE(ledger.ok());
         const auto& lines = ledger.value().lines;
         CHECK(std::any_of(lines.begin(), lines.end(), [&](const LedgerLine& line) {

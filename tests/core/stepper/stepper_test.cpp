@@ -1,15 +1,15 @@
 #include <doctest/doctest.h>
 
+#include <memory>
+#include <type_traits>
+
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-PointSet scenePoints(std::string_view id) { return prepared(findScene(id)->build()); }
 
 /// FNV-1a of the triangles, in order.
 std::uint64_t triangleHash(const State& state) {
@@ -23,7 +23,7 @@ std::uint64_t triangleHash(const State& state) {
 }  // namespace
 
 TEST_CASE("advance, stepPivot, runUntil and run lead to the same state") {
-    const PointSet points = scenePoints("figure-12");
+    const PointSet points = sceneNamed("figure-12");
     Stepper phases(points, paper());
     Stepper pivots(points, paper());
     Stepper until(points, paper());
@@ -43,7 +43,7 @@ TEST_CASE("advance, stepPivot, runUntil and run lead to the same state") {
 }
 
 TEST_CASE("stepPivot completes exactly one pivot") {
-    const PointSet points = scenePoints("figure-4");
+    const PointSet points = sceneNamed("figure-4");
     Stepper stepper(points, paper());
     for (std::uint32_t n = 1; stepper.stepPivot(); ++n) {
         CHECK(stepper.state().counters.pivots == n);
@@ -54,7 +54,7 @@ TEST_CASE("stepPivot completes exactly one pivot") {
 }
 
 TEST_CASE("stepPivot from the middle of a pivot completes that one") {
-    const PointSet points = scenePoints("figure-4");
+    const PointSet points = sceneNamed("figure-4");
     Stepper stepper(points, paper());
     while (stepper.state().phase != Phase::Sphere) stepper.advance();
     CHECK(stepper.stepPivot());
@@ -63,7 +63,7 @@ TEST_CASE("stepPivot from the middle of a pivot completes that one") {
 }
 
 TEST_CASE("runUntil stops between two pivots, where the condition holds") {
-    const PointSet points = scenePoints("figure-12");
+    const PointSet points = sceneNamed("figure-12");
     Stepper stepper(points, paper());
     const auto stop = stepper.runUntil([](const State& s) { return s.counters.splits > 0; });
     CHECK(stop == StopReason::Condition);
@@ -88,7 +88,7 @@ TEST_CASE("a run with a log equals one without") {
 }
 
 TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
-    const PointSet points = scenePoints("figure-12");
+    const PointSet points = sceneNamed("figure-12");
     Stepper straight(points, paper());
     straight.run();
     Stepper source(points, paper());
@@ -104,7 +104,7 @@ TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
 }
 
 TEST_CASE("the hash differs between states at every phase") {
-    const PointSet points = scenePoints("figure-4");
+    const PointSet points = sceneNamed("figure-4");
     Stepper stepper(points, paper());
     std::vector<std::uint64_t> seen;
     do {
@@ -115,7 +115,7 @@ TEST_CASE("the hash differs between states at every phase") {
 }
 
 TEST_CASE("the hash covers the open mark of each step, on the active ring and on the stack") {
-    const PointSet points = scenePoints("figure-12");
+    const PointSet points = sceneNamed("figure-12");
     Stepper stepper(points, paper());
     stepper.runUntil([](const State& s) { return s.counters.splits > 0; });
     State state = stepper.state();
@@ -125,7 +125,7 @@ TEST_CASE("the hash covers the open mark of each step, on the active ring and on
     rings.push_back(state.rings.active());
     for (const Index ring : rings) {
         std::vector<Index> entries;
-        state.rings.forEachEntry(ring, [&](Index entry) { entries.push_back(entry); });
+        for (const Index entry : state.rings.entriesOf(ring)) entries.push_back(entry);
         for (const Index entry : entries) {
             const bool open = state.rings.open(entry);
             state.rings.setOpen(entry, !open);
@@ -153,7 +153,7 @@ TEST_CASE("the hash covers which point is on which stacked ring") {
 }
 
 TEST_CASE("the hash covers the mesh that is edited after the last pivot") {
-    const PointSet points = scenePoints("figure-5");
+    const PointSet points = sceneNamed("figure-5");
     Stepper stepper(points, robust());
     stepper.run();
     State state = stepper.state();
@@ -178,7 +178,7 @@ TEST_CASE("the hash covers kind and point of each alert") {
 }
 
 TEST_CASE("takeState gives the run away and starts over") {
-    const PointSet points = scenePoints("figure-4");
+    const PointSet points = sceneNamed("figure-4");
     Stepper stepper(points, paper());
     stepper.run();
     const State taken = stepper.takeState();
@@ -187,7 +187,7 @@ TEST_CASE("takeState gives the run away and starts over") {
 }
 
 TEST_CASE("a run that makes too many triangles is stopped with an alert") {
-    const PointSet points = scenePoints("figure-4");
+    const PointSet points = sceneNamed("figure-4");
     Params params = paper();
     params.maxTrianglesPerPoint = 1;
     Stepper stepper(points, params);
@@ -200,7 +200,7 @@ TEST_CASE("a run that makes too many triangles is stopped with an alert") {
 TEST_CASE("equal on every machine and build: pinned triangles of three scenes") {
     // If a deliberate change of the algorithm or of a scene moves these, pin the new values.
     const auto hashOf = [](std::string_view id) {
-        return triangleHash(runAll(scenePoints(id), paper()).state);
+        return triangleHash(runAll(sceneNamed(id), paper()).state);
     };
     CHECK(hashOf("grid") == 17800343098606382897ULL);
     CHECK(hashOf("figure-12") == 9090584713349510477ULL);
@@ -228,4 +228,66 @@ TEST_CASE("moved by a million, exactly, the points give the same triangles and e
         different += a.address == b.address && describe(a) == describe(b) ? 0 : 1;
     }
     CHECK(different == 0);
+}
+
+TEST_CASE("An observer is shown the decisions of the log, and its run ends in the same state") {
+    for (const char* rules : {"paper", "robust"}) {
+        CAPTURE(rules);
+        const Params params = paramsByName(rules).value();
+        const PointSet points = sceneNamed("figure-7");
+        EventLog log;
+        Stepper logged(points, params, &log);
+        CHECK(logged.run() == StopReason::Finished);
+        std::vector<Address> shown;
+        Stepper observed(points, params);
+        observed.setObserver([&](const Event& event) {
+            shown.push_back(event.address);
+            return false;
+        });
+        CHECK(observed.run() == StopReason::Finished);
+        CHECK(stateHash(observed.state()) == stateHash(logged.state()));
+        REQUIRE(shown.size() == log.events().size());
+        for (std::size_t i = 0; i < shown.size(); ++i) CHECK((shown[i] == log.events()[i].address));
+    }
+}
+
+TEST_CASE(
+    "An observer stops a run after the phase of the decision, and the run goes on from there") {
+    const PointSet points = sceneNamed("torus");
+    Stepper whole(points, {});
+    whole.run();
+    Stepper stepper(points, {});
+    const Address wanted{40, Stage::Sphere, 1};
+    stepper.setObserver([&](const Event& event) { return event.address == wanted; });
+    CHECK(stepper.run() == StopReason::Observer);
+    CHECK(stepper.stopped());
+    CHECK(stepper.state().counters.pivots == 40);
+    CHECK(stepper.state().phase == Phase::TwoPoint);
+    CHECK(stepper.run() == StopReason::Finished);
+    CHECK_FALSE(stepper.stopped());
+    CHECK(stateHash(stepper.state()) == stateHash(whole.state()));
+    // Within a pivot, stepPivot() ends as well.
+    Stepper single(points, {});
+    single.setObserver([&](const Event& event) { return event.address == wanted; });
+    while (single.stepPivot()) {
+    }
+    CHECK(single.stopped());
+    CHECK(single.state().phase == Phase::TwoPoint);
+    single.setObserver({});
+    CHECK(single.run() == StopReason::Finished);
+    CHECK(stateHash(single.state()) == stateHash(whole.state()));
+}
+
+TEST_CASE("A stepper keeps points alive that were moved into it, and borrows others") {
+    static_assert(!std::is_constructible_v<Stepper, const PointSet&&, Params>);
+    PointSet points = sceneNamed("torus");
+    Stepper borrowed(points, {});
+    CHECK(&borrowed.points() == &points);
+    borrowed.run();
+    Stepper owning(std::move(points), {});
+    owning.run();
+    CHECK(stateHash(owning.state()) == stateHash(borrowed.state()));
+    const auto shared = std::make_shared<const PointSet>(owning.points());
+    Stepper sharing(shared, {});
+    CHECK(&sharing.points() == shared.get());
 }
