@@ -108,8 +108,8 @@ TABLE = {
         ("timeline.rings-of-before", "state.rings.restore(keyframe.rest.rings);", "if (!MUT) OLD"),
         ("timeline.cancel-ignored", "keepGoing && !keepGoing()) return;", "keepGoing && !keepGoing() && !MUT) return;"),
         ("timeline.events-move-on",
-         "stepper_.setLog(nullptr);\n    restore(here);",
-         "stepper_.setLog(nullptr);\n    if (!MUT) restore(here);"),
+         "stepPivot(&log);\n    restore(here);",
+         "stepPivot(&log);\n    if (!MUT) restore(here);"),
     ],
     "replay/reading.cpp": [
         ("reading.margin-to-end",

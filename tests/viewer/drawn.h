@@ -8,7 +8,7 @@
 
 #include "layers/layer.h"
 #include "open_session.h"
-#include "run/pivot_record.h"
+#include "spiraling_edge/replay/pivot_record.h"
 
 namespace se::view::test {
 
@@ -66,7 +66,7 @@ template <typename Kind>
 Address firstWhere(OpenSession& open, bool (*wanted)(const Kind&)) {
     Timeline timeline(open.session.model().points, open.session.model().params);
     for (std::uint32_t pivot = 1; pivot < 130; ++pivot) {
-        const auto record = recordPivot(timeline, pivot);
+        const auto record = timeline.record(pivot);
         for (const Event& event : record->events) {
             const auto* evidence = std::get_if<Kind>(&event.evidence);
             if (evidence != nullptr && wanted(*evidence)) return event.address;

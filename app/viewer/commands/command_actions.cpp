@@ -345,7 +345,7 @@ void framePoint(CommandContext& context, Index point) {
 void frameFocus(CommandContext& context) {
     const Session& session = context.session;
     if (!session.ready()) return;
-    const Picture& picture = session.picture();
+    const DecisionState& picture = session.picture();
     if (session.selection().corners().size() > 1) return frameSelection(context);
     Index focus = session.selected();
     if (focus == kNone) focus = picture.pivot;

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "run/picture.h"
+#include "run/neighborhood.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "run/picture.h"
+#include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
@@ -137,7 +137,7 @@ std::string Runner::complaint() {
 }
 
 void Runner::publish(std::uint32_t pivot, bool final) {
-    std::shared_ptr<const PivotRecord> record = recordPivot(timeline_, pivot, status_);
+    std::shared_ptr<const PivotRecord> record = timeline_.record(pivot);
     position_ = timeline_.position();
     const std::vector<Triangle>& all = timeline_.state().triangles;
     {

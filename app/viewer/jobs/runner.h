@@ -9,7 +9,7 @@
 #include <string>
 
 #include "run/model.h"
-#include "run/pivot_record.h"
+#include "spiraling_edge/replay/timeline.h"
 #include "thread.h"
 
 namespace se::view {
@@ -63,7 +63,6 @@ class Runner {
 
     std::shared_ptr<const Model> model_;
     Timeline timeline_;
-    StatusList status_;  ///< Of the last record.
     std::size_t publishedTriangles_ = 0;
     bool found_ = true;
     /// Text of the exception that a request ended with. The position of the timeline is unknown

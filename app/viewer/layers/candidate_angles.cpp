@@ -64,7 +64,7 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
 /// The triangles that the candidate would form with its neighbors in the fan, hatched, and their
 /// overlap with finished ones.
 void addPreview(const LayerInput& in, const ReciprocalEvidence& e, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const std::optional<Disc> disc = pivotDisc(in);
     if (!disc) return;
     double angle = 0.0;

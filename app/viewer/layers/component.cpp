@@ -9,7 +9,7 @@ namespace se::view {
 namespace {
 
 /// The freed ring, bold: an open border, or in the color of errors if it should not be open.
-void addFreedRing(const LayerInput& in, const ShownFreedRing& ring, bool named, DrawList& out) {
+void addFreedRing(const LayerInput& in, const FreedRingState& ring, bool named, DrawList& out) {
     const std::vector<Index>& points = ring.path.points;
     if (points.empty()) return;
     const Color& color = ring.alert ? in.palette.rejected : in.palette.last;

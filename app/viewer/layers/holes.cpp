@@ -56,7 +56,7 @@ void addHole(const LayerInput& in, const FillEvidence& e, DrawList& out) {
 
 void addHolePlane(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<HoleEvidence>(Stage::Hole);
-    const Picture& picture = in.picture;
+    const DecisionState& picture = in.picture;
     if (e == nullptr || picture.pivot == kNone || picture.start == kNone) return;
     const glm::vec3 normal(e->planeNormal);
     if (!(glm::length(normal) > 0.0F)) return;

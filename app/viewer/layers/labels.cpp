@@ -6,7 +6,7 @@
 namespace se::view {
 
 void addLabels(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const Palette& c = in.palette;
     // One label per point, the more informative one first; strong ones are essential.
     std::set<Index> seen;

@@ -15,7 +15,6 @@
 
 #include "run/model.h"
 #include "run/overview.h"
-#include "run/picture.h"
 #include "run/selection.h"
 #include "scene/draw_list.h"
 #include "scene/mesh_index.h"
@@ -23,12 +22,13 @@
 #include "scene/palette.h"
 #include "spiraling_edge/explain/failure_moments.h"
 #include "spiraling_edge/replay/live_check.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
 struct LayerInput {
     const Model& model;
-    const Picture& picture;
+    const DecisionState& picture;
     const Palette& palette;
     Index selected = kNone;
     Index highlightedRing = kNone;

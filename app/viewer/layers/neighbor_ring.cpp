@@ -35,7 +35,7 @@ void addCandidates(const LayerInput& in, DrawList& out) {
 }
 
 void addEnds(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const auto spoke = [&](Index point, const Color& color, float width) {
         if (point != kNone) out.line(in.at(p.pivot), in.at(point), color, width, Depth::OnTop);
     };
@@ -73,7 +73,7 @@ void addSector(const LayerInput& in, DrawList& out) {
 }
 
 void addNeighborRing(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     // Seeds, stranded points and the steps after the last pivot have layers of their own.
     if (p.pivot == kNone) return;
     // Once the pivot is complete only the result of its tests is shown.

@@ -27,7 +27,7 @@ void addPoint(const LayerInput& in, Index point, const std::string& text, Shape 
 }
 
 std::string leastAngles(const LayerInput& in) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const std::string after = degreesText(leastDegrees(in.model.points, p.newTriangles));
     if (p.goneTriangles.empty()) return "least angle " + after;
     return "least angle " + degreesText(leastDegrees(in.model.points, p.goneTriangles)) +
@@ -49,14 +49,14 @@ void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
     out.label(in.middleOf(e.v, e.x), leastAngles(in), c.used, true);
 }
 
-const char* wayOf(const Picture& picture, const MeshEdges& edges) {
+const char* wayOf(const DecisionState& picture, const MeshEdges& edges) {
     if (picture.goneTriangles.empty()) return "joins the border";
     if (edges.gone.empty()) return "splits its triangle";
     return edges.gone.size() == 1 ? "splits an edge" : "replaces triangles";
 }
 
 void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles, e.point);
     // The triangles that it is put into, before the step.
     for (const Triangle& t : p.goneTriangles) {
@@ -72,7 +72,7 @@ void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out)
 }
 
 void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles);
     addEdges(in, edges, out);
     addPoint(in, e.point, std::to_string(e.point) + " taken out", Shape::Cross, in.palette.rejected,
@@ -105,7 +105,7 @@ void addDropPatch(const LayerInput& in, const DropPatchEvidence& e, DrawList& ou
 }  // namespace
 
 void addRepairs(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     if (p.repaired) {
         for (const Triangle& t : p.newTriangles)
             out.faces.push_back({in.cornersOf(t), in.palette.test, true});

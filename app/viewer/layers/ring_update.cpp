@@ -103,7 +103,7 @@ void addJoin(const LayerInput& in, Index point, const RingExchange& loops, DrawL
 }  // namespace
 
 void addRingChange(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     if (p.ringChanges.empty()) return;
     const Palette& c = in.palette;
     std::set<Index> gone;

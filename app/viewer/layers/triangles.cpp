@@ -16,7 +16,7 @@ std::span<const Triangle> lastFan(std::span<const Triangle> finished) {
 
 /// When a new fan appears, the previous one joins the finished triangles.
 void addFadingFan(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
+    const DecisionState& p = in.picture;
     const bool emits = p.event && p.event->address.stage == Stage::Emit;
     const bool lasts = in.moment.kind == Moment::Kind::Moving && p.complete;
     const float strength = fadeStrength(in.moment, 0.0F);

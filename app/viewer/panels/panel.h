@@ -13,12 +13,12 @@
 
 namespace se {
 struct Event;
+struct StatusCounts;
 }
 
 namespace se::view {
 
 struct DrawList;
-struct StatusCounts;
 struct UiRequests;
 struct ViewSettings;
 

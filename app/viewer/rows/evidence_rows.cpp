@@ -182,7 +182,7 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
                                  numberText(in.model.params.maxTrianglesPerPoint));
     }
     if (!in.picture.freed) return;
-    const ShownFreedRing& ring = *in.picture.freed;
+    const FreedRingState& ring = *in.picture.freed;
     out.row("freed ring", counted(ring.path.points.size(), "point", "points"));
     if (ring.evidence) out.row("interior", std::to_string(ring.evidence->interior));
 }
@@ -263,7 +263,7 @@ void addFlipped(const EvidenceInput& in, EvidenceRows& out) {
                                 flipped(in.picture.newTriangles));
 }
 
-std::string countsText(const Picture& picture) {
+std::string countsText(const DecisionState& picture) {
     return std::to_string(picture.goneTriangles.size()) + " \xE2\x86\x92 " +
            std::to_string(picture.newTriangles.size());
 }

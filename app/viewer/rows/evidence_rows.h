@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "run/overview.h"
-#include "run/picture.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
@@ -25,7 +25,7 @@ struct EvidenceRow {
 
 struct EvidenceInput {
     const Model& model;
-    const Picture& picture;  ///< State at the event.
+    const DecisionState& picture;  ///< State at the event.
     const Event& event;
     const RunOverview* run = nullptr;  ///< Overview so far; for `done`.
 };

@@ -167,7 +167,7 @@ void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out)
 }
 
 void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    const Picture& picture = in.picture;
+    const DecisionState& picture = in.picture;
     const bool start = e.side == Side::Start;
     const std::string side = start ? "start" : "end";
     out.row("point", pointsText({e.point}));

@@ -14,7 +14,7 @@ namespace {
 /// Fills a Dial step by step.
 class Maker {
   public:
-    Maker(const Model& model, const Picture& picture)
+    Maker(const Model& model, const DecisionState& picture)
         : points_(model.points),
           picture_(picture),
           gapLimit_(gapLimitDegrees(model.params)),
@@ -122,7 +122,7 @@ class Maker {
     /// Reason of a refusal in words, once per point.
     void addReason(const Event& event) {
         const std::optional<Verdict> verdict = verdictOf(event);
-        if (!verdict || dial_.caption.empty() || !rejects(event)) return;
+        if (!verdict || dial_.caption.empty() || outcomeOf(event) != Outcome::Refused) return;
         const std::string reason(verdictText(*verdict));
         if (dial_.caption.find(reason) == std::string::npos) dial_.caption += ": " + reason;
     }
@@ -258,7 +258,7 @@ class Maker {
     void show(const Other&) {}
 
     const PointSet& points_;
-    const Picture& picture_;
+    const DecisionState& picture_;
     double gapLimit_;  ///< §6.3, degrees.
     Frame frame_;
     Dial dial_;
@@ -267,7 +267,7 @@ class Maker {
 
 }  // namespace
 
-Dial makeDial(const Model& model, const Picture& picture, const Event* event) {
+Dial makeDial(const Model& model, const DecisionState& picture, const Event* event) {
     if (picture.pivot == kNone || picture.first == kNone) return {};
     return Maker(model, picture).make(event);
 }

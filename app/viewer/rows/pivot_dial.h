@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "run/model.h"
-#include "run/picture.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
@@ -90,6 +90,6 @@ struct Dial {
 };
 
 /// The disc at the event `event` of the picture (null: none). Empty without a pivot.
-Dial makeDial(const Model& model, const Picture& picture, const Event* event);
+Dial makeDial(const Model& model, const DecisionState& picture, const Event* event);
 
 }  // namespace se::view

@@ -4,7 +4,7 @@
 
 namespace se::view {
 
-std::optional<std::size_t> workPlace(const Picture& picture, const RingPath& ring) {
+std::optional<std::size_t> workPlace(const DecisionState& picture, const RingPath& ring) {
     const std::size_t size = ring.points.size();
     std::optional<std::size_t> pivot;
     std::optional<std::size_t> next;
@@ -31,7 +31,7 @@ RingSlice sliceAbout(std::size_t size, std::size_t middle, long shift, std::size
     return {static_cast<std::size_t>(((first % n) + n) % n), count, size};
 }
 
-const RingPath* ringToShow(const Picture& picture, Index id) {
+const RingPath* ringToShow(const DecisionState& picture, Index id) {
     const RingPath* active = nullptr;
     for (const RingPath& ring : picture.rings) {
         if (id != kNone && ring.id == id) return &ring;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "run/picture.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
@@ -19,12 +19,12 @@ struct RingSlice {
 
 /// The position of current work: the pivot if it is still on the ring, between first and last if it
 /// is there more than once; otherwise where the ring continues; empty in a ring without the pivot.
-std::optional<std::size_t> workPlace(const Picture& picture, const RingPath& ring);
+std::optional<std::size_t> workPlace(const DecisionState& picture, const RingPath& ring);
 
 /// As many points as fit, with `middle` in the middle, moved by `shift` points.
 RingSlice sliceAbout(std::size_t size, std::size_t middle, long shift, std::size_t fits);
 
 /// The ring with that id, otherwise the active one; null if there is none.
-const RingPath* ringToShow(const Picture& picture, Index id);
+const RingPath* ringToShow(const DecisionState& picture, Index id);
 
 }  // namespace se::view

@@ -9,10 +9,10 @@
 #include <cctype>
 #include <sstream>
 
-#include "run/picture.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/event.h"
 
@@ -75,7 +75,7 @@ bool StepFilter::matches(const Event& event) const {
     if (const auto verdict = verdictOf(event)) found |= findingOf(*verdict);
     std::string sentence;
     return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
-        if (word.refused) return rejects(event);
+        if (word.refused) return outcomeOf(event) == Outcome::Refused;
         if ((found & word.found).any()) return true;
         if (sentence.empty()) sentence = lowerCase(describe(event));
         return word.number != kNone ? hasNumber(sentence, word.text)
@@ -93,7 +93,7 @@ std::vector<StageRun> stageRuns(const std::vector<Event>& events) {
         StageRun& run = runs.back();
         run.end = i + 1;
         if (verdictOf(events[i])) ++run.tests;
-        if (rejects(events[i])) ++run.refused;
+        if (outcomeOf(events[i]) == Outcome::Refused) ++run.refused;
     }
     return runs;
 }

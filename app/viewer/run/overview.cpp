@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "picture.h"
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
@@ -76,7 +76,7 @@ void count(PivotSummary& summary, const Event& event) {
     if (const auto verdict = verdictOf(event)) {
         summary.found |= findingOf(*verdict);
         countUp(summary.tests);
-        if (rejects(event)) countUp(summary.refused);
+        if (outcomeOf(event) == Outcome::Refused) countUp(summary.refused);
     }
     const bool names =
         std::holds_alternative<PivotEvidence>(event.evidence) || summary.point == kNone;

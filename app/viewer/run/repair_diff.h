@@ -11,10 +11,6 @@
 
 namespace se::view {
 
-/// Triangles of `after` that `before` lacks, regardless of the first corner.
-std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
-                                     const std::vector<Triangle>& after);
-
 using MeshEdge = std::array<Index, 2>;  ///< The smaller point first.
 
 /// The edges of the triangles that a step removed and of those that it made.

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-#include "picture.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "pivot_record.h"
+#include "spiraling_edge/replay/pivot_record.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 

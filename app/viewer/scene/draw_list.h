@@ -12,7 +12,7 @@
 
 #include "mesh_style.h"
 #include "palette.h"
-#include "run/block_list.h"
+#include "spiraling_edge/base/block_list.h"
 #include "spiraling_edge/points/point_set.h"
 
 namespace se::view {

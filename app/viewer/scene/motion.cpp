@@ -55,7 +55,7 @@ float popSize(const Moment& moment, std::size_t i, std::size_t count) {
     return static_cast<float>(kPopSize + (1.0 - kPopSize) * settled);
 }
 
-double motionSeconds(const Picture& picture) {
+double motionSeconds(const DecisionState& picture) {
     if (!picture.event) return 0.0;
     const Stage stage = picture.event->address.stage;
     if (stage == Stage::Seed) return kBlinkSeconds;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "run/picture.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
@@ -30,7 +30,7 @@ float fadeStrength(const Moment& moment, float rest);
 /// then more than 1, at last 1.
 float popSize(const Moment& moment, std::size_t i, std::size_t count);
 /// Duration of the motion in a picture; 0 if nothing moves.
-double motionSeconds(const Picture& picture);
+double motionSeconds(const DecisionState& picture);
 
 /// Detects steps, and measures the time since the last one.
 class Motion {

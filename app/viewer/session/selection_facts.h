@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "run/overview.h"
-#include "run/picture.h"
 #include "run/selection.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 

@@ -156,7 +156,7 @@ std::span<const Triangle> Session::shownTriangles() const {
 
 void Session::setCursor(std::size_t cursor) {
     cursor_ = cursor;
-    picture_ = before_ ? makePictureBefore(*record_, cursor_) : makePicture(*record_, cursor_);
+    picture_ = before_ ? replay().before(cursor_) : replay().after(cursor_);
     ++revision_;
 }
 

@@ -23,11 +23,11 @@
 #include "moves.h"
 #include "run/model.h"
 #include "run/overview.h"
-#include "run/picture.h"
-#include "run/pivot_record.h"
 #include "run/selection.h"
 #include "scene/mesh_index.h"
 #include "session_input.h"
+#include "spiraling_edge/replay/pivot_record.h"
+#include "spiraling_edge/replay/pivot_replay.h"
 
 namespace se::view {
 
@@ -76,7 +76,9 @@ class Session {
         assert(ready());
         return *record_;
     }
-    const Picture& picture() const { return picture_; }
+    /// The states at all decisions of that pivot.
+    PivotReplay replay() const { return PivotReplay(record_); }
+    const DecisionState& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -161,7 +163,7 @@ class Session {
     std::vector<MovedModel> moved_;
     std::shared_ptr<const PivotRecord> record_;
     std::size_t cursor_ = 0;
-    Picture picture_;
+    DecisionState picture_;
     bool before_ = false;
     std::vector<Triangle> triangles_;
     MeshIndex meshIndex_;

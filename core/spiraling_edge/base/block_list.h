@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace se::view {
+namespace se {
 
 template <typename T>
 class BlockList {
@@ -71,4 +71,4 @@ class BlockList {
     std::size_t size_ = 0;
 };
 
-}  // namespace se::view
+}  // namespace se

@@ -1,13 +1,16 @@
-/// One pivot of a run, copied from the timeline so that the window can show it while the timeline
-/// works on another.
+/// One pivot of a run as a value: its events and the state before and after it, apart from the
+/// timeline, which can go on to another pivot.
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "spiraling_edge/replay/timeline.h"
-#include "status_list.h"
+#include "spiraling_edge/replay/status_list.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/state.h"
 
-namespace se::view {
+namespace se {
 
 /// A State without its triangles, of which the number suffices: they are only ever appended.
 struct RunState {
@@ -35,11 +38,4 @@ struct PivotRecord {
     std::optional<std::size_t> find(const Address& address) const;
 };
 
-/// Takes pivot number `pivot` from the timeline, or the last one if the run is shorter.
-std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot);
-/// Takes a pivot and shares with `last`, the statuses of an earlier record, the unchanged blocks;
-/// `last` becomes the statuses of this one.
-std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot,
-                                               StatusList& last);
-
-}  // namespace se::view
+}  // namespace se

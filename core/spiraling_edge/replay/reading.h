@@ -26,6 +26,9 @@ std::optional<Verdict> verdictOf(const Event& event);
 Outcome outcomeOf(const Event& event);
 /// The tested point, or the point that an event changed; kNone if it is none or several.
 Index testedPoint(const Event& event);
+/// The point that an event is about; kNone if there is none. Beside tests, also that of a pivot,
+/// of an advance, and of a step after the last pivot.
+Index subjectOf(const Event& event);
 
 /// The number that decided. Decisions that compare nothing, such as "is DONE", have none.
 struct Reading {

@@ -3,47 +3,11 @@
 // record stores only the rings at the pivot's ends. Events name points, not entries: the pivot's
 // entry is found by its two ring neighbors, and further instances of a point in the order in which
 // the stepper tests them.
-#include "ring_replay.h"
+#include "spiraling_edge/replay/ring_replay.h"
 
 #include <algorithm>
 
-namespace se::view {
-
-namespace {
-
-RingPath pathFrom(const EdgeRings& rings, Index entry) {
-    RingPath path;
-    Index at = entry;
-    do {
-        path.points.push_back(rings.point(at));
-        path.open.push_back(rings.open(at));
-        at = rings.next(at);
-    } while (at != entry);
-    return path;
-}
-
-}  // namespace
-
-std::vector<RingPath> ringPaths(const EdgeRings& rings) {
-    std::vector<RingPath> paths;
-    if (rings.active() != kNone) {
-        paths.push_back(pathFrom(rings, rings.head(rings.active())));
-        paths.back().active = true;
-        paths.back().id = rings.active();
-    }
-    for (std::size_t i = rings.stack().size(); i > 0; --i) {
-        const Index ring = rings.stack()[i - 1];
-        paths.push_back(pathFrom(rings, rings.head(ring)));
-        paths.back().depth = static_cast<Index>(rings.stack().size() - i);
-        paths.back().id = ring;
-    }
-    return paths;
-}
-
-std::size_t stackedCount(std::span<const RingPath> rings) {
-    const auto waiting = [](const RingPath& ring) { return !ring.active; };
-    return static_cast<std::size_t>(std::count_if(rings.begin(), rings.end(), waiting));
-}
+namespace se {
 
 RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount) : rings_(pointCount) {
     rings_.restore(before);
@@ -58,19 +22,8 @@ void RingReplay::apply(const Event& event) {
 std::vector<Index> RingReplay::entriesOf(Index ring) const {
     std::vector<Index> entries;
     if (ring == kNone) return entries;
-    for (Index e = rings_.head(ring); entries.size() < rings_.length(ring); e = rings_.next(e)) {
-        entries.push_back(e);
-    }
+    for (const Index entry : rings_.entriesOf(ring)) entries.push_back(entry);
     return entries;
-}
-
-RingPath RingReplay::pathOf(Index ring) const {
-    RingPath path = pathFrom(rings_, rings_.head(ring));
-    path.active = ring == rings_.active();
-    const Index depth = rings_.depthFromTop(ring);
-    path.depth = depth == kNone ? 0 : depth;
-    path.id = ring;
-    return path;
 }
 
 void RingReplay::on(const SeedEvidence& e) { rings_.start(e.first, e.second); }
@@ -187,8 +140,8 @@ void RingReplay::place(const Exchange& made) {
         rings_.activate(pushX ? made.ringOfY : made.ringOfX);
     }
     rings_.push(pushX ? made.ringOfX : made.ringOfY, pushX ? x_ : y_);
-    exchange_ = {pathOf(pushX ? made.ringOfY : made.ringOfX),
-                 pathOf(pushX ? made.ringOfX : made.ringOfY)};
+    exchange_ = {ringPath(rings_, pushX ? made.ringOfY : made.ringOfX),
+                 ringPath(rings_, pushX ? made.ringOfX : made.ringOfY)};
 }
 
 void RingReplay::on(const SplitEvidence& e) {
@@ -200,7 +153,7 @@ void RingReplay::on(const SplitEvidence& e) {
 void RingReplay::on(const JoinEvidence& e) {
     lost_ = !nextLink(e.point) || rings_.ringOf(x_) == rings_.ringOf(y_);
     if (lost_) return;
-    exchange_ = {pathOf(rings_.ringOf(x_)), pathOf(rings_.ringOf(y_))};
+    exchange_ = {ringPath(rings_, rings_.ringOf(x_)), ringPath(rings_, rings_.ringOf(y_))};
     rings_.exchangeSuccessors(x_, y_);
 }
 
@@ -258,4 +211,4 @@ void RingReplay::on(const TakeUpEvidence&) {
     rings_.pop();
 }
 
-}  // namespace se::view
+}  // namespace se

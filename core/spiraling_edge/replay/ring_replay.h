@@ -4,33 +4,12 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "spiraling_edge/stepper/edge_ring.h"
+#include "spiraling_edge/replay/ring_path.h"
 #include "spiraling_edge/stepper/event.h"
 
-namespace se::view {
-
-/// One ring as a list of points, in the direction of the ring.
-struct RingPath {
-    std::vector<Index> points;
-    std::vector<bool> open;  ///< The step from points[i] to the next is no mesh edge.
-    bool active = false;
-    Index depth = 0;  ///< On the stack, 0 = top.
-    Index id = kNone;
-};
-
-/// The rings: the active one first, then the stack from the top.
-std::vector<RingPath> ringPaths(const EdgeRings& rings);
-/// Number of rings on the stack: all of them if none is active.
-std::size_t stackedCount(std::span<const RingPath> rings);
-
-/// The two loops of a split, just after it, or of a join, just before it.
-struct RingExchange {
-    RingPath a;  ///< The loop that continues; of a join, that of the pivot.
-    RingPath b;  ///< The loop that waits on the stack; of a join, the one that was found.
-};
+namespace se {
 
 class RingReplay {
   public:
@@ -71,7 +50,6 @@ class RingReplay {
     void place(const Exchange& made);
     Index nextEntry() const;
     std::vector<Index> entriesOf(Index ring) const;
-    RingPath pathOf(Index ring) const;
 
     EdgeRings rings_;
     std::optional<RingExchange> exchange_;
@@ -92,4 +70,4 @@ class RingReplay {
     Index y_ = kNone;
 };
 
-}  // namespace se::view
+}  // namespace se

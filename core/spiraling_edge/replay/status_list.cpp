@@ -1,6 +1,6 @@
-#include "status_list.h"
+#include "spiraling_edge/replay/status_list.h"
 
-namespace se::view {
+namespace se {
 
 namespace {
 
@@ -32,4 +32,4 @@ void StatusList::assign(std::span<const PointStatus> all) {
     }
 }
 
-}  // namespace se::view
+}  // namespace se

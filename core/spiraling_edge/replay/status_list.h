@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "block_list.h"
+#include "spiraling_edge/base/block_list.h"
 #include "spiraling_edge/stepper/state.h"
 
-namespace se::view {
+namespace se {
 
 /// Number of points in each state.
 struct StatusCounts {
@@ -34,4 +34,4 @@ class StatusList {
     StatusCounts counts_;
 };
 
-}  // namespace se::view
+}  // namespace se

@@ -55,12 +55,12 @@ std::size_t Timeline::defaultBudget(const PointSet& points) {
     return std::max(kLeast, (input + run) / 5);
 }
 
-Timeline::Timeline(const PointSet& points, const Params& params, std::size_t byteBudget)
-    : stepper_(points, params), byteBudget_(byteBudget) {
+Timeline::Timeline(SharedPoints points, const Params& params, std::size_t byteBudget)
+    : stepper_(std::move(points), params), byteBudget_(byteBudget) {
     storeKeyframe();
 }
 
-bool Timeline::stepPivot() {
+bool Timeline::stepPivot(EventLog* log) {
     if (state().finished()) {
         endKnown_ = true;
         return false;
@@ -69,9 +69,11 @@ bool Timeline::stepPivot() {
     const std::size_t triangles = state().triangles.size();
     const std::size_t alerts = state().alerts.size();
     const std::size_t done = state().done.size();
+    stepper_.setLog(log);
     // The steps after the last pivot go to their next kind without counting a pivot.
     while (stepper_.stepPivot() && position() == before.pivots) {
     }
+    stepper_.setLog(nullptr);
     const bool complete = position() > before.pivots;
     triangles_.appended(state().triangles.size() - triangles);
     alerts_.appended(state().alerts.size() - alerts);
@@ -107,11 +109,46 @@ std::vector<Event> Timeline::eventsOf(std::uint32_t pivot) {
     if (position() != pivot - 1 || state().finished()) return {};
     const Keyframe here = makeKeyframe();
     EventLog log;
-    stepper_.setLog(&log);
-    stepPivot();
-    stepper_.setLog(nullptr);
+    stepPivot(&log);
     restore(here);
     return log.events();
+}
+
+/// The present state without its triangles.
+RunState Timeline::runState() {
+    recorded_.assign(state().status);
+    RunState copy{recorded_,
+                  state().rings.withoutPoints(),
+                  state().triangles.size(),
+                  state().counters,
+                  state().finished(),
+                  nullptr};
+    if (!state().repair.empty()) {
+        copy.repaired = std::make_shared<const std::vector<Triangle>>(state().repair.triangles);
+    }
+    return copy;
+}
+
+std::shared_ptr<const PivotRecord> Timeline::record(std::uint32_t pivot) {
+    if (endKnown_) pivot = std::min(pivot, lastPivot());
+    seek(pivot == 0 ? 0 : pivot - 1);
+    auto record = std::make_shared<PivotRecord>();
+    record->pivot = pivot;
+    record->before = runState();
+    EventLog log;
+    if (pivot > 0) {
+        const bool endWasKnown = endKnown_;
+        stepPivot(&log);
+        if (log.events().empty() && !endWasKnown) return this->record(pivot);  // the last one
+        record->events = log.events();
+    }
+    record->after = runState();
+    if (record->after.repaired && !record->before.repaired) {
+        // The list of emitted triangles stays unchanged while a copy of it is edited.
+        record->unrepaired = std::make_shared<const std::vector<Triangle>>(state().triangles);
+    }
+    record->isLast = endKnown_ && pivot == lastPivot();
+    return record;
 }
 
 Timeline::Keyframe Timeline::makeKeyframe() {

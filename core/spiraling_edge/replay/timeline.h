@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
+#include "spiraling_edge/replay/pivot_record.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -34,7 +36,8 @@ class RewoundTail {
 };
 
 /// A cursor over a run. It is always between two pivots: "at pivot n" means that n pivots are
-/// complete; 0 is the beginning. points must outlive it and pass validate().
+/// complete; 0 is the beginning. RunCursor goes to single decisions. The points must pass
+/// validate().
 ///
 /// A keyframe holds the parts that do not follow from the append-only lists of a State (triangles,
 /// alerts, DONE points): the rings and a few numbers. So its size is proportional to the length of
@@ -46,10 +49,10 @@ class Timeline {
     /// A budget that adds a fifth to the memory of the plain run, but at least 32 MB.
     static std::size_t defaultBudget(const PointSet& points);
 
-    Timeline(const PointSet& points, const Params& params)
-        : Timeline(points, params, defaultBudget(points)) {}
+    Timeline(const SharedPoints& points, const Params& params)
+        : Timeline(points, params, defaultBudget(*points)) {}
     /// `byteBudget`: approximate limit for all keyframes together, in bytes.
-    Timeline(const PointSet& points, const Params& params, std::size_t byteBudget);
+    Timeline(SharedPoints points, const Params& params, std::size_t byteBudget);
 
     const State& state() const { return stepper_.state(); }
     /// Pivots completed at the cursor.
@@ -67,8 +70,9 @@ class Timeline {
     /// Approximate size of all keyframes, in bytes.
     std::size_t keyframeBytes() const { return keyframeBytes_; }
 
-    /// Completes one more pivot. False if there is none: then the run is complete.
-    bool stepPivot();
+    /// Completes one more pivot, with its events in `log` unless that is null. False if there is
+    /// none: then the run is complete.
+    bool stepPivot(EventLog* log = nullptr);
     /// Goes to the place where `pivot` pivots are complete, or to the end if the run is shorter.
     /// Steps after the last pivot are run only if `pivot` is beyond it. Stops early, before the
     /// target, if `keepGoing` returns false (called at intervals).
@@ -76,6 +80,9 @@ class Timeline {
     /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
     /// to pivot - 1 complete pivots. Empty if the run is shorter.
     std::vector<Event> eventsOf(std::uint32_t pivot);
+    /// Pivot number `pivot`, or the last one if the run is shorter; the cursor is moved to the end
+    /// of it. Its statuses share with those of the last call what has not changed.
+    std::shared_ptr<const PivotRecord> record(std::uint32_t pivot);
 
     const PointSet& points() const { return stepper_.points(); }
     const Params& params() const { return stepper_.params(); }
@@ -91,6 +98,7 @@ class Timeline {
 
     Keyframe makeKeyframe();
     void storeKeyframe();
+    RunState runState();
     void thinOut();
     void restore(const Keyframe& keyframe);
 
@@ -99,6 +107,7 @@ class Timeline {
     RewoundTail<Triangle> triangles_;
     RewoundTail<Alert> alerts_;
     RewoundTail<Index> done_;
+    StatusList recorded_;  ///< Of the last record.
     std::size_t byteBudget_;
     std::size_t keyframeBytes_ = 0;
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.

@@ -1,13 +1,13 @@
-#include "run/ring_replay.h"
+#include "spiraling_edge/replay/ring_replay.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "open_session.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "support/clouds.h"
 
 using namespace se;
-using namespace se::view;
 
 namespace {
 
@@ -28,16 +28,13 @@ struct Followed {
 Followed follow(const char* scene, const char* rules, std::uint32_t last) {
     CAPTURE(scene);
     CAPTURE(rules);
-    LoadProgress progress;
-    const auto model = test::loadModel({scene, {}, rules}, progress);
-    REQUIRE(model.ok());
-    Timeline timeline(model.value()->points, model.value()->params);
+    Timeline timeline(test::sceneNamed(scene), paramsByName(rules).value());
     Followed seen;
     for (std::uint32_t pivot = 1; pivot <= last; ++pivot) {
-        const auto record = recordPivot(timeline, pivot);
+        const auto record = timeline.record(pivot);
         if (record->pivot != pivot) break;
         CAPTURE(pivot);
-        RingReplay replay(record->before.rings, model.value()->points.size());
+        RingReplay replay(record->before.rings, timeline.points().size());
         int exchanges = 0;
         for (const Event& event : record->events) {
             if (event.address.stage == Stage::Advance) break;
@@ -75,9 +72,8 @@ Followed follow(const char* scene, const char* rules, std::uint32_t last) {
 TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") {
     Followed all;
     for (const char* rules : {"paper", "robust"}) {
-        for (const char* scene :
-             {"scene:sphere", "scene:torus", "scene:genus-2", "scene:sheet", "scene:figure-12",
-              "scene:figure-14", "scene:linked-tori", "scene:finished-edge"}) {
+        for (const char* scene : {"sphere", "torus", "genus-2", "sheet", "figure-12", "figure-14",
+                                  "linked-tori", "finished-edge"}) {
             const Followed seen = follow(scene, rules, 1200);
             all.pivots += seen.pivots;
             all.splits += seen.splits;

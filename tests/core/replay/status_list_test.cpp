@@ -1,14 +1,10 @@
-#include "run/status_list.h"
+#include "spiraling_edge/replay/status_list.h"
 
 #include <doctest/doctest.h>
 
 #include <vector>
 
-#include "layers/layer.h"
-#include "open_session.h"
-
 using namespace se;
-using namespace se::view;
 
 namespace {
 
@@ -61,20 +57,4 @@ TEST_CASE("Statuses are counted as they change") {
     all.back() = kUnused;
     list.assign(all);
     CHECK(list.counts() == StatusCounts{1, 0, kSize - 1});
-}
-
-TEST_CASE("Styles computed for changed blocks equal those computed for all") {
-    test::OpenSession open("scene:torus");
-    DrawList kept;
-    LayerSwitches on;
-    on.set(static_cast<std::size_t>(LayerId::Points));
-    for (const std::uint32_t pivot : {10U, 11U, 300U, 12U, 0U}) {
-        open.session.moves().goToPivot(pivot);
-        open.session.waitUntilDone();
-        const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
-        DrawList fresh;
-        fillDrawList(in, on, kept);
-        fillDrawList(in, on, fresh);
-        CHECK(kept.cloudStyleOf == fresh.cloudStyleOf);
-    }
 }

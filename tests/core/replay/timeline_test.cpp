@@ -7,18 +7,13 @@
 #include <limits>
 #include <map>
 
-#include "spiraling_edge/prepare/prepare.h"
-#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
 
 using namespace se;
 
 namespace {
 
 constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
-
-PointSet pointsOf(const char* id) {
-    return std::move(prepare(findScene(id)->build(), {}).value().points);
-}
 
 /// Hashes of a straight run, by pivots completed. The last one is that of the end.
 std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, std::uint64_t& end,
@@ -38,7 +33,7 @@ std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, st
 TEST_CASE("Seeking every pivot from the last to the first gives the states of a straight run") {
     for (const char* rules : {"paper", "robust"}) {
         const Params params = paramsByName(rules).value();
-        const PointSet points = pointsOf("linked-tori");
+        const PointSet points = test::sceneNamed("linked-tori");
         std::uint64_t end = 0;
         const auto hashes = straightHashes(points, end, params);
         // The second budget is far too small for more than a few keyframes.
@@ -59,7 +54,7 @@ TEST_CASE("Seeking every pivot from the last to the first gives the states of a 
 }
 
 TEST_CASE("Going back restores all that a State holds, not only what its hash covers") {
-    const PointSet points = pointsOf("linked-tori");
+    const PointSet points = test::sceneNamed("linked-tori");
     const Params params = paramsByName("robust").value();
     Timeline timeline(points, params, 20'000);
     timeline.seek(kEnd);
@@ -87,7 +82,7 @@ TEST_CASE("Going back restores all that a State holds, not only what its hash co
 }
 
 TEST_CASE("Keyframes stay within their budget, and their size is that of the rings") {
-    const PointSet points = pointsOf("torus");
+    const PointSet points = test::sceneNamed("torus");
     constexpr std::size_t kBudget = 100'000;
     Timeline timeline(points, Params{}, kBudget);
     timeline.seek(kEnd);
@@ -96,7 +91,7 @@ TEST_CASE("Keyframes stay within their budget, and their size is that of the rin
 }
 
 TEST_CASE("Jumping about gives the same states, triangles and alerts included") {
-    const PointSet points = pointsOf("torus");
+    const PointSet points = test::sceneNamed("torus");
     std::uint64_t end = 0;
     const auto hashes = straightHashes(points, end);
     Timeline timeline(points, Params{});
@@ -110,7 +105,7 @@ TEST_CASE("Jumping about gives the same states, triangles and alerts included") 
 }
 
 TEST_CASE("The events of a pivot are those of a straight run, and the cursor is before it") {
-    const PointSet points = pointsOf("sphere");
+    const PointSet points = test::sceneNamed("sphere");
     EventLog log;
     Stepper stepper(points, Params{}, &log);
     stepper.run();
@@ -157,7 +152,7 @@ TEST_CASE("Events after the last pivot have a number of their own") {
 }
 
 TEST_CASE("A seek can be stopped and resumed") {
-    const PointSet points = pointsOf("torus");
+    const PointSet points = test::sceneNamed("torus");
     std::uint64_t end = 0;
     const auto hashes = straightHashes(points, end);
     Timeline timeline(points, Params{});
@@ -172,7 +167,7 @@ TEST_CASE("A seek can be stopped and resumed") {
 }
 
 TEST_CASE("Going back takes the alerts back, and going on brings them again") {
-    const PointSet points = pointsOf("wrong-lists");
+    const PointSet points = test::sceneNamed("wrong-lists");
     Timeline timeline(points, Params{});
     timeline.seek(kEnd);
     const std::vector<Alert> alerts = timeline.state().alerts;
@@ -189,7 +184,7 @@ TEST_CASE("Going back takes the alerts back, and going on brings them again") {
 }
 
 TEST_CASE("A mesh that is edited at the end takes no keyframes from the pivots") {
-    const PointSet points = pointsOf("linked-tori");
+    const PointSet points = test::sceneNamed("linked-tori");
     const Params params = paramsByName("robust").value();
     Stepper straight(points, params);
     straight.runUntil([](const State& s) { return !s.repair.empty(); });

@@ -121,15 +121,15 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
         RunAt::at<ReinsertEvidence>(spec("scene:figure-7", "robust", 16), Stage::Reinsert);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<ReinsertEvidence>().point;
-    const Picture& picture = place->session.picture();
+    const DecisionState& picture = place->session.picture();
     const DrawList list = place->drawn(addRepairs);
     CHECK(count(list, view::Shape::RingedDisc) == 1);
     CHECK(says(list, std::to_string(point)));
     // An event before it in the same step shows the old mesh.
     const PivotRecord& record = place->session.record();
     REQUIRE(record.events.size() == 2);
-    CHECK(makePicture(record, 0).newTriangles.empty());
-    CHECK(makePicture(record, 0).repaired == record.before.repaired);
+    CHECK(place->session.replay().after(0).newTriangles.empty());
+    CHECK(place->session.replay().after(0).repaired == record.before.repaired);
     CHECK(list.sheets.size() == picture.goneTriangles.size());
     REQUIRE_FALSE(picture.newTriangles.empty());
     for (const Triangle& t : picture.newTriangles) {
@@ -151,7 +151,7 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
     const auto place = RunAt::at<RemoveFoldedEvidence>(input, Stage::RemoveFolded);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<RemoveFoldedEvidence>().point;
-    const Picture& picture = place->session.picture();
+    const DecisionState& picture = place->session.picture();
     CHECK(picture.goneTriangles.size() == picture.newTriangles.size() + 2);
     const DrawList list = place->drawn(addRepairs);
     CHECK(count(list, view::Shape::Cross) == 1);
@@ -208,7 +208,7 @@ TEST_CASE("Drawn for an alert: the ring that was freed, bold, in the color of er
                       [](const AlertEvidence& e) { return e.kind == AlertKind::LostSeed; });
         REQUIRE(place != nullptr);
         REQUIRE(place->session.picture().freed.has_value());
-        const ShownFreedRing& ring = *place->session.picture().freed;
+        const FreedRingState& ring = *place->session.picture().freed;
         REQUIRE(ring.evidence.has_value());
         CHECK(ring.alert == kind);
         CHECK(ring.path.points.size() == ring.evidence->length);

@@ -111,7 +111,7 @@ TEST_CASE("A pivot has its marks during its tests, and only its own afterwards")
 TEST_CASE("Labels are only at the pivot, its candidates and the selection, one each") {
     OpenSession open;
     const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Labels}, 7);
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     CHECK(list.labels.size() <= picture.candidates.size() + 6);
     std::set<std::string> texts;
     for (const Label& label : list.labels) CHECK(texts.insert(label.text).second);
@@ -189,4 +189,20 @@ TEST_CASE("Names of the three states of a layer are read back as written") {
         CHECK(layerModeFromName(layerModeName(mode)) == mode);
     }
     CHECK(layerModeFromName("maybe") == std::nullopt);
+}
+
+TEST_CASE("Styles computed for changed blocks equal those computed for all") {
+    test::OpenSession open("scene:torus");
+    DrawList kept;
+    LayerSwitches on;
+    on.set(static_cast<std::size_t>(LayerId::Points));
+    for (const std::uint32_t pivot : {10U, 11U, 300U, 12U, 0U}) {
+        open.session.moves().goToPivot(pivot);
+        open.session.waitUntilDone();
+        const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
+        DrawList fresh;
+        fillDrawList(in, on, kept);
+        fillDrawList(in, on, fresh);
+        CHECK(kept.cloudStyleOf == fresh.cloudStyleOf);
+    }
 }

@@ -12,7 +12,7 @@ TEST_CASE("A seed highlights the skipped points, once, permanently in saved pict
     const Model& model = open.session.model();
     const auto nearest = model.points.neighbors[50];
     // As if the run had reached point 50, with two of its neighbors DONE.
-    Picture picture = open.session.picture();
+    DecisionState picture = open.session.picture();
     for (Index p = 0; p < 50; ++p) picture.status.set(p, kDone);
     for (std::size_t i = 0; i < 2; ++i) picture.status.set(nearest[i], kDone);
     picture.latest = {{{9, Stage::Seed, 1}, SeedEvidence{50, nearest[2], 0.1}}};

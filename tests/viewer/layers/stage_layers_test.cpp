@@ -69,7 +69,7 @@ TEST_CASE("Drawn for sort: the slicing plane, the drop line and the angle") {
     CHECK(says(list, "z"));
     CHECK(says(list, "1."));
     CHECK(says(list, "\xC2\xB0"));
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     const glm::vec3 tested = open.session.model().place[picture.underTest];
     CHECK(std::any_of(list.lines.begin(), list.lines.end(),
                       [&](const Line& line) { return line.from == tested && line.dash > 0.0F; }));
@@ -101,7 +101,7 @@ TEST_CASE("Drawn for reciprocal: a second disc at e, its range and the line to p
     const Address refused = firstWhere<ReciprocalEvidence>(
         open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::NotReciprocal; });
     const DrawList list = drawn(open, refused, {LayerId::Reciprocal});
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     const auto& place = open.session.model().place;
     CHECK_FALSE(list.sheets.empty());
     CHECK(hasLine(list, place[picture.underTest], place[picture.pivot]));
@@ -128,7 +128,7 @@ TEST_CASE("Drawn for sphere: three great circles, the radius and the limit of th
                std::abs(glm::distance(l.to, sphere.center) - sphere.radius) < 1e-4F;
     });
     CHECK(onShell >= 96 + 2 * 64);
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     CHECK(hasLine(list, sphere.center, open.session.model().place[picture.pivot]));
     CHECK(hasLine(list, sphere.center, open.session.model().place[picture.sphere->q]));
     for (const char* text : {"c", "r", "d ", "q ", "s", "t"}) CHECK(says(list, text));
@@ -207,7 +207,7 @@ TEST_CASE("Drawn for seed, advance and done") {
     CHECK(says(seed, "start point"));
     CHECK(seed.lines.size() == 1);
     const DrawList advance = drawn(open, {20, Stage::Advance, 1}, {LayerId::Advance});
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     CHECK(std::any_of(advance.lines.begin(), advance.lines.end(),
                       [&](const Line& l) { return l.to == place[picture.nextPivot]; }));
     open.session.moves().goTo({536, Stage::Done, 1});
@@ -254,7 +254,7 @@ TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
     };
     open.session.moves().goTo({42, Stage::Reciprocal, 1});
     open.session.waitUntilDone();
-    const Picture& p = open.session.picture();
+    const DecisionState& p = open.session.picture();
     const float whole =
         areaOfPicture(p.pivot, p.underTest, p.start) + areaOfPicture(p.pivot, p.underTest, p.end);
     const float covered = hatched(addReciprocal);

@@ -25,10 +25,10 @@ void forEachEvent(const char* scene, const char* rules, std::uint32_t pivots, Lo
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     for (std::uint32_t pivot = 1; pivot <= pivots; ++pivot) {
-        const auto record = recordPivot(timeline, pivot);
+        const auto record = timeline.record(pivot);
         for (std::size_t i = 0; i < record->events.size(); ++i) {
             const Event& event = record->events[i];
-            const Picture picture = makePicture(*record, i);
+            const DecisionState picture = PivotReplay(record).after(i);
             CAPTURE(scene);
             CAPTURE(toString(event.address));
             look(*model.value(), picture, event, evidenceRows({*model.value(), picture, event}));
@@ -102,7 +102,7 @@ TEST_CASE("Inspect: every event has the rows required for its stage, in names th
                                        {"scene:figure-9", "robust"},
                                        {"scene:genus-2", "robust"}}) {
         forEachEvent(scene, rules, 3000,
-                     [&](const Model&, const Picture&, const Event& event,
+                     [&](const Model&, const DecisionState&, const Event& event,
                          const std::vector<EvidenceRow>& rows) {
                          seen.insert(event.address.stage);
                          CHECK_FALSE(rows.empty());
@@ -131,7 +131,7 @@ TEST_CASE("Inspect: a triangle's least angle, area and orientation are those of 
     int triangles = 0;
     forEachEvent(
         "scene:sphere", "paper", 30,
-        [&](const Model& model, const Picture&, const Event& event,
+        [&](const Model& model, const DecisionState&, const Event& event,
             const std::vector<EvidenceRow>& rows) {
             const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
             if (emit == nullptr) return;
@@ -148,7 +148,7 @@ TEST_CASE("Inspect: a triangle's least angle, area and orientation are those of 
 TEST_CASE("Inspect: a convex corner is over 180 degrees, and the height is off p's plane") {
     int tests = 0;
     forEachEvent("scene:figure-5", "paper", 130,
-                 [&](const Model& model, const Picture& picture, const Event& event,
+                 [&](const Model& model, const DecisionState& picture, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* drop = std::get_if<DropEvidence>(&event.evidence);
                      if (drop == nullptr || drop->verdict != Verdict::BeyondConvex) return;
@@ -167,7 +167,7 @@ TEST_CASE("Inspect: the cross product is shown where it was computed, and only t
     int at71 = 0;
     int at72 = 0;
     forEachEvent("scene:figure-14", "paper", 60,
-                 [&](const Model&, const Picture&, const Event& event,
+                 [&](const Model&, const DecisionState&, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* insert = std::get_if<InsertEvidence>(&event.evidence);
                      if (insert == nullptr) return;
@@ -189,7 +189,7 @@ TEST_CASE(
     int moved = 0;
     int failed = 0;
     forEachEvent("scene:figure-4", "paper", 60,
-                 [&](const Model&, const Picture&, const Event& event,
+                 [&](const Model&, const DecisionState&, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
                      if (limit == nullptr) return;
@@ -223,7 +223,7 @@ TEST_CASE("Inspect: a complete component counts its triangles, points, loops and
         const PivotRecord& record = open.session.record();
         const Event& event = record.events.back();
         REQUIRE(std::holds_alternative<ComponentEvidence>(event.evidence));
-        const Picture picture = makePicture(record, record.events.size() - 1);
+        const DecisionState picture = open.session.replay().after(record.events.size() - 1);
         const auto rows = evidenceRows({open.session.model(), picture, event, &run});
         CHECK(says(rows, "triangles", std::to_string(run.triangles.back())));
         CHECK(says(rows, "points", std::to_string(run.shapes.back().points)));

@@ -33,9 +33,9 @@ void forEachDial(const char* scene, Look&& look) {
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     for (std::uint32_t pivot = 1; pivot <= 120; ++pivot) {
-        const auto record = recordPivot(timeline, pivot);
+        const auto record = timeline.record(pivot);
         for (std::size_t i = 0; i < record->events.size(); ++i) {
-            const Picture picture = makePicture(*record, i);
+            const DecisionState picture = PivotReplay(record).after(i);
             const Event& event = record->events[i];
             CAPTURE(toString(event.address));
             look(picture, event, makeDial(*model.value(), picture, &event));
@@ -49,7 +49,7 @@ TEST_CASE("Dial: ticks are at the angles of the decisions") {
     for (const char* scene : {"scene:sphere", "scene:linked-tori", "scene:sheet"}) {
         CAPTURE(scene);
         int compared = 0;
-        forEachDial(scene, [&](const Picture& picture, const Event& event, const Dial& dial) {
+        forEachDial(scene, [&](const DecisionState& picture, const Event& event, const Dial& dial) {
             const auto* sort = std::get_if<SortEvidence>(&event.evidence);
             if (sort == nullptr || sort->verdict == Verdict::OnRingEnd) return;
             const DialTick* tick = tickOf(dial, sort->point);
@@ -63,7 +63,7 @@ TEST_CASE("Dial: ticks are at the angles of the decisions") {
 }
 
 TEST_CASE("Dial: rejected neighbors have a reason, kept ones do not") {
-    forEachDial("scene:torus", [](const Picture& picture, const Event&, const Dial& dial) {
+    forEachDial("scene:torus", [](const DecisionState& picture, const Event&, const Dial& dial) {
         for (const CandidateMark& mark : picture.candidates) {
             const DialTick* tick = tickOf(dial, mark.point);
             REQUIRE(tick != nullptr);
@@ -77,35 +77,36 @@ TEST_CASE("Dial: rejected neighbors have a reason, kept ones do not") {
 
 TEST_CASE("Dial: the range runs from start to end, and the gap of a sphere test from t to s") {
     int gaps = 0;
-    forEachDial("scene:torus", [&](const Picture& picture, const Event& event, const Dial& dial) {
-        if (picture.pivot == kNone) {
-            CHECK(dial.empty());
-            return;
-        }
-        const DialArc* range = arcOf(dial, DialArc::Kind::Range);
-        REQUIRE(range != nullptr);
-        CHECK(range->from == picture.startDegrees);
-        for (const DialTick& tick : dial.ticks) {
-            CHECK(tick.reach >= 0.0F);
-            CHECK(tick.reach <= 1.0F);
-            CHECK(std::abs(tick.height) <= 1.0F);
-        }
-        const auto* sphere = std::get_if<SphereEvidence>(&event.evidence);
-        if (sphere == nullptr) return;
-        const bool wide = sphere->gapDegrees > 120.0;
-        const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
-        REQUIRE(gap != nullptr);
-        CHECK(gap->to - gap->from == doctest::Approx(sphere->gapDegrees));
-        CHECK(tickOf(dial, sphere->q)->letter == "q");
-        ++gaps;
-    });
+    forEachDial(
+        "scene:torus", [&](const DecisionState& picture, const Event& event, const Dial& dial) {
+            if (picture.pivot == kNone) {
+                CHECK(dial.empty());
+                return;
+            }
+            const DialArc* range = arcOf(dial, DialArc::Kind::Range);
+            REQUIRE(range != nullptr);
+            CHECK(range->from == picture.startDegrees);
+            for (const DialTick& tick : dial.ticks) {
+                CHECK(tick.reach >= 0.0F);
+                CHECK(tick.reach <= 1.0F);
+                CHECK(std::abs(tick.height) <= 1.0F);
+            }
+            const auto* sphere = std::get_if<SphereEvidence>(&event.evidence);
+            if (sphere == nullptr) return;
+            const bool wide = sphere->gapDegrees > 120.0;
+            const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
+            REQUIRE(gap != nullptr);
+            CHECK(gap->to - gap->from == doctest::Approx(sphere->gapDegrees));
+            CHECK(tickOf(dial, sphere->q)->letter == "q");
+            ++gaps;
+        });
     CHECK(gaps > 50);
 }
 
 TEST_CASE("Dial: the limits that angles are compared with are marked, and refusals named") {
     int spheres = 0;
     int refusals = 0;
-    forEachDial("scene:figure-9", [&](const Picture&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-9", [&](const DecisionState&, const Event& event, const Dial& dial) {
         if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
             const bool wide = sphere->gapDegrees > 120.0;
             const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
@@ -119,7 +120,7 @@ TEST_CASE("Dial: the limits that angles are compared with are marked, and refusa
             CHECK(dial.marks[0].degrees == 180.0);
         }
         if (std::holds_alternative<HoleEvidence>(event.evidence)) CHECK(dial.chord.has_value());
-        if (!rejects(event) || dial.empty()) return;
+        if (outcomeOf(event) != Outcome::Refused || dial.empty()) return;
         CHECK(dial.caption.find(verdictText(*verdictOf(event))) != std::string::npos);
         ++refusals;
     });
@@ -128,7 +129,7 @@ TEST_CASE("Dial: the limits that angles are compared with are marked, and refusa
 }
 
 TEST_CASE("Dial: kept candidates have a rank by angle") {
-    forEachDial("scene:torus", [](const Picture&, const Event&, const Dial& dial) {
+    forEachDial("scene:torus", [](const DecisionState&, const Event&, const Dial& dial) {
         std::vector<const DialTick*> ranked;
         for (const DialTick& tick : dial.ticks) {
             CHECK((tick.rank > 0) == (tick.role == DialRole::Candidate));
@@ -144,7 +145,7 @@ TEST_CASE("Dial: kept candidates have a rank by angle") {
 
 TEST_CASE("Dial: a third point has a slot before and after the pivot, one of them filled") {
     int slots = 0;
-    forEachDial("scene:figure-14", [&](const Picture&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-14", [&](const DecisionState&, const Event& event, const Dial& dial) {
         const auto* insert = std::get_if<InsertEvidence>(&event.evidence);
         if (insert == nullptr) return;
         REQUIRE(dial.slots.size() == 2);
@@ -157,7 +158,7 @@ TEST_CASE("Dial: a third point has a slot before and after the pivot, one of the
 
 TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point") {
     int discs = 0;
-    forEachDial("scene:figure-6", [&](const Picture&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-6", [&](const DecisionState&, const Event& event, const Dial& dial) {
         const auto* test = std::get_if<ReciprocalEvidence>(&event.evidence);
         CHECK(dial.reciprocal.has_value() == (test != nullptr));
         if (test == nullptr) return;
@@ -173,7 +174,7 @@ TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point")
 
 TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
     int moved = 0;
-    forEachDial("scene:figure-4", [&](const Picture&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-4", [&](const DecisionState&, const Event& event, const Dial& dial) {
         const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
         if (limit == nullptr) return;
         CHECK(dial.caption.find('?') == std::string::npos);
@@ -184,7 +185,7 @@ TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
     });
     CHECK(moved > 0);
     int convex = 0;
-    forEachDial("scene:figure-5", [&](const Picture&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-5", [&](const DecisionState&, const Event& event, const Dial& dial) {
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
         if (drop == nullptr || drop->verdict != Verdict::BeyondConvex) return;
         const std::size_t first = dial.caption.find("after");
@@ -197,7 +198,7 @@ TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
 
 TEST_CASE("Dial: the new start and end of Figure 4 are not crossed out") {
     int limits = 0;
-    forEachDial("scene:figure-4", [&](const Picture& picture, const Event& event,
+    forEachDial("scene:figure-4", [&](const DecisionState& picture, const Event& event,
                                       const Dial& dial) {
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
         if (drop == nullptr || !drop->isLimit()) return;
@@ -207,7 +208,7 @@ TEST_CASE("Dial: the new start and end of Figure 4 are not crossed out") {
             picture.candidates.begin(), picture.candidates.end(), [&](const CandidateMark& each) {
                 return each.point == drop->point && each.state == CandidateState::Rejected;
             }));
-        CHECK_FALSE(rejects(event));
+        CHECK(outcomeOf(event) != Outcome::Refused);
         CHECK(outcomeColor(paletteOf(Theme::Dark), event) == paletteOf(Theme::Dark).test);
         const auto tick = std::find_if(dial.ticks.begin(), dial.ticks.end(),
                                        [&](const DialTick& t) { return t.point == drop->point; });

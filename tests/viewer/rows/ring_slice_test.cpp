@@ -42,7 +42,7 @@ TEST_CASE("Of a long ring the points about the middle are shown, across its end"
 
 TEST_CASE("A pivot that is on a ring more than once is found between first and last") {
     const RingPath ring = ringOf({7, 1, 2, 7, 3, 4});
-    Picture picture;
+    DecisionState picture;
     picture.pivot = 7;
     picture.first = 2;
     picture.last = 3;
@@ -54,17 +54,17 @@ TEST_CASE("A pivot that is on a ring more than once is found between first and l
 
 TEST_CASE("When the pivot has left the ring, the position is where the ring continues") {
     const RingPath ring = ringOf({1, 2, 3, 4});
-    Picture picture;
+    DecisionState picture;
     picture.pivot = 9;
     picture.end = 3;
     CHECK(workPlace(picture, ring) == 2);
     picture.nextPivot = 4;
     CHECK(workPlace(picture, ring) == 3);
-    CHECK_FALSE(workPlace(Picture{}, ring));
+    CHECK_FALSE(workPlace(DecisionState{}, ring));
 }
 
 TEST_CASE("The strip shows the chosen ring, otherwise the active one") {
-    Picture picture;
+    DecisionState picture;
     picture.rings = {ringOf({1, 2, 3}), ringOf({4, 5, 6})};
     picture.rings[0].active = true;
     picture.rings[0].id = 0;
@@ -72,7 +72,7 @@ TEST_CASE("The strip shows the chosen ring, otherwise the active one") {
     CHECK(ringToShow(picture, kNone) == &picture.rings[0]);
     CHECK(ringToShow(picture, 8) == &picture.rings[1]);
     CHECK(ringToShow(picture, 77) == &picture.rings[0]);
-    CHECK(ringToShow(Picture{}, 8) == nullptr);
+    CHECK(ringToShow(DecisionState{}, 8) == nullptr);
 }
 
 TEST_CASE("A ring is highlighted under the pointer, and stays so when chosen") {

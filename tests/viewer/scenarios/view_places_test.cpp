@@ -12,7 +12,7 @@
 #include "layout/overlays.h"
 #include "open_session.h"
 #include "panel_state/ui_state.h"
-#include "run/picture.h"
+#include "run/neighborhood.h"
 #include "session/playback.h"
 
 using namespace se;
@@ -170,7 +170,7 @@ TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it nam
     OpenSession open("scene:figure-9");
     open.session.moves().goToText("42.reciprocal.1");
     open.session.waitUntilDone();
-    const Picture& picture = open.session.picture();
+    const DecisionState& picture = open.session.picture();
     const std::vector<Index> points = neighborhoodOf(picture);
     const auto has = [&](Index point) {
         return std::count(points.begin(), points.end(), point) == 1;
@@ -185,7 +185,7 @@ TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it nam
     for (const Index point : {e->pred, e->succ, e->point, picture.start, picture.end}) {
         CHECK(has(point));
     }
-    CHECK(neighborhoodOf(Picture{}).empty());
+    CHECK(neighborhoodOf(DecisionState{}).empty());
 }
 
 TEST_CASE("A close-up shows all points of a decision, with room for names") {

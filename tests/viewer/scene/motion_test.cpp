@@ -95,7 +95,7 @@ TEST_CASE("Only an animated picture keeps the window drawing") {
     CHECK(seconds({30, Stage::Emit, 1}) == doctest::Approx(0.5));
     CHECK(seconds({30, Stage::Ring, 1}) == doctest::Approx(0.5));
     CHECK(seconds({30, Stage::Advance, 1}) == doctest::Approx(0.5));
-    CHECK(motionSeconds(Picture{}) == 0.0);
+    CHECK(motionSeconds(DecisionState{}) == 0.0);
 }
 
 TEST_CASE("While blinking, before and after are shown twice a second, before first") {

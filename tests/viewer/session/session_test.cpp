@@ -57,8 +57,8 @@ TEST_CASE("The same address shows the same picture, from any direction") {
         each->session.moves().goTo({42, Stage::Sphere, 1});
         CHECK(each->place() == "42.sphere.1");
     }
-    const Picture& a = forward.session.picture();
-    const Picture& b = back.session.picture();
+    const DecisionState& a = forward.session.picture();
+    const DecisionState& b = back.session.picture();
     CHECK(a.status == b.status);
     CHECK(a.pivot == b.pivot);
     CHECK(a.finishedTriangles == b.finishedTriangles);
@@ -76,4 +76,15 @@ TEST_CASE("The selection survives every move, and goes with another input") {
     open.session.waitUntilDone();
     CHECK(open.session.selected() == kNone);
     CHECK(open.place() == "start");
+}
+
+TEST_CASE("Holding the look before an event changes the picture, not the cursor") {
+    test::OpenSession open;
+    open.session.moves().goTo({30, Stage::Emit, 1});
+    open.session.waitUntilDone();
+    open.session.showBefore(true);
+    CHECK(open.session.picture().newTriangles.empty());
+    CHECK(open.place() == "30.emit.1");
+    open.session.showBefore(false);
+    CHECK(open.session.picture().newTriangles.size() == 1);
 }

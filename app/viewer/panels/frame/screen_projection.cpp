@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "run/picture.h"
+#include "run/neighborhood.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "session/session.h"

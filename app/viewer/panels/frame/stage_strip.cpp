@@ -79,7 +79,7 @@ void drawTicks(const PanelContext& context, const StageRun& run, const Rect& blo
         list->AddRectFilled({x + inset, block.min.y}, {x + width - inset, block.max().y},
                             toU32(cellColor(context, event).withAlpha(later ? 0.3F : 0.85F)),
                             0.12F * context.em);
-        if (rejects(event) && width > 0.6F * context.em) {
+        if (outcomeOf(event) == Outcome::Refused && width > 0.6F * context.em) {
             drawShape(list, {x + 0.5F * width, block.min.y + 0.5F * block.size.y},
                       0.5F * context.em, Shape::Cross,
                       toU32(context.palette.background.withAlpha(later ? 0.6F : 1.0F)));
@@ -154,7 +154,7 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
                         toU32(color.withAlpha(later ? 0.45F : 1.0F)), 0.1F * em);
     const float middle = cell.min.y + 0.5F * cell.size.y;
     float x = cell.min.x + 0.45F * em;
-    if (rejects(event)) {
+    if (outcomeOf(event) == Outcome::Refused) {
         drawShape(list, {x + 0.3F * em, middle}, 0.55F * em, Shape::Cross, toU32(color));
         x += 0.8F * em;
     }

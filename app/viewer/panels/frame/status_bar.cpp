@@ -4,8 +4,8 @@
 
 #include "layout/bars.h"
 #include "panels/widgets/widgets.h"
-#include "run/status_list.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/status_list.h"
 
 namespace se::view {
 
@@ -18,7 +18,7 @@ constexpr float kPartGap = 1.2F;
 /// The most important first.
 std::vector<std::string> partsOf(const PanelContext& context) {
     const Session& session = context.session();
-    const Picture& picture = session.picture();
+    const DecisionState& picture = session.picture();
     std::vector<std::string> parts;
     if (!session.record().events.empty()) {
         parts.push_back("event " + std::to_string(session.cursor() + 1) + "/" +

@@ -56,7 +56,7 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const std::vector<LabelMark> marks = projection.marks();
     const OccupancyGrid occupancy = projection.occupancy();
     LabelRoom room{view, taken, marks, &occupancy, view.min + 0.5F * view.size, em};
-    const Picture& picture = context.session().picture();
+    const DecisionState& picture = context.session().picture();
     if (context.session().ready() && picture.pivot != kNone) {
         room.middle =
             projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);

@@ -4,8 +4,8 @@
 
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "run/status_list.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/status_list.h"
 
 namespace se::view {
 

@@ -87,7 +87,7 @@ void explain(const PanelContext& context, const DialTick& tick) {
 void drawDial(const PanelContext& context) {
     Session& session = context.session();
     if (!session.ready()) return;
-    const Picture& picture = session.picture();
+    const DecisionState& picture = session.picture();
     const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
     heading(context, "Dial",
             dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));

@@ -152,8 +152,8 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     if (const std::string ending(endingText(event)); !ending.empty())
         valueRow(context, "verdict", ending, outcome.value_or(context.palette.text));
     // While the previous state is shown, the values stay those of the decision.
-    std::optional<Picture> after;
-    if (session.showsBefore()) after = makePicture(session.record(), session.cursor());
+    std::optional<DecisionState> after;
+    if (session.showsBefore()) after = session.replay().after(session.cursor());
     const EvidenceInput input{session.shown(), after ? *after : session.picture(), event,
                               &session.overview()};
     for (const EvidenceRow& row : evidenceRows(input)) {

@@ -134,7 +134,7 @@ struct PointLook {
 };
 
 PointLook lookOf(const PanelContext& context, Index point) {
-    const Picture& picture = context.session().picture();
+    const DecisionState& picture = context.session().picture();
     const Palette& palette = context.palette;
     if (point == picture.pivot) return {Shape::RingedDisc, 1.0F, palette.pivot};
     if (point == picture.nextPivot) return {Shape::RingedDisc, 0.85F, palette.text};
@@ -146,7 +146,7 @@ PointLook lookOf(const PanelContext& context, Index point) {
 }
 
 /// Role of a point for the pivot, for the line above the strip.
-std::string roleOf(const Picture& picture, Index point) {
+std::string roleOf(const DecisionState& picture, Index point) {
     const std::pair<Index, const char*> roles[] = {
         {picture.pivot, "pivot"}, {picture.first, "first"}, {picture.last, "last"},
         {picture.start, "start"}, {picture.end, "end"},     {picture.nextPivot, "next pivot"}};

@@ -113,7 +113,8 @@ std::string outcomeText(const Event& event) {
 }
 
 Shape markOf(const Event& event) {
-    if (rejects(event) || std::holds_alternative<AlertEvidence>(event.evidence))
+    if (outcomeOf(event) == Outcome::Refused ||
+        std::holds_alternative<AlertEvidence>(event.evidence))
         return Shape::Cross;
     if (const auto* ring = std::get_if<RingEvidence>(&event.evidence))
         return ring->inserted ? Shape::Disc : Shape::Dot;
@@ -192,7 +193,8 @@ void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
     pen.indent(kArrow);
     pen.label(std::string(stageName(run.stage)), context.palette.text);
     if (run.size() == 1) {
-        if (rejects(event)) pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
+        if (outcomeOf(event) == Outcome::Refused)
+            pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
         const Index subject = subjectOf(event);
         std::string note = subject == kNone ? std::string{} : std::to_string(subject) + " ";
         // A single decision has no counts: the whole width is free.
