@@ -1,29 +1,62 @@
 #include <cstdio>
 
-#include "spiraling_edge/io/read_points.h"
-#include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/mesh/mesh_report.h"
-#include "spiraling_edge/prepare/prepare.h"
-#include "spiraling_edge/scenes/scenes.h"
-#include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/spiraling_edge.h"
+
+namespace {
+
+int fail(const std::string& message, int exitCode) {
+    std::fprintf(stderr, "%s\n", message.c_str());
+    return exitCode;
+}
+
+void print(const char* title, const std::vector<se::RingPoint>& ring) {
+    std::printf("%s:", title);
+    for (const auto& [point, degrees] : ring) std::printf("  %u at %.1f", point, degrees);
+    std::puts(" degrees");
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-    // Points with normals: from a file, or one of the built-in scenes.
+    // Points from a file or of a scene; then normals and neighbor lists, unless the file has some.
     const auto file = argc > 1 ? se::readPoints(std::filesystem::path(argv[1]))
-                               : se::Result<se::PointFile>(se::scenes().front().build());
-    if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 3;
-    // Normals and neighbor lists, unless the file has some.
+                               : se::Result<se::PointFile>(se::findScene("torus")->build());
+    if (!file) return fail(file.error().message, 3);
     const auto prepared = se::prepare(file.value(), {});
-    if (!prepared) return std::fprintf(stderr, "%s\n", prepared.error().message.c_str()), 3;
+    if (!prepared) return fail(prepared.error().message, 3);
     const se::PointSet& points = prepared.value().points;
+    const se::Params params = se::paramsByName("paper").value();
 
-    se::Stepper stepper(points, se::Params{});
-    stepper.run();  // or stepPivot(), or advance(): one phase of one pivot
+    // To an address: the third sphere test of pivot 134, and the neighbor ring before and after it.
+    se::RunCursor cursor(points, params);
+    if (!cursor.goTo({134, se::Stage::Sphere, 3})) return fail("pivot 134 has no such test", 1);
+    print("before", cursor.stateBefore().neighborRing());
+    const auto* test = se::as<se::SphereEvidence>(*cursor.event());
+    std::printf("point %u is %.4f from the center, the radius is %.4f: %s\n", test->q,
+                test->distance, test->radius, std::string(se::verdictText(test->verdict)).c_str());
+    print("after", cursor.state().neighborRing());
 
-    const auto& triangles = stepper.state().mesh();
-    const se::MeshReport report = se::reportMesh(points, triangles);
+    // Back to the end of the pivot before, where the edge ring is as that pivot left it.
+    cursor.back(se::StepUnit::Pivot);
+    std::printf("%zu points on the edge ring\n", cursor.state().rings.front().points.size());
+
+    // On to the next decision that meets a condition.
+    const auto query = se::DecisionQuery::parse("stage=sphere refused margin<0.01").value();
+    if (cursor.runUntil([&](const se::Decision& each) { return query.matches(each); }))
+        std::printf("stopped at %s\n", se::toString(cursor.event()->address).c_str());
+
+    // The same run with another rule, and where the two part.
+    se::Params changed = params;
+    se::findRuleSetting("maxgap")->set(changed, 100.0);
+    const auto runs = se::compareRuns({points, params}, {points, changed});
+    if (runs && runs.value().first) std::puts(runs.value().first->words.c_str());
+
+    // The finished mesh.
+    cursor.goToEnd();
+    const std::vector<se::Triangle>& mesh = cursor.timeline().state().mesh();
+    const se::MeshReport report = se::reportMesh(points, mesh);
     std::printf("%zu points, %zu triangles, Euler characteristic %lld\n", report.points,
                 report.triangles, report.eulerCharacteristic);
     if (argc <= 2) return 0;
-    return se::writeMeshPly(argv[2], file.value(), triangles).ok() ? 0 : 5;
+    return se::writeMeshPly(argv[2], file.value(), mesh).ok() ? 0 : 5;
 }

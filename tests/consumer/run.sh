@@ -9,9 +9,9 @@ work="$build/consumer"
 rm -rf "$work"
 mkdir -p "$work"
 
-# The example of the README is the program that is built here.
-sed -n '/^```cpp$/,/^```$/p' "$here/../../README.md" | sed '1d;$d' >"$work/readme.cpp"
-diff "$work/readme.cpp" "$here/example.cpp"
+# The program and the output of docs/library.md are those of the program that is built here.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$here/../../docs/library.md" | sed '1d;$d'; }
+diff <(block cpp) "$here/example.cpp"
 
 try() {
     local name=$1
@@ -19,7 +19,7 @@ try() {
     cmake -S "$here/$name" -B "$work/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$work/$name.log"
     cmake --build "$work/$name" >>"$work/$name.log" || { cat "$work/$name.log"; exit 1; }
     "$work/$name/example" | tee "$work/$name.out"
-    grep -q "Euler characteristic" "$work/$name.out"
+    diff <(block text) "$work/$name.out"
 }
 
 cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"

@@ -12,7 +12,7 @@ namespace se {
 
 /// One status for each of params.whatIf, in their order: success, or the reason for its refusal. A
 /// what-if is refused if nothing is tested at its place, if it has no effect, or if after its pivot
-/// an invariant of docs/architecture.md would not hold that holds without it. Nothing if `progress`
+/// an invariant of stepper/invariants.h would not hold that holds without it. Nothing if `progress`
 /// cancelled. O(run up to the last of them).
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
                                                 const Progress& progress = {});

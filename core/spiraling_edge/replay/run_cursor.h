@@ -30,6 +30,8 @@ class RunCursor {
     const Event* event() const;
     /// The state at the cursor: rings, neighbor ring, candidates, fan and statuses.
     DecisionState state() const { return replay_.after(event_); }
+    /// The state just before event().
+    DecisionState stateBefore() const { return replay_.before(event_); }
     /// The pivot of event(), with all its events.
     const PivotRecord& pivot() const { return replay_.record(); }
     /// The run between two pivots: its mesh, its length.
