@@ -29,6 +29,12 @@ struct Box {
         return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
                low.z <= o.high.z && o.low.z <= high.z;
     }
+    /// grown(width).meets(o)
+    bool meets(const Box& o, double width) const {
+        return low.x - width <= o.high.x && o.low.x <= high.x + width &&
+               low.y - width <= o.high.y && o.low.y <= high.y + width &&
+               low.z - width <= o.high.z && o.low.z <= high.z + width;
+    }
 };
 
 inline Box boxOf(const PointSet& points, const Triangle& t) {

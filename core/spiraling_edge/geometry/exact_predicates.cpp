@@ -223,6 +223,90 @@ bool overlapAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
     return orient2d(u, v, x, axis) * orient2d(u, v, y, axis) > 0;
 }
 
+namespace {
+
+// Filters for pairs of neighbors, most of which lie side by side. They compare with bounds far
+// above the rounding of the sums; triangles without area are left to the exact tests.
+constexpr double kRounding = 1e-13;
+
+double sizeOf(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// A triangle from its first corner.
+struct Corner {
+    Vec3 at, u, v, normal;
+    double size;   ///< At least the length of each edge.
+    double bound;  ///< Far above the rounding of `normal`.
+
+    explicit Corner(const Vec3* t)
+        : at(t[0]),
+          u(t[1] - t[0]),
+          v(t[2] - t[0]),
+          normal(glm::cross(u, v)),
+          size(sizeOf(u) + sizeOf(v)),
+          bound(kRounding * size * size) {}
+
+    /// 1 or -1 if a place is clearly on that side of the plane, else 0. `distance` is at least the
+    /// place's from the corner.
+    int side(const Vec3& place, double distance) const {
+        const double height = glm::dot(normal, place - at);
+        const double least = bound * distance;
+        return height > least ? 1 : (height < -least ? -1 : 0);
+    }
+    bool hasArea() const { return sizeOf(normal) > bound; }
+};
+
+/// True if a plane through their common corner clearly has one triangle on each side.
+bool clearlyApart(const Corner& a, const Corner& b) {
+    const Vec3 d = (a.u + a.v) - (b.u + b.v);
+    const double size = a.size + b.size;
+    const double least = kRounding * size * size;
+    return glm::dot(a.u, d) > least && glm::dot(a.v, d) > least && glm::dot(b.u, d) < -least &&
+           glm::dot(b.v, d) < -least;
+}
+
+/// True if a plane clearly has one triangle on each side: that of `a`, or one across the line
+/// between their middles, as for two in one plane.
+bool clearlyApart(const Vec3* a, const Vec3* b) {
+    const Corner cornerA(a);
+    const Vec3 b0 = b[0] - a[0];
+    const Corner cornerB(b);
+    const double distance = sizeOf(b0) + cornerB.size;
+    const int side = cornerA.side(b[0], distance);
+    if (side != 0 && side == cornerA.side(b[1], distance) && side == cornerA.side(b[2], distance))
+        return true;
+    const Vec3 d = (cornerA.u + cornerA.v) - (cornerB.u + cornerB.v) - 3.0 * b0;
+    const double size = cornerA.size + distance;
+    const double least = std::min(0.0, std::min(glm::dot(cornerA.u, d), glm::dot(cornerA.v, d)));
+    const double most =
+        glm::dot(b0, d) + std::max(0.0, std::max(glm::dot(cornerB.u, d), glm::dot(cornerB.v, d)));
+    return least - most > kRounding * size * size && cornerA.hasArea() && cornerB.hasArea();
+}
+
+/// clearlyApart() for a[0] = b[0].
+bool clearlyApartAtCorner(const Vec3* a, const Vec3* b) {
+    const Corner cornerA(a);
+    const Corner cornerB(b);
+    if (!cornerA.hasArea() || !cornerB.hasArea()) return false;
+    return clearlyApart(cornerA, cornerB) ||
+           cornerA.side(b[1], cornerB.size) * cornerA.side(b[2], cornerB.size) > 0 ||
+           cornerB.side(a[1], cornerA.size) * cornerB.side(a[2], cornerA.size) > 0;
+}
+
+/// True if x and y are clearly on different sides of the edge u v, as in a flat mesh, or y is
+/// clearly off the plane of u, v and x.
+bool clearlyApartAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
+    const Vec3 edge = v - u;
+    const Vec3 a = x - u;
+    const Vec3 b = y - u;
+    const Vec3 normal = glm::cross(edge, a);
+    const double size = sizeOf(edge) + sizeOf(a) + sizeOf(b);
+    const double bound = kRounding * size * size * size;
+    return std::abs(glm::dot(normal, b)) > bound ||
+           glm::dot(normal, glm::cross(edge, b)) < -bound * size;
+}
+
+}  // namespace
+
 bool trianglesShareMore(const std::vector<Vec3>& position, const Triangle& a, const Triangle& b) {
     std::array<Index, 3> pa{a.a, a.b, a.c};
     std::array<Index, 3> pb{b.a, b.b, b.c};
@@ -240,11 +324,13 @@ bool trianglesShareMore(const std::vector<Vec3>& position, const Triangle& a, co
     const Vec3 vb[3] = {position[pb[0]], position[pb[1]], position[pb[2]]};
     switch (common) {
         case 0:
-            return trianglesMeet(va, vb);
+            return !clearlyApart(va, vb) && trianglesMeet(va, vb);
         case 1:
-            return segmentMeetsTriangle(va[1], va[2], vb) || segmentMeetsTriangle(vb[1], vb[2], va);
+            return !clearlyApartAtCorner(va, vb) && (segmentMeetsTriangle(va[1], va[2], vb) ||
+                                                     segmentMeetsTriangle(vb[1], vb[2], va));
         case 2:
-            return overlapAtEdge(va[0], va[1], va[2], vb[2]);
+            return !clearlyApartAtEdge(va[0], va[1], va[2], vb[2]) &&
+                   overlapAtEdge(va[0], va[1], va[2], vb[2]);
         default:
             return true;
     }

@@ -98,8 +98,7 @@ double twiceAreaOf(const Polygon& polygon) {
 }
 
 /// True if, seen along `up`, each corner of `other` is an end of one edge of `t` or clearly beyond
-/// it: an answer for most pairs without a projection. `margin` is far above the rounding of an
-/// area.
+/// it. `margin` is far above the rounding of an area.
 bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& normal,
                     const Triangle& other, const Vec3& up, double margin) {
     const std::array corner{t.a, t.b, t.c};
@@ -121,30 +120,32 @@ bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& norma
 
 }  // namespace
 
-LayerShape layerShape(const PointSet& points, const Triangle& t) {
-    const Vec3& a = points.position[t.a];
-    const Vec3& b = points.position[t.b];
-    const Vec3& c = points.position[t.c];
-    LayerShape shape;
-    shape.normal = areaVector(a, b, c);
-    shape.reach = (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
-    const double length = glm::length(shape.normal);
-    if (!(length > 0.0)) return shape;
-    shape.outward = shape.normal / (facing(points, t) < 0.0 ? -length : length);
-    return shape;
+namespace {
+
+/// True if the normals of two triangles, each turned outward, are within 45 degrees; false where
+/// one is zero.
+bool areParallel(const LayerShape& a, const LayerShape& b) {
+    return glm::dot(a.outward, b.outward) >= kLayerCosine;
 }
 
-bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+/// True if two parallel triangles clearly lie side by side, seen along the sum of their normals:
+/// neither do they share more than common corners then, nor is one a layer over the other. An
+/// answer for most pairs without a projection.
+bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
                    const Triangle& b, const LayerShape& shapeB) {
-    // Also false where one is zero.
-    if (!(glm::dot(shapeA.outward, shapeB.outward) >= kLayerCosine)) return false;
-    const Vec3& origin = points.position[a.a];
     const Vec3 along = shapeA.outward + shapeB.outward;
     const double margin = 1e-9 * (shapeA.reach + shapeB.reach) * (shapeA.reach + shapeB.reach);
-    if (liesBeyondEdge(points, a, shapeA.normal, b, along, margin) ||
-        liesBeyondEdge(points, b, shapeB.normal, a, along, margin))
-        return false;
-    const Projection projection(origin, along);
+    const bool haveArea = std::abs(glm::dot(shapeA.normal, along)) > margin &&
+                          std::abs(glm::dot(shapeB.normal, along)) > margin;
+    return haveArea && (liesBeyondEdge(points, a, shapeA.normal, b, along, margin) ||
+                        liesBeyondEdge(points, b, shapeB.normal, a, along, margin));
+}
+
+/// isSecondLayer() for parallel triangles that do not lie side by side.
+bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+                 const Triangle& b, const LayerShape& shapeB) {
+    const Vec3& origin = points.position[a.a];
+    const Projection projection(origin, shapeA.outward + shapeB.outward);
     const FlatTriangle one = projection.flat(points, a);
     const FlatTriangle other = projection.flat(points, b);
     if (separates(one, other) || separates(other, one)) return false;
@@ -164,6 +165,27 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& 
     return gap <= shapeA.reach + shapeB.reach;
 }
 
+}  // namespace
+
+LayerShape layerShape(const PointSet& points, const Triangle& t) {
+    const Vec3& a = points.position[t.a];
+    const Vec3& b = points.position[t.b];
+    const Vec3& c = points.position[t.c];
+    LayerShape shape;
+    shape.normal = areaVector(a, b, c);
+    shape.reach = (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
+    const double length = glm::length(shape.normal);
+    if (!(length > 0.0)) return shape;
+    shape.outward = shape.normal / (facing(points, t) < 0.0 ? -length : length);
+    return shape;
+}
+
+bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+                   const Triangle& b, const LayerShape& shapeB) {
+    return areParallel(shapeA, shapeB) && !lieSideBySide(points, a, shapeA, b, shapeB) &&
+           isOverOther(points, a, shapeA, b, shapeB);
+}
+
 bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b) {
     // The angle alone tells most pairs apart where surfaces bend.
     const Vec3 m = areaVector(points, a);
@@ -176,11 +198,12 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b)
 ShapedTriangle::ShapedTriangle(const PointSet& points, const Triangle& t)
     : triangle(t), box(boxOf(points, t)), shape(layerShape(points, t)) {}
 
-bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
-    if (!a.box.grown(a.shape.reach + b.shape.reach).meets(b.box)) return false;
+bool conflictInReach(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    const bool parallel = areParallel(a.shape, b.shape);
+    if (parallel && lieSideBySide(points, a.triangle, a.shape, b.triangle, b.shape)) return false;
     if (a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle))
         return true;
-    return isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
+    return parallel && isOverOther(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
 namespace {

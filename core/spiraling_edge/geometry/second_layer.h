@@ -43,9 +43,13 @@ struct ShapedTriangle {
 bool mayConflict(const Box& a, const Box& b);
 /// True if two triangles are not in conflict by their boxes alone.
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
+/// conflict() for triangles whose boxes meet if one is grown by the sum of their reaches.
+bool conflictInReach(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
 /// True if two triangles share more than their common corners, or one is a second layer of the
 /// other. Boxes alone separate most pairs.
-bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
+inline bool conflict(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    return a.box.meets(b.box, a.shape.reach + b.shape.reach) && conflictInReach(points, a, b);
+}
 /// As above, for triangles tested once.
 bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b);
