@@ -186,13 +186,25 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const LayerShape& 
            isOverOther(points, a, shapeA, b, shapeB);
 }
 
-bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b) {
-    // The angle alone tells most pairs apart where surfaces bend.
-    const Vec3 m = areaVector(points, a);
-    const Vec3 n = areaVector(points, b);
+namespace {
+
+/// True if the normals of two triangles enclose clearly more than 45 degrees, whichever way they
+/// are turned: an answer for most pairs where surfaces bend.
+bool encloseWide(const Vec3& m, const Vec3& n) {
     const double along = glm::dot(m, n);
-    if (along * along < 0.499 * glm::dot(m, m) * glm::dot(n, n)) return false;
-    return isSecondLayer(points, a, layerShape(points, a), b, layerShape(points, b));
+    return along * along < 0.499 * glm::dot(m, m) * glm::dot(n, n);
+}
+
+}  // namespace
+
+bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b) {
+    return !encloseWide(areaVector(points, a), areaVector(points, b)) &&
+           isSecondLayer(points, a, layerShape(points, a), b, layerShape(points, b));
+}
+
+bool isSecondLayer(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
+    return !encloseWide(a.shape.normal, areaVector(points, b)) &&
+           isSecondLayer(points, a.triangle, a.shape, b, layerShape(points, b));
 }
 
 ShapedTriangle::ShapedTriangle(const PointSet& points, const Triangle& t)

@@ -2,9 +2,12 @@
 /// nocross, nomeet, nolayer. These search only around the points that the pivot lists: the cost of
 /// a fan is its length times the ring steps or triangles there.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <utility>
+#include <vector>
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
@@ -212,31 +215,53 @@ bool isFlat(const PointSet& points, Index p, double cosine) {
     });
 }
 
+/// A triangle of the fan, and its box grown by `reach` times the sum of its sides.
+struct FanTriangle {
+    ShapedTriangle made;
+    Box wide;
+};
+
+Box widened(const Box& box, double reach) {
+    const Vec3 size = box.high - box.low;
+    return reach == 0.0 ? box : box.grown(reach * (size.x + size.y + size.z));
+}
+
+std::vector<FanTriangle> trianglesOf(const StepContext& context, double reach) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    const Index p = s.rings.point(s.pivot.pivot);
+    std::vector<FanTriangle> list;
+    list.reserve(fan.size());
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        const ShapedTriangle made(context.points, {p, fan[i].point, fan[i + 1].point});
+        list.push_back({made, widened(made.box, reach)});
+    }
+    return list;
+}
+
 /// Objects to the first triangle of the fan for which test(it, a finished one nearby) holds. Each
 /// box is grown by `reach` times the sum of its sides.
 template <typename Test>
 Objection againstFinished(const StepContext& context, Verdict verdict, double reach, Test&& test) {
     const State& s = context.state;
-    const Fan& fan = s.pivot.fan;
     const PointSet& points = context.points;
     const Index p = s.rings.point(s.pivot.pivot);
     if (isFlat(points, p, context.params.thresholds.flatCosine)) return {};
-    const auto wide = [&](const Box& box) {
-        const Vec3 size = box.high - box.low;
-        return reach == 0.0 ? box : box.grown(reach * (size.x + size.y + size.z));
-    };
+    const std::vector<FanTriangle> fan = trianglesOf(context, reach);
     Box all(points.position[p]);
-    for (const FanPoint& x : fan) all.add(points.position[x.point]);
-    all = wide(all);
+    for (const FanPoint& x : s.pivot.fan) all.add(points.position[x.point]);
+    all = widened(all, reach);
+    // A triangle comes up at each of its corners; this remembers most of them.
+    std::array<Index, 64> tested{};
+    tested.fill(kNone);
     for (const Index x : points.neighbors[p]) {
         for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
+            if (std::exchange(tested[h / 3 % tested.size()], h / 3) == h / 3) continue;
             const Triangle& old = s.triangles[h / 3];
-            const Box oldBox = wide(boxOf(points, old));
+            const Box oldBox = widened(boxOf(points, old), reach);
             if (!oldBox.meets(all)) continue;
-            for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-                const Triangle made{p, fan[i].point, fan[i + 1].point};
-                if (wide(boxOf(points, made)).meets(oldBox) && test(made, old))
-                    return {verdict, i, true};
+            for (std::size_t i = 0; i < fan.size(); ++i) {
+                if (fan[i].wide.meets(oldBox) && test(fan[i].made, old)) return {verdict, i, true};
             }
         }
     }
@@ -248,16 +273,16 @@ Objection againstFinished(const StepContext& context, Verdict verdict, double re
 Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
 
 Objection meetsFinished(const StepContext& context) {
-    return againstFinished(context, Verdict::Meets, 0.0,
-                           [&](const Triangle& made, const Triangle& old) {
-                               return trianglesShareMore(context.points.position, made, old);
-                           });
+    return againstFinished(
+        context, Verdict::Meets, 0.0, [&](const ShapedTriangle& made, const Triangle& old) {
+            return trianglesShareMore(context.points.position, made.triangle, old);
+        });
 }
 
 Objection coversFinished(const StepContext& context) {
     constexpr double kReach = 0.25;  // LayerShape::reach is a quarter of an edge.
     return againstFinished(context, Verdict::Covers, kReach,
-                           [&](const Triangle& made, const Triangle& old) {
+                           [&](const ShapedTriangle& made, const Triangle& old) {
                                return isSecondLayer(context.points, made, old);
                            });
 }
