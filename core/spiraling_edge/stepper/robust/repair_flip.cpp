@@ -3,6 +3,8 @@
 /// with a search for meetings also those at their neighbors.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
@@ -129,6 +131,50 @@ bool givesBetterAngles(const PointSet& points, const RobustThresholds& threshold
            !score.conflictNearby(q.flippedU(), q.flippedV());
 }
 
+/// The cosine of the least angle of a triangle, by the squared lengths of its edges, up to
+/// rounding: the angle across the shortest edge.
+double leastAngleCosine(double a, double b, double c) {
+    if (b < a) std::swap(a, b);
+    if (c < a) std::swap(a, c);
+    return 0.5 * (b + c - a) / std::sqrt(b * c);
+}
+
+/// An edge of two triangles clearly within the limits of isSteep() and isFlat(), whose angles are
+/// clearly not better flipped: most edges, at a fraction of the cost. Its margins are far above the
+/// rounding of these values.
+bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
+    const Vec3& u = points.position[q.u];
+    const Vec3 v = points.position[q.v] - u;
+    const Vec3 x = points.position[q.x] - u;
+    const Vec3 y = points.position[q.y] - u;
+    const Vec3 left = glm::cross(v, x);
+    const Vec3 right = glm::cross(y, v);
+    const double leftSq = glm::dot(left, left);
+    const double rightSq = glm::dot(right, right);
+    const double vSq = glm::dot(v, v);
+    const double xSq = glm::dot(x, x);
+    const double ySq = glm::dot(y, y);
+    constexpr double kMargin = 1e-6;
+    const auto isWide = [](double areaSq, double edges) { return areaSq > 1e-8 * edges * edges; };
+    if (!isWide(leftSq, vSq + xSq) || !isWide(rightSq, vSq + ySq)) return false;
+    const double leftSize = std::sqrt(leftSq);
+    const double rightSize = std::sqrt(rightSq);
+    if (glm::dot(left, right) < (thresholds.flipFlatCosine + kMargin) * leftSize * rightSize)
+        return false;
+    const auto faces = [&](const Vec3& area, double size, Index corner) {
+        return glm::dot(area, points.normal[corner]) > (kRough + kMargin) * size;
+    };
+    if (!faces(left, leftSize, q.u) || !faces(left, leftSize, q.v) || !faces(left, leftSize, q.x) ||
+        !faces(right, rightSize, q.u) || !faces(right, rightSize, q.v) ||
+        !faces(right, rightSize, q.y))
+        return false;
+    const double vxSq = glm::dot(x - v, x - v);
+    const double vySq = glm::dot(y - v, y - v);
+    const double xySq = glm::dot(y - x, y - x);
+    const double now = std::max(leastAngleCosine(vSq, xSq, vxSq), leastAngleCosine(vSq, ySq, vySq));
+    return leastAngleCosine(xySq, xSq, ySq) > now || leastAngleCosine(xySq, vxSq, vySq) > now;
+}
+
 /// A conflict may move to triangles that are not examined, and come back: each triangle takes part
 /// in at most this many flips that change nothing else.
 constexpr std::uint8_t kMaxConflictFlips = 4;
@@ -165,6 +211,7 @@ Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, Repa
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return Gain::None;
     }
+    if (clearlyStays(points, thresholds, q)) return Gain::None;
     const bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0) &&
                        !isRough(points, q, score);
     Gain gain = Gain::None;
