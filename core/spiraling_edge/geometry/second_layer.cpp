@@ -108,6 +108,8 @@ bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& norma
     for (std::size_t i = 0; i < 3; ++i) {
         const Index u = corner[i];
         const Index v = corner[(i + 1) % 3];
+        const Index inside = corner[(i + 2) % 3];
+        if (other.a == inside || other.b == inside || other.c == inside) continue;
         const Vec3& from = points.position[u];
         const Vec3 inward = glm::cross(axis, points.position[v] - from);
         const bool beyond = std::all_of(others.begin(), others.end(), [&](Index p) {
@@ -238,7 +240,10 @@ bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b
 }
 
 bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
-    return !areApart(points, a, b) && conflict(points, a, ShapedTriangle(points, b));
+    if (areApart(points, a, b)) return false;
+    if (!encloseWide(a.shape.normal, areaVector(points, b)))
+        return conflict(points, a, ShapedTriangle(points, b));
+    return a.box.meets(boxOf(points, b)) && trianglesShareMore(points.position, a.triangle, b);
 }
 
 bool conflict(const PointSet& points, const Triangle& a, const Triangle& b) {

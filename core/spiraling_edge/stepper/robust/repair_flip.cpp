@@ -27,6 +27,8 @@ Quad quadAt(const RepairState& m, HalfEdge h) {
             cornerOf(m, preceding(m.twin[h]))};
 }
 
+bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
+
 /// Faults of two triangles at the edge they share and at the four edges around them.
 class FlipScore {
   public:
@@ -50,15 +52,19 @@ class FlipScore {
     /// Triangles at the four points that the two given ones meet, or are a second layer of.
     int conflicts(const Triangle& a, const Triangle& b) const {
         const std::array mine{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
+        const std::array around{quad_.u, quad_.v, quad_.x, quad_.y};
         int count = 0;
-        std::vector<Index> seen{h_ / 3, g_ / 3};
-        for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
-            forEachSideOf(m_, p, [&](HalfEdge side) {
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            const auto before = std::span(around).first(i);
+            forEachSideOf(m_, around[i], [&](HalfEdge side) {
                 const Index t = side / 3;
-                if (std::find(seen.begin(), seen.end(), t) != seen.end()) return;
-                seen.push_back(t);
+                const bool isOld = t == h_ / 3 || t == g_ / 3;
+                const Triangle& other = m_.triangles[t];
+                if (isOld || std::any_of(before.begin(), before.end(),
+                                         [&](Index p) { return hasCorner(other, p); }))
+                    return;
                 for (const ShapedTriangle& each : mine)
-                    count += conflict(points_, each, m_.triangles[t]) ? 1 : 0;
+                    count += conflict(points_, each, other) ? 1 : 0;
             });
         }
         return count;
@@ -70,11 +76,13 @@ class FlipScore {
     }
     /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
     bool conflictNearby(const Triangle& a, const Triangle& b) const {
+        const std::array both{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
         const std::vector<Index> near =
             trianglesNear(points_, m_, std::array{quad_.u, quad_.v, quad_.x, quad_.y});
         return std::any_of(near.begin(), near.end(), [&](Index t) {
             return t != h_ / 3 && t != g_ / 3 &&
-                   (conflict(points_, a, m_.triangles[t]) || conflict(points_, b, m_.triangles[t]));
+                   (conflict(points_, both[0], m_.triangles[t]) ||
+                    conflict(points_, both[1], m_.triangles[t]));
         });
     }
     const Quad& quad() const { return quad_; }
