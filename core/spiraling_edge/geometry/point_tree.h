@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -14,8 +13,7 @@
 namespace se {
 
 /// A balanced k-d tree (Bentley 1975): each part of the points is divided at the median of its
-/// longest side. It has the order of the points alone: every call takes the same positions.
-/// Points with a coordinate that is not finite are left out.
+/// longest side. Points with a coordinate that is not finite are left out.
 class PointTree {
   public:
     using Positions = std::span<const Vec3>;
@@ -28,14 +26,15 @@ class PointTree {
         }
         axis_.resize(order_.size());
         divide(position, 0, order_.size());
+        place_.reserve(order_.size());
+        for (const Index p : order_) place_.push_back(position[p]);
     }
 
     /// Calls `visit` with each point that is at most this far away, in an order that depends on the
     /// positions alone.
     template <typename Visit>
-    void within(Positions position, const Vec3& place, double distance, Visit&& visit) const {
-        assert(position.size() >= order_.size());
-        search(position, 0, order_.size(), place, distance, visit);
+    void within(const Vec3& place, double distance, Visit&& visit) const {
+        search(0, order_.size(), place, distance, visit);
     }
 
   private:
@@ -67,25 +66,26 @@ class PointTree {
     }
 
     template <typename Visit>
-    void search(Positions position, std::size_t begin, std::size_t end, const Vec3& place,
-                double distance, Visit& visit) const {
-        const auto test = [&](Index p) {
-            const Vec3 d = position[p] - place;
-            if (glm::dot(d, d) <= distance * distance) visit(p);
+    void search(std::size_t begin, std::size_t end, const Vec3& place, double distance,
+                Visit& visit) const {
+        const auto test = [&](std::size_t i) {
+            const Vec3 d = place_[i] - place;
+            if (glm::dot(d, d) <= distance * distance) visit(order_[i]);
         };
         if (end - begin <= kLeaf) {
-            for (std::size_t i = begin; i < end; ++i) test(order_[i]);
+            for (std::size_t i = begin; i < end; ++i) test(i);
             return;
         }
         const std::size_t middle = begin + (end - begin) / 2;
         const int axis = axis_[middle];
-        const double offset = place[axis] - position[order_[middle]][axis];
-        if (offset <= distance) search(position, begin, middle, place, distance, visit);
-        test(order_[middle]);
-        if (offset >= -distance) search(position, middle + 1, end, place, distance, visit);
+        const double offset = place[axis] - place_[middle][axis];
+        if (offset <= distance) search(begin, middle, place, distance, visit);
+        test(middle);
+        if (offset >= -distance) search(middle + 1, end, place, distance, visit);
     }
 
     std::vector<Index> order_;        ///< The finite points; the middle one of a part divides it.
+    std::vector<Vec3> place_;         ///< Their positions, together where they are searched.
     std::vector<std::uint8_t> axis_;  ///< Of the middle of a part: the axis that it divides.
 };
 

@@ -2,6 +2,7 @@
 /// triangles is unchanged; the repairs edit a copy, one step at a time.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,12 @@ struct PinchedSide {
     HalfEdge leaving;
 };
 
+/// Marks by which a search visits each triangle once.
+struct NearMarks {
+    std::vector<std::uint32_t> round;  ///< Per triangle: the last search that came to it.
+    std::uint32_t current = 0;
+};
+
 /// Triangles with their neighbors, for local changes. A plain value: a copy is a place to return
 /// to.
 struct RepairState {
@@ -35,6 +42,7 @@ struct RepairState {
     /// All points, to find triangles near a place; made when first needed.
     std::shared_ptr<const PointTree> tree;
     const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
+    NearMarks nearMarks;
     /// Sides to examine, and the position of the next one.
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;

@@ -11,10 +11,9 @@ using namespace se::test;
 
 namespace {
 
-std::vector<Index> foundWithin(const std::vector<Vec3>& position, const PointTree& tree,
-                               const Vec3& place, double distance) {
+std::vector<Index> foundWithin(const PointTree& tree, const Vec3& place, double distance) {
     std::vector<Index> found;
-    tree.within(position, place, distance, [&](Index p) { found.push_back(p); });
+    tree.within(place, distance, [&](Index p) { found.push_back(p); });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -39,7 +38,7 @@ TEST_CASE("point tree: finds the points within a distance, each once, however th
                 const Vec3 d = position[p] - place;
                 if (glm::dot(d, d) <= distance * distance) expected.push_back(p);
             }
-            CHECK(foundWithin(position, tree, place, distance) == expected);
+            CHECK(foundWithin(tree, place, distance) == expected);
         }
     }
 }
@@ -48,9 +47,9 @@ TEST_CASE("point tree: a point at the very distance is found, also among equal c
     std::vector<Vec3> position(40, Vec3(1, 0, 0));
     position.push_back({0, 0, 2});
     const PointTree tree(position);
-    CHECK(foundWithin(position, tree, Vec3(0.0), 1.0).size() == 40);
-    CHECK(foundWithin(position, tree, Vec3(0.0), 2.0).size() == 41);
-    CHECK(foundWithin(position, tree, Vec3(0.0), 0.5).empty());
+    CHECK(foundWithin(tree, Vec3(0.0), 1.0).size() == 40);
+    CHECK(foundWithin(tree, Vec3(0.0), 2.0).size() == 41);
+    CHECK(foundWithin(tree, Vec3(0.0), 0.5).empty());
 }
 
 TEST_CASE("point tree: a point that is not finite is not found, and hides no other") {
@@ -60,5 +59,5 @@ TEST_CASE("point tree: a point that is not finite is not found, and hides no oth
     const double bad = std::numeric_limits<double>::quiet_NaN();
     position[100] = {bad, 0, 0};
     position[250] = {0, std::numeric_limits<double>::infinity(), 0};
-    CHECK(foundWithin(position, PointTree(position), Vec3(0.0), 4.0).size() == 498);
+    CHECK(foundWithin(PointTree(position), Vec3(0.0), 4.0).size() == 498);
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_set>
+#include <utility>
 
 namespace se {
 
@@ -70,6 +72,16 @@ struct Ball {
     }
 };
 
+Ball ballAt(const PointSet& points, Index p) {
+    const Vec3& center = points.position[p];
+    double farthestSq = 0.0;
+    for (const Index q : points.neighbors[p]) {
+        const Vec3 d = points.position[q] - center;
+        farthestSq = std::max(farthestSq, glm::dot(d, d));
+    }
+    return {center, std::sqrt(farthestSq)};
+}
+
 /// A ball that holds all of these, with room for rounding.
 Ball around(const std::vector<Ball>& balls) {
     Ball all{Vec3(0.0), 0.0};
@@ -80,7 +92,15 @@ Ball around(const std::vector<Ball>& balls) {
     return all;
 }
 
-/// Calls visit(t) for each triangle near the places, once for each of its corners that is.
+/// Begins a round in which NearMarks::isNew() holds once for each triangle.
+void begin(NearMarks& marks, std::size_t triangles) {
+    marks.round.resize(triangles, 0);
+    if (++marks.current != 0) return;
+    std::fill(marks.round.begin(), marks.round.end(), 0);
+    marks.current = 1;
+}
+
+/// Calls visit(t) for each triangle near the places.
 template <typename Visit>
 void visitNear(const PointSet& points, RepairState& m, std::span<const Index> places,
                Visit&& visit) {
@@ -90,25 +110,21 @@ void visitNear(const PointSet& points, RepairState& m, std::span<const Index> pl
     }
     std::vector<Ball> balls;
     balls.reserve(places.size());
-    for (const Index p : places) {
-        Ball& ball = balls.emplace_back(Ball{points.position[p], 0.0});
-        for (const Index q : points.neighbors[p])
-            ball.radius = std::max(ball.radius, glm::distance(points.position[q], ball.center));
-    }
+    for (const Index p : places) balls.push_back(ballAt(points, p));
     // One search for all, since the balls share most of their points.
     const Ball all = around(balls);
-    m.tree->within(points.position, all.center, all.radius, [&](Index q) {
+    begin(m.nearMarks, m.triangles.size());
+    m.tree->within(all.center, all.radius, [&](Index q) {
         if (m.sideOf[q] == kNone) return;
         const bool isNear = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
             return ball.holds(points.position[q]);
         });
-        if (isNear) forEachSideOf(m, q, [&](HalfEdge h) { visit(h / 3); });
+        if (!isNear) return;
+        forEachSideOf(m, q, [&](HalfEdge h) {
+            if (std::exchange(m.nearMarks.round[h / 3], m.nearMarks.current) != m.nearMarks.current)
+                visit(h / 3);
+        });
     });
-}
-
-void sortUnique(std::vector<Index>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
@@ -119,7 +135,8 @@ std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list) 
         const Triangle& each = m.triangles[t];
         corners.insert(corners.end(), {each.a, each.b, each.c});
     }
-    sortUnique(corners);
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     return corners;
 }
 
@@ -139,7 +156,6 @@ std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places) {
     std::vector<Index> near;
     visitNear(points, m, places, [&](Index t) { near.push_back(t); });
-    sortUnique(near);
     return near;
 }
 
@@ -148,14 +164,11 @@ bool isFaulty(const PointSet& points, RepairState& m, Index t) {
     if (shapeFaults(points, mine) >= kFlippedFault) return true;
     if (!isSteep(points, mine, kRough)) return false;
     const ShapedTriangle shaped(points, mine);
-    std::vector<Index> close;  // Their boxes meet, or nearly.
+    bool found = false;
     visitNear(points, m, std::array{mine.a, mine.b, mine.c}, [&](Index other) {
-        if (other != t && !areApart(points, shaped, m.triangles[other])) close.push_back(other);
+        found = found || (other != t && conflict(points, shaped, m.triangles[other]));
     });
-    sortUnique(close);
-    return std::any_of(close.begin(), close.end(), [&](Index other) {
-        return conflict(points, shaped, ShapedTriangle(points, m.triangles[other]));
-    });
+    return found;
 }
 
 }  // namespace se

@@ -81,7 +81,7 @@ void dropTriangle(RepairState& m, Index t);
 void dropTriangles(RepairState& m, std::vector<Index> list);
 
 /// The triangles, in the fan of RepairState::sideOf, at all points as near to one of these as the
-/// farthest in its list, ascending. Those on another sheet are among them, whose points are in no
+/// farthest in its list, each once. Those on another sheet are among them, whose points are in no
 /// list here.
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
