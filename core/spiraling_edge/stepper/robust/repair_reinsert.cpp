@@ -34,6 +34,7 @@ class Change {
     void join(HalfEdge border) {
         made_[0] = {cornerOf(*m_, following(border)), cornerOf(*m_, border), x_};
         outer_[0] = border;
+        number_[0] = kNone;
         count_ = 1;
     }
     /// Avoids the new triangle `i`: the old one across its side goes as well; at a border, the
@@ -45,6 +46,8 @@ class Change {
 
     std::size_t size() const { return count_; }
     const Triangle& operator[](std::size_t i) const { return made_[i]; }
+    /// Number of triangle `i` in a list of the caller; kNone until the caller sets it.
+    Index& number(std::size_t i) { return number_[i]; }
     /// The side across the old edge of triangle `i`, kNone at a border.
     HalfEdge across(std::size_t i) const { return outer_[i]; }
     bool removes(Index t) const {
@@ -58,6 +61,7 @@ class Change {
     void put(std::size_t i, HalfEdge side) {
         made_[i] = {cornerOf(*m_, side), cornerOf(*m_, following(side)), x_};
         outer_[i] = m_->twin[side];
+        number_[i] = kNone;
     }
     bool hasCorner(Index p) const {
         const auto end = made_.begin() + static_cast<std::ptrdiff_t>(count_);
@@ -72,6 +76,7 @@ class Change {
         for (std::size_t k = count_++; k > i + 1; --k) {
             made_[k] = made_[k - 1];
             outer_[k] = outer_[k - 1];
+            number_[k] = number_[k - 1];
         }
         put(i, following(other));
         put(i + 1, preceding(other));
@@ -84,6 +89,7 @@ class Change {
         for (std::size_t k = i; k < count_; ++k) {
             made_[k] = made_[k + 1];
             outer_[k] = outer_[k + 1];
+            number_[k] = number_[k + 1];
         }
         return true;
     }
@@ -92,6 +98,7 @@ class Change {
     Index x_;
     std::array<Triangle, kMaxMade> made_{};
     std::array<HalfEdge, kMaxMade> outer_{};
+    std::array<Index, kMaxMade> number_{};
     std::size_t count_ = 0;
     std::array<Index, kMaxGone> gone_{};
     std::size_t goneCount_ = 0;
@@ -160,6 +167,8 @@ std::vector<NearTriangle> nearestFirst(const PointSet& points, RepairState& m, I
     return near;
 }
 
+enum class Answer : std::uint8_t { Unknown, No, Yes };
+
 /// A triangle between the point and an old edge, and what was found out about it: it is made for
 /// many places.
 struct NewTriangle {
@@ -171,6 +180,7 @@ struct NewTriangle {
     double cosine;                       ///< Of its least angle.
     std::size_t tested = 0;              ///< Number of near triangles tested, from the first on,
     std::vector<std::size_t> conflicts;  ///< and the positions of those in conflict with it.
+    std::vector<Answer> withOthers;      ///< Conflicts with other new triangles, by number.
 };
 
 /// Finds the best place for one point.
@@ -180,6 +190,7 @@ class PlaceSearch {
 
     std::optional<Change> find() {
         near_ = nearestFirst(points_, m_, x_);
+        for (const NearTriangle& each : near_) nearIndex_.push_back(each.index);
         std::vector<Index> begins;
         for (const Index p : points_.neighbors[x_])
             forEachSideOf(m_, p, [&](HalfEdge side) {
@@ -236,10 +247,17 @@ class PlaceSearch {
         if (worstBefore[change.size()] < best_.cosine) best_ = {change, worstBefore[change.size()]};
     }
 
-    NewTriangle& made(const Change& change, std::size_t i) {
+    Index numberOf(Change& change, std::size_t i) {
+        Index& number = change.number(i);
+        if (number != kNone) return number;
         const Triangle& t = change[i];
-        return made_.try_emplace(std::uint64_t{t.a} << 32U | t.b, points_, t).first->second;
+        const auto [found, isNew] =
+            numbers_.try_emplace(std::uint64_t{t.a} << 32U | t.b, static_cast<Index>(made_.size()));
+        if (isNew) made_.emplace_back(points_, t);
+        return number = found->second;
     }
+    /// The reference holds until the next call.
+    NewTriangle& made(Change& change, std::size_t i) { return made_[numberOf(change, i)]; }
     /// Tests the next near triangle; true if it is in conflict with this one.
     bool testNext(NewTriangle& t) {
         const std::size_t place = t.tested++;
@@ -248,25 +266,33 @@ class PlaceSearch {
         return true;
     }
     bool inConflict(const NewTriangle& t, Index old) {
-        const auto found = std::find_if(near_.begin(), near_.end(),
-                                        [&](const NearTriangle& n) { return n.index == old; });
-        if (found == near_.end()) return conflict(points_, t.shaped, m_.triangles[old]);
-        const auto place = static_cast<std::size_t>(found - near_.begin());
-        if (place >= t.tested) return conflict(points_, t.shaped, found->shaped);
+        const auto found = std::find(nearIndex_.begin(), nearIndex_.end(), old);
+        if (found == nearIndex_.end()) return conflict(points_, t.shaped, m_.triangles[old]);
+        const auto place = static_cast<std::size_t>(found - nearIndex_.begin());
+        if (place >= t.tested) return conflict(points_, t.shaped, near_[place].shaped);
         return std::find(t.conflicts.begin(), t.conflicts.end(), place) != t.conflicts.end();
+    }
+    /// True if new triangle number `i` is in conflict with number `k`.
+    bool inConflictWith(Index i, Index k) {
+        NewTriangle& t = made_[i];
+        if (t.withOthers.size() <= k) t.withOthers.resize(made_.size(), Answer::Unknown);
+        Answer& answer = t.withOthers[k];
+        if (answer == Answer::Unknown)
+            answer = conflict(points_, t.shaped, made_[k].shaped) ? Answer::Yes : Answer::No;
+        return answer == Answer::Yes;
     }
 
     /// The first triangle before `i` that is in conflict with it; else `i`.
-    std::size_t firstInConflict(const Change& change, std::size_t i) {
-        const NewTriangle& t = made(change, i);
+    std::size_t firstInConflict(Change& change, std::size_t i) {
+        const Index mine = numberOf(change, i);
         std::size_t k = 0;
-        while (k < i && !conflict(points_, t.shaped, made(change, k).shaped)) ++k;
+        while (k < i && !inConflictWith(mine, numberOf(change, k))) ++k;
         return k;
     }
 
     /// The first side of the place whose old triangle across is in conflict with new triangle `i`,
     /// if that has a good shape; the number of sides if there is none.
-    std::size_t sideInTheWay(const Change& change, std::size_t i) {
+    std::size_t sideInTheWay(Change& change, std::size_t i) {
         const NewTriangle& t = made(change, i);
         if (t.faults > 0 || t.cosine >= kThin) return change.size();
         const auto isInTheWay = [&](HalfEdge outer) {
@@ -277,7 +303,7 @@ class PlaceSearch {
         return k;
     }
 
-    bool isFaulty(const Change& change, std::size_t i) {
+    bool isFaulty(Change& change, std::size_t i) {
         NewTriangle& t = made(change, i);
         // In the last round a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
@@ -297,7 +323,9 @@ class PlaceSearch {
     Index x_;
     /// No new triangle may be in conflict with any of these.
     std::vector<NearTriangle> near_;
-    std::unordered_map<std::uint64_t, NewTriangle> made_;  ///< By their old edges.
+    std::vector<Index> nearIndex_;  ///< Their indices.
+    std::vector<NewTriangle> made_;
+    std::unordered_map<std::uint64_t, Index> numbers_;  ///< Their numbers, by their old edges.
     std::size_t choices_ = 0;
     Insertion best_;
 };
