@@ -47,7 +47,7 @@ class TriangleOrigins {
         std::map<std::array<Index, 3>, Address> byCorners;
         for (std::size_t i = 0; i < emitted_.size(); ++i)
             byCorners[cornersOf(end.triangles[i])] = emitted_[i];
-        mesh.triangles = std::move(end.repair.triangles);
+        mesh.triangles = end.repair.triangles.take();
         for (const Triangle& t : mesh.triangles) {
             const auto found = byCorners.find(cornersOf(t));
             mesh.made.push_back(found != byCorners.end() ? found->second : repairOrigin(t));

@@ -227,9 +227,9 @@ namespace {
 
 // Filters for pairs of neighbors, most of which lie side by side. They compare with bounds far
 // above the rounding of the sums; triangles without area are left to the exact tests.
-constexpr double kRounding = 1e-13;
+constexpr double kFilterRounding = 1e-13;
 
-double sizeOf(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+double absoluteSum(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 /// A triangle from its first corner.
 struct Corner {
@@ -242,8 +242,8 @@ struct Corner {
           u(t[1] - t[0]),
           v(t[2] - t[0]),
           normal(glm::cross(u, v)),
-          size(sizeOf(u) + sizeOf(v)),
-          bound(kRounding * size * size) {}
+          size(absoluteSum(u) + absoluteSum(v)),
+          bound(kFilterRounding * size * size) {}
 
     /// 1 or -1 if a place is clearly on that side of the plane, else 0. `distance` is at least the
     /// place's from the corner.
@@ -252,14 +252,14 @@ struct Corner {
         const double least = bound * distance;
         return height > least ? 1 : (height < -least ? -1 : 0);
     }
-    bool hasArea() const { return sizeOf(normal) > bound; }
+    bool hasArea() const { return absoluteSum(normal) > bound; }
 };
 
 /// True if a plane through their common corner clearly has one triangle on each side.
 bool clearlyApart(const Corner& a, const Corner& b) {
     const Vec3 d = (a.u + a.v) - (b.u + b.v);
     const double size = a.size + b.size;
-    const double least = kRounding * size * size;
+    const double least = kFilterRounding * size * size;
     return glm::dot(a.u, d) > least && glm::dot(a.v, d) > least && glm::dot(b.u, d) < -least &&
            glm::dot(b.v, d) < -least;
 }
@@ -270,7 +270,7 @@ bool clearlyApart(const Vec3* a, const Vec3* b) {
     const Corner cornerA(a);
     const Vec3 b0 = b[0] - a[0];
     const Corner cornerB(b);
-    const double distance = sizeOf(b0) + cornerB.size;
+    const double distance = absoluteSum(b0) + cornerB.size;
     const int side = cornerA.side(b[0], distance);
     if (side != 0 && side == cornerA.side(b[1], distance) && side == cornerA.side(b[2], distance))
         return true;
@@ -279,7 +279,7 @@ bool clearlyApart(const Vec3* a, const Vec3* b) {
     const double least = std::min(0.0, std::min(glm::dot(cornerA.u, d), glm::dot(cornerA.v, d)));
     const double most =
         glm::dot(b0, d) + std::max(0.0, std::max(glm::dot(cornerB.u, d), glm::dot(cornerB.v, d)));
-    return least - most > kRounding * size * size && cornerA.hasArea() && cornerB.hasArea();
+    return least - most > kFilterRounding * size * size && cornerA.hasArea() && cornerB.hasArea();
 }
 
 /// clearlyApart() for a[0] = b[0].
@@ -299,8 +299,8 @@ bool clearlyApartAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3&
     const Vec3 a = x - u;
     const Vec3 b = y - u;
     const Vec3 normal = glm::cross(edge, a);
-    const double size = sizeOf(edge) + sizeOf(a) + sizeOf(b);
-    const double bound = kRounding * size * size * size;
+    const double size = absoluteSum(edge) + absoluteSum(a) + absoluteSum(b);
+    const double bound = kFilterRounding * size * size * size;
     return std::abs(glm::dot(normal, b)) > bound ||
            glm::dot(normal, glm::cross(edge, b)) < -bound * size;
 }

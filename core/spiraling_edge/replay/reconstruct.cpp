@@ -106,7 +106,9 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     const std::vector<Index>& original = renumbered.original;
     state.status = permuted(state.status, inverse(original));
     restore(state.triangles, original);
-    restore(state.repair.triangles, original);
+    std::vector<Triangle> mesh = state.repair.triangles.take();
+    restore(mesh, original);
+    state.repair.triangles = std::move(mesh);
     state.repair.treePoints = nullptr;
     for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {

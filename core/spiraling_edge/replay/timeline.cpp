@@ -1,7 +1,8 @@
 /// Random access by keyframes. A keyframe holds the rings and a few numbers; triangles, alerts and
 /// DONE points are append-only, so that moving to it only cuts or extends them. When the byte
 /// budget is full the spacing of keyframes doubles and every second one is dropped. A seek costs
-/// the changes to the nearest keyframe and at most one spacing of pivots.
+/// the changes to the nearest keyframe and at most one spacing of pivots; after the last pivot, the
+/// changes of the mesh on the way.
 #include "spiraling_edge/replay/timeline.h"
 
 #include <utility>
@@ -12,13 +13,6 @@ namespace {
 
 /// Pivots between two calls of keepGoing: well under a millisecond.
 constexpr std::uint32_t kAskEvery = 32;
-
-std::size_t bytesOf(const RepairState& repair) {
-    return repair.triangles.size() * (sizeof(Triangle) + 3 * sizeof(HalfEdge)) +
-           repair.sideOf.size() * sizeof(HalfEdge) + repair.pinched.size() / 8 +
-           repair.queue.size() * sizeof(HalfEdge) + repair.sound.size() * sizeof(Triangle) +
-           repair.conflictFlips.size() + repair.pinchedSides.size() * sizeof(PinchedSide);
-}
 
 std::size_t bytesOf(const NeighborRing& ring) {
     return (ring.listed.size() + ring.candidates.size() + ring.pool.size()) * sizeof(Candidate) +
@@ -33,6 +27,7 @@ void swapLarge(State& a, State& b) {
     std::swap(a.status, b.status);
     std::swap(a.edges, b.edges);
     std::swap(a.rings, b.rings);
+    std::swap(a.repair, b.repair);
 }
 
 /// Removes the statuses of the points on the rings, or restores them.
@@ -65,6 +60,10 @@ bool Timeline::stepPivot(EventLog* log) {
         endKnown_ = true;
         return false;
     }
+    if (log == nullptr && !repairs_.empty() && position() + 1 >= repairs_.firstPosition()) {
+        const std::size_t next = inRepairs() ? repairs_.placeOf(state()) + 1 : 0;
+        if (next < repairs_.size()) return goToRepair(next);
+    }
     const Counters before = state().counters;
     const std::size_t triangles = state().triangles.size();
     const std::size_t alerts = state().alerts.size();
@@ -79,6 +78,7 @@ bool Timeline::stepPivot(EventLog* log) {
     alerts_.appended(state().alerts.size() - alerts);
     done_.appended(state().done.size() - done);
     farthest_ = std::max(farthest_, position());
+    noteRepair();
     if (!complete) {
         // After the last pivot; all steps there are counted.
         endKnown_ = true;
@@ -91,7 +91,10 @@ bool Timeline::stepPivot(EventLog* log) {
 }
 
 void Timeline::seek(std::uint32_t pivot, const std::function<bool()>& keepGoing) {
-    if (pivot < position() || (beyondLast_ && pivot == position())) {
+    if (!repairs_.empty() && pivot >= repairs_.firstPosition()) {
+        const std::size_t place = pivot - repairs_.firstPosition();
+        goToRepair(std::min(place, repairs_.size() - 1));
+    } else if (pivot < position() || (beyondLast_ && pivot == position())) {
         restore(std::prev(keyframes_.upper_bound(pivot))->second);
     } else if (const auto nearest = std::prev(keyframes_.upper_bound(pivot));
                nearest->first > position() + spacing_) {
@@ -107,11 +110,44 @@ std::vector<Event> Timeline::eventsOf(std::uint32_t pivot) {
     if (pivot == 0 || (endKnown_ && pivot > lastPivot())) return {};
     seek(pivot - 1);
     if (position() != pivot - 1 || state().finished()) return {};
+    const bool edited = inRepairs();
     const Keyframe here = makeKeyframe();
     EventLog log;
     stepPivot(&log);
-    restore(here);
+    edited ? seek(pivot - 1) : restore(here);
     return log.events();
+}
+
+/// Changes the state of the stepper in place.
+void Timeline::changeState(const std::function<void(State&)>& change) {
+    State state = stepper_.exchangeState({});
+    change(state);
+    stepper_.setState(std::move(state));
+}
+
+/// Goes to a known place after the last pivot. False if it is the end of the run.
+bool Timeline::goToRepair(std::size_t place) {
+    if (!inRepairs()) {
+        restore(lastPivot_);
+        changeState([&](State& state) { repairs_.takeUp(state); });
+    }
+    changeState([&](State& state) { repairs_.moveTo(state, place); });
+    beyondLast_ = state().finished();
+    return !beyondLast_;
+}
+
+/// Keeps the place after a step, if it is after the last pivot.
+void Timeline::noteRepair() {
+    if (!inRepairs()) return;
+    if (repairs_.empty()) {
+        lastPivot_ = makeKeyframe();
+        changeState([&](State& state) { repairs_.add(state); });
+    } else if (!state().repair.triangles.hasJournal()) {
+        // The step to the first place was made again, with a log.
+        changeState([&](State& state) { repairs_.takeUp(state); });
+    } else {
+        changeState([&](State& state) { repairs_.add(state); });
+    }
 }
 
 /// The present state without its triangles.
@@ -158,19 +194,14 @@ Timeline::Keyframe Timeline::makeKeyframe() {
     swapLarge(large, state);
     Keyframe keyframe{state, large.triangles.size(), large.alerts.size(), large.done.size()};
     keyframe.rest.rings = large.rings.withoutPoints();
-    keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.repair) +
-                     bytesOf(state.pivot);
+    keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.pivot);
     swapLarge(large, state);
     stepper_.setState(std::move(state));
     return keyframe;
 }
 
 void Timeline::storeKeyframe() {
-    if (keyframes_.contains(position())) return;
-    // Each keyframe after the last pivot holds the whole mesh: few enough that those of the
-    // pivots stay.
-    const bool first = keyframes_.empty();
-    if (!first && !state().repair.empty() && bytesOf(state().repair) > byteBudget_ / 4) return;
+    if (keyframes_.contains(position()) || inRepairs()) return;
     Keyframe keyframe = makeKeyframe();
     keyframeBytes_ += keyframe.bytes;
     keyframes_.emplace(position(), std::move(keyframe));
@@ -192,20 +223,15 @@ void Timeline::thinOut() {
 
 void Timeline::restore(const Keyframe& keyframe) {
     State old = stepper_.exchangeState({});
+    repairs_.putAside(old);
     countEntries(old, false);
     const std::size_t doneBefore = old.done.size();
     for (std::size_t i = keyframe.done; i < doneBefore; ++i) old.status[old.done[i]] = kUnused;
     done_.resize(old.done, keyframe.done);
     for (std::size_t i = doneBefore; i < old.done.size(); ++i) old.status[old.done[i]] = kDone;
-    const std::size_t trianglesBefore = old.triangles.size();
     triangles_.resize(old.triangles, keyframe.triangles);
     alerts_.resize(old.alerts, keyframe.alerts);
-    if (!old.edges.empty()) {
-        old.edges.cutTo(keyframe.triangles);
-        for (std::size_t i = trianglesBefore; i < old.triangles.size(); ++i) {
-            old.edges.add(old.triangles[i]);
-        }
-    }
+    if (!old.edges.empty()) old.edges.moveTo(keyframe.triangles);
     State state = keyframe.rest;
     swapLarge(old, state);
     state.rings.restore(keyframe.rest.rings);

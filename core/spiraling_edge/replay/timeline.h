@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "spiraling_edge/replay/pivot_record.h"
+#include "spiraling_edge/replay/repair_history.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -42,8 +43,8 @@ class RewoundTail {
 /// A keyframe holds the parts that do not follow from the append-only lists of a State (triangles,
 /// alerts, DONE points): the rings and a few numbers. So its size is proportional to the length of
 /// the rings, and the cost of restoring it to the changes since; neither depends on the number of
-/// points. Only after the last pivot, with the rules that edit the mesh, a keyframe holds that mesh
-/// as a whole.
+/// points. After the last pivot, with the rules that edit the mesh, there are no keyframes: the
+/// steps are undone and redone one by one.
 class Timeline {
   public:
     /// A budget that adds a fifth to the memory of the plain run, but at least 32 MB.
@@ -89,7 +90,9 @@ class Timeline {
 
   private:
     struct Keyframe {
-        State rest;  ///< Without the lists, the statuses, the edge table and the points' entries.
+        /// Without the lists, the statuses, the edge table, the points' entries and the edited
+        /// mesh.
+        State rest;
         std::size_t triangles = 0;
         std::size_t alerts = 0;
         std::size_t done = 0;
@@ -99,11 +102,17 @@ class Timeline {
     Keyframe makeKeyframe();
     void storeKeyframe();
     RunState runState();
+    void changeState(const std::function<void(State&)>& change);
+    bool inRepairs() const { return !state().repair.empty(); }
+    bool goToRepair(std::size_t place);
+    void noteRepair();
     void thinOut();
     void restore(const Keyframe& keyframe);
 
     Stepper stepper_;
     std::map<std::uint32_t, Keyframe> keyframes_;
+    RepairHistory repairs_;
+    Keyframe lastPivot_;  ///< At the first place of `repairs_`.
     RewoundTail<Triangle> triangles_;
     RewoundTail<Alert> alerts_;
     RewoundTail<Index> done_;

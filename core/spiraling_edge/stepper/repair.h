@@ -2,11 +2,13 @@
 /// triangles is unchanged; the repairs edit a copy, one step at a time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "spiraling_edge/base/journaled_list.h"
 #include "spiraling_edge/mesh/edge_table.h"
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
@@ -20,6 +22,7 @@ class PointTree;
 struct PinchedSide {
     Index point;
     HalfEdge leaving;
+    friend bool operator==(const PinchedSide&, const PinchedSide&) = default;
 };
 
 /// Marks by which a search visits each triangle once.
@@ -28,30 +31,9 @@ struct NearMarks {
     std::uint32_t current = 0;
 };
 
-/// Triangles with their neighbors, for local changes. A plain value: a copy is a place to return
-/// to.
-struct RepairState {
-    std::vector<Triangle> triangles;
-    /// For each side 3 t + k, the opposite side in the adjacent triangle; kNone at a border.
-    std::vector<HalfEdge> twin;
-    /// One side that leaves each point; kNone for a point in no triangle.
-    std::vector<HalfEdge> sideOf;
-    /// Points whose triangles form more than one fan. Only `closeholes` and
-    /// `droppatches` change triangles at them.
-    std::vector<bool> pinched;
-    /// All points, to find triangles near a place; made when first needed.
-    std::shared_ptr<const PointTree> tree;
-    const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
-    NearMarks nearMarks;
-    /// Sides to examine, and the position of the next one.
-    std::vector<HalfEdge> queue;
-    std::size_t queueFront = 0;
-    /// Per triangle: the flips it took part in that only made fewer conflicts.
-    std::vector<std::uint8_t> conflictFlips;
-    /// Per triangle: its corners when it was last found without a fault.
-    std::vector<Triangle> sound;
-    /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
-    std::vector<PinchedSide> pinchedSides;
+/// The numbers of a RepairState.
+struct RepairNumbers {
+    std::size_t queueFront = 0;  ///< The next side to examine: a position in RepairState::queue.
     /// The next place for the present phase to look at: a position in PointSet::order, a triangle,
     /// or a side.
     Index next = 0;
@@ -62,8 +44,45 @@ struct RepairState {
     std::uint32_t droppedPatches = 0;
     std::uint32_t closedHoles = 0;
     std::uint32_t remeshed = 0;
+};
+
+/// A place among the steps of one RepairState, to return to.
+struct RepairPlace {
+    RepairNumbers numbers;
+    std::array<std::uint32_t, 8> changes{};  ///< JournaledList::changes() of each list.
+};
+
+/// Triangles with their neighbors, for local changes. A plain value: a copy is a place to return
+/// to. With a journal, so is a RepairPlace, which takes little memory.
+struct RepairState : RepairNumbers {
+    JournaledList<Triangle> triangles;
+    /// For each side 3 t + k, the opposite side in the adjacent triangle; kNone at a border.
+    JournaledList<HalfEdge> twin;
+    /// One side that leaves each point; kNone for a point in no triangle.
+    JournaledList<HalfEdge> sideOf;
+    /// Points whose triangles form more than one fan: 0 or 1. Only `closeholes` and
+    /// `droppatches` change triangles at them.
+    JournaledList<std::uint8_t> pinched;
+    JournaledList<HalfEdge> queue;  ///< Sides to examine.
+    /// Per triangle: the flips it took part in that only made fewer conflicts.
+    JournaledList<std::uint8_t> conflictFlips;
+    /// Per triangle: its corners when it was last found without a fault.
+    JournaledList<Triangle> sound;
+    /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
+    JournaledList<PinchedSide> pinchedSides;
+    // Not in the journal, since they follow from the rest:
+    /// All points, to find triangles near a place; made when first needed.
+    std::shared_ptr<const PointTree> tree;
+    const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
+    NearMarks nearMarks;
 
     bool empty() const { return triangles.empty(); }
+    /// Writes down all changes from now on.
+    void beginJournal();
+    /// The present place. Requires a journal.
+    RepairPlace place() const;
+    /// Goes back or forward to a place. O(changes between).
+    void moveTo(const RepairPlace& place);
 };
 
 /// Number of rounds: flips make room for more points, and new points for more flips.

@@ -130,7 +130,8 @@ struct State {
     }
     /// The mesh made so far.
     const std::vector<Triangle>& mesh() const {
-        return repair.empty() ? triangles : repair.triangles;
+        if (repair.empty()) return triangles;
+        return repair.triangles;
     }
     bool finished() const { return phase == Phase::Finished; }
     /// The run was stopped with AlertKind::TriangleCap.

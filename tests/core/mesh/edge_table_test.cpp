@@ -81,3 +81,28 @@ TEST_CASE("edge table: finds what a map finds, on random triangles") {
         CHECK_MESSAGE(agrees, "seed ", seed);
     }
 }
+
+TEST_CASE("edge table: gone back and forward, it finds what a table of those triangles finds") {
+    Random random(7);
+    constexpr std::size_t kPoints = 9;
+    const auto any = [&] { return static_cast<Index>(random.below(kPoints)); };
+    std::vector<Triangle> triangles;
+    EdgeTable table(kPoints);
+    for (int i = 0; i < 300; ++i) {
+        // To an earlier or later place; then the same triangle again, or another one.
+        const std::size_t place = random.below(triangles.size() + 1);
+        table.moveTo(place);
+        const bool again = place < triangles.size() && random.below(2) == 0;
+        const Triangle t = again ? triangles[place] : Triangle{any(), any(), any()};
+        table.add(t);
+        const bool same = place < triangles.size() && triangles[place] == t;
+        if (!same) triangles.resize(place, {});
+        if (!same) triangles.push_back(t);
+        EdgeTable fresh(kPoints);
+        for (std::size_t k = 0; k <= place; ++k) fresh.add(triangles[k]);
+        for (Index u = 0; u < kPoints; ++u) {
+            CHECK(table.firstFrom(u) == fresh.firstFrom(u));
+            for (Index v = 0; v < kPoints; ++v) CHECK(table.find(u, v) == fresh.find(u, v));
+        }
+    }
+}

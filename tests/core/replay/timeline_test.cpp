@@ -8,6 +8,7 @@
 #include <map>
 
 #include "support/clouds.h"
+#include "support/random_points.h"
 
 using namespace se;
 
@@ -196,4 +197,37 @@ TEST_CASE("A mesh that is edited at the end takes no keyframes from the pivots")
     timeline.seek(kEnd);
     REQUIRE(timeline.position() > pivots + 100);
     CHECK(timeline.keyframeBytes() == bytes);
+}
+
+TEST_CASE("After the last pivot, a run goes on from every place as from a straight run") {
+    const Params params = paramsByName("robust").value();
+    std::uint32_t steps = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        const PointSet points = test::randomPoints(seed);
+        Timeline timeline(points, params);
+        timeline.seek(kEnd);
+        const std::uint64_t end = stateHash(timeline.state());
+        const std::uint32_t last = timeline.farthest();
+        // Back through the whole run, with a look at the events of each step, which makes it again.
+        for (std::uint32_t pivot = last; pivot > 0; --pivot) {
+            timeline.seek(pivot);
+            REQUIRE(timeline.position() == pivot);
+            if (timeline.state().repair.empty()) break;
+            ++steps;
+            Stepper stepper(points, params);
+            stepper.setState(timeline.state());
+            stepper.run();
+            CHECK(stateHash(stepper.state()) == end);
+            CHECK_FALSE(timeline.eventsOf(pivot).empty());
+        }
+        // Forward again, in one move and step by step.
+        timeline.seek(kEnd);
+        CHECK(stateHash(timeline.state()) == end);
+        timeline.seek(last > 5 ? last - 5 : 0);
+        while (timeline.stepPivot()) {
+        }
+        CHECK(stateHash(timeline.state()) == end);
+    }
+    CHECK(steps > 250);
 }

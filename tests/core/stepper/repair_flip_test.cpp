@@ -115,7 +115,7 @@ Valley valleyWith(const std::vector<Vec3>& more, const Triangles& others) {
     Triangles triangles{{0, 1, 2}, {1, 0, 3}};
     triangles.insert(triangles.end(), others.begin(), others.end());
     Valley valley{flatPoints(position), beginRepair(position.size(), triangles)};
-    valley.repair.queue = {0};
+    valley.repair.queue = std::vector<HalfEdge>{0};
     return valley;
 }
 bool flips(Valley& valley) {
@@ -134,7 +134,7 @@ TEST_CASE("flip: an edge whose triangles are in conflict with another, if that e
     // A triangle takes part in four such flips, so that they end.
     for (const int before : {3, 4}) {
         Valley often = valleyWith(more, {{0, 2, 4}, {0, 4, 5}});
-        often.repair.conflictFlips.assign(4, static_cast<std::uint8_t>(before));
+        often.repair.conflictFlips.resize(4, static_cast<std::uint8_t>(before));
         CHECK(flips(often) == (before < 4));
     }
 }
@@ -143,7 +143,7 @@ TEST_CASE("flip: an edge beside which a triangle is folded, which leaves fewer f
     // 2 1 4 lies close under 0 1 2.
     Valley folds = valleyWith({{-0.2, 0.3, 0.22}}, {{2, 1, 4}});
     // So that fewer conflicts are no reason.
-    folds.repair.conflictFlips.assign(3, 4);
+    folds.repair.conflictFlips.resize(3, 4);
     CHECK(flips(folds));
 }
 

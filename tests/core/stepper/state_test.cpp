@@ -27,7 +27,7 @@ State sample() {
     s.pivot.last = s.pivot.end = rings.next(s.pivot.pivot);
     s.phase = Phase::Sphere;
     s.triangles = {{6, 7, 8}};
-    s.repair.triangles = {{0, 1, 2}};
+    s.repair.triangles = std::vector<Triangle>{{0, 1, 2}};
     s.alerts = {{AlertKind::Hole, 3, 4}};
     s.pivot.candidates.resize(1);
     s.pivot.candidates[0].point = 2;
@@ -69,7 +69,7 @@ TEST_CASE("state hash: equal for equal states, and another one after any change 
             s.triangles.push_back({0, 1, 2});
         },
         [](State& s) {
-            s.repair.triangles[0] = {1, 2, 0};
+            s.repair.triangles.set(0, {1, 2, 0});
         },
         [](State& s) { s.alerts[0].point = 5; },
         [](State& s) { s.alerts[0].kind = AlertKind::LostSeed; },

@@ -201,16 +201,16 @@ void putFilling(RepairState& m, const HoleRing& ring, const Filling& filling) {
         const auto place =
             i < ring.gone.size() ? ring.gone[i] : static_cast<Index>(m.triangles.size());
         if (place == m.triangles.size()) {
-            m.triangles.emplace_back();
+            m.triangles.push_back({});
             m.twin.resize(m.twin.size() + 3, kNone);
         }
         const RingTriangle& t = filling[i];
-        m.triangles[place] = {ring.points[t[0]], ring.points[t[1]], ring.points[t[2]]};
+        m.triangles.set(place, {ring.points[t[0]], ring.points[t[1]], ring.points[t[2]]});
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge h = 3 * place + k;
-            m.twin[h] = kNone;
+            m.twin.set(h, kNone);
             sides[t[k] * count + t[(k + 1) % 3]] = h;
-            m.sideOf[ring.points[t[k]]] = h;
+            m.sideOf.set(ring.points[t[k]], h);
             m.queue.push_back(h);
         }
     }

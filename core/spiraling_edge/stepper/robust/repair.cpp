@@ -13,6 +13,19 @@
 namespace se {
 namespace {
 
+/// Calls work(list) for each list that has a journal.
+template <typename Repair, typename Work>
+void forEachList(Repair& m, const Work& work) {
+    work(m.triangles);
+    work(m.twin);
+    work(m.sideOf);
+    work(m.pinched);
+    work(m.queue);
+    work(m.conflictFlips);
+    work(m.sound);
+    work(m.pinchedSides);
+}
+
 void markPinched(RepairState& m) {
     std::vector<Index> sides(m.sideOf.size(), 0);
     for (const Triangle& t : m.triangles) {
@@ -20,7 +33,7 @@ void markPinched(RepairState& m) {
         ++sides[t.b];
         ++sides[t.c];
     }
-    for (Index p = 0; p < m.sideOf.size(); ++p) m.pinched[p] = reachedSides(m, p) != sides[p];
+    for (Index p = 0; p < m.sideOf.size(); ++p) m.pinched.set(p, reachedSides(m, p) != sides[p]);
 }
 
 struct RepairPhase {
@@ -75,12 +88,30 @@ void finishStep(AnyContext auto& context, Stage stage, const std::optional<Found
 
 }  // namespace
 
+void RepairState::beginJournal() {
+    forEachList(*this, [](auto& list) { list.beginJournal(); });
+}
+
+RepairPlace RepairState::place() const {
+    RepairPlace here{*this};
+    auto changes = here.changes.begin();
+    forEachList(*this,
+                [&](const auto& list) { *changes++ = static_cast<std::uint32_t>(list.changes()); });
+    return here;
+}
+
+void RepairState::moveTo(const RepairPlace& place) {
+    static_cast<RepairNumbers&>(*this) = place.numbers;
+    auto changes = place.changes.begin();
+    forEachList(*this, [&](auto& list) { list.moveTo(*changes++); });
+}
+
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles) {
     RepairState m;
     m.triangles = triangles;
-    m.twin.assign(3 * triangles.size(), kNone);
-    m.sideOf.assign(pointCount, kNone);
-    m.pinched.assign(pointCount, false);
+    m.twin.resize(3 * triangles.size(), kNone);
+    m.sideOf.resize(pointCount, kNone);
+    m.pinched.resize(pointCount, 0);
     EdgeTable table(pointCount);
     std::vector<bool> crowded(3 * triangles.size(), false);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -89,7 +120,7 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
             const auto h = static_cast<HalfEdge>(3 * i + k);
             const HalfEdge same = table.find(c[k], c[(k + 1) % 3]);
             const HalfEdge other = table.find(c[(k + 1) % 3], c[k]);
-            m.sideOf[c[k]] = h;
+            m.sideOf.set(c[k], h);
             if (same != kNone) crowded[same] = crowded[h] = true;
             if (other != kNone && m.twin[other] == kNone) pair(m, h, other);
         }
@@ -97,8 +128,8 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
     }
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         if (crowded[h] && m.twin[h] != kNone) {
-            m.twin[m.twin[h]] = kNone;
-            m.twin[h] = kNone;
+            m.twin.set(m.twin[h], kNone);
+            m.twin.set(h, kNone);
         }
         if (m.twin[h] != kNone && h < m.twin[h]) m.queue.push_back(h);
     }

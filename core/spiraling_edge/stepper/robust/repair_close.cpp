@@ -182,7 +182,7 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
         putFilling(m, ring, filling);
         for (const Index p : corners) {
             if (isOn(ring, p)) continue;
-            m.sideOf[p] = kNone;
+            m.sideOf.set(p, kNone);
             ++m.takenOut;
         }
         ++m.closedHoles;

@@ -75,7 +75,7 @@ bool takeOut(const PointSet& points, RepairState& m, Index x) {
     const Filling filling = FillingSearch(points, m, ring).find();
     if (filling.empty()) return false;
     putFilling(m, ring, filling);
-    m.sideOf[x] = kNone;
+    m.sideOf.set(x, kNone);
     return true;
 }
 
@@ -99,7 +99,7 @@ std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRule
         const Index t = m.next;
         if (m.sound[t] == m.triangles[t]) continue;
         if (!isFaulty(points, m, t)) {
-            m.sound[t] = m.triangles[t];
+            m.sound.set(t, m.triangles[t]);
             continue;
         }
         const Triangle faulty = m.triangles[t];

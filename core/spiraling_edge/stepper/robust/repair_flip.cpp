@@ -240,17 +240,17 @@ void flipEdge(RepairState& m, HalfEdge h) {
     const HalfEdge yv = m.twin[preceding(g)];
     const Index s = h / 3;
     const Index t = g / 3;
-    m.triangles[s] = q.flippedU();
-    m.triangles[t] = q.flippedV();
+    m.triangles.set(s, q.flippedU());
+    m.triangles.set(t, q.flippedV());
     pair(m, 3 * s, uy);
     pair(m, 3 * s + 2, xu);
     pair(m, 3 * t, yv);
     pair(m, 3 * t + 1, vx);
     pair(m, 3 * s + 1, 3 * t + 2);
-    m.sideOf[q.u] = 3 * s;
-    m.sideOf[q.y] = 3 * t;
-    m.sideOf[q.v] = 3 * t + 1;
-    m.sideOf[q.x] = 3 * t + 2;
+    m.sideOf.set(q.u, 3 * s);
+    m.sideOf.set(q.y, 3 * t);
+    m.sideOf.set(q.v, 3 * t + 1);
+    m.sideOf.set(q.x, 3 * t + 2);
     for (const HalfEdge side : {3 * s, 3 * s + 2, 3 * t, 3 * t + 1}) m.queue.push_back(side);
 }
 
@@ -264,7 +264,10 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         const Gain gain = gainOfFlip(points, thresholds, m, h);
         if (gain == Gain::None) continue;
         if (gain == Gain::Conflicts) {
-            for (const HalfEdge side : {h, m.twin[h]}) ++m.conflictFlips[side / 3];
+            for (const HalfEdge side : {h, m.twin[h]}) {
+                m.conflictFlips.set(side / 3,
+                                    static_cast<std::uint8_t>(m.conflictFlips[side / 3] + 1));
+            }
         }
         const Quad q = quadAt(m, h);
         flipEdge(m, h);

@@ -82,13 +82,16 @@ void pairSides(RepairState& m, const SidesLeft& left) {
 
 /// Updates sideOf, pinched and pinchedSides of a point at triangles that go.
 void updateSides(RepairState& m, const SidesLeft& left) {
-    m.sideOf[left.point] = left.sides.empty() ? kNone : left.sides.front();
-    m.pinched[left.point] = reachedSides(m, left.point) != left.sides.size();
-    std::erase_if(m.pinchedSides, [&](const PinchedSide& s) { return s.point == left.point; });
-    if (!m.pinched[left.point]) return;
-    auto at = std::find_if(m.pinchedSides.begin(), m.pinchedSides.end(),
-                           [&](const PinchedSide& s) { return s.point > left.point; });
-    for (const HalfEdge h : left.sides) at = m.pinchedSides.insert(at, {left.point, h}) + 1;
+    m.sideOf.set(left.point, left.sides.empty() ? kNone : left.sides.front());
+    m.pinched.set(left.point, reachedSides(m, left.point) != left.sides.size());
+    std::vector<PinchedSide> sides = m.pinchedSides;
+    std::erase_if(sides, [&](const PinchedSide& s) { return s.point == left.point; });
+    if (m.pinched[left.point] != 0) {
+        auto at = std::find_if(sides.begin(), sides.end(),
+                               [&](const PinchedSide& s) { return s.point > left.point; });
+        for (const HalfEdge h : left.sides) at = sides.insert(at, {left.point, h}) + 1;
+    }
+    m.pinchedSides.assign(sides);
 }
 
 /// Takes out triangles, in ascending order, beside which others stay.
@@ -96,8 +99,8 @@ void takeOutFans(RepairState& m, const std::vector<Index>& gone) {
     const std::vector<SidesLeft> left = sidesLeftBy(m, gone);
     for (const Index t : gone) {
         for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-            if (m.twin[h] != kNone) m.twin[m.twin[h]] = kNone;
-            m.twin[h] = kNone;
+            if (m.twin[h] != kNone) m.twin.set(m.twin[h], kNone);
+            m.twin.set(h, kNone);
         }
     }
     for (const SidesLeft& each : left) pairSides(m, each);
@@ -136,7 +139,7 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
         const bool pinched =
             std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
         if (pinched || !isBesideLarger(points, m, corners)) continue;
-        for (const Index p : corners) m.sideOf[p] = kNone;
+        for (const Index p : corners) m.sideOf.set(p, kNone);
         const DropPatchEvidence evidence{corners.front(), static_cast<Index>(patch.size())};
         dropTriangles(m, std::move(patch));
         ++m.droppedPatches;

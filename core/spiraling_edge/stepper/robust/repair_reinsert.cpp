@@ -112,19 +112,19 @@ void Change::apply(RepairState& m) const {
         const bool reuse = i < goneCount_;
         const auto t = reuse ? gone_[i] : static_cast<Index>(m.triangles.size());
         if (!reuse) {
-            m.triangles.emplace_back();
+            m.triangles.push_back({});
             m.twin.resize(m.twin.size() + 3, kNone);
         }
         base[i] = 3 * t;
-        m.triangles[t] = made_[i];
+        m.triangles.set(t, made_[i]);
     }
     for (std::size_t i = 0; i < count_; ++i) {
-        for (const HalfEdge side : {base[i], base[i] + 1, base[i] + 2}) m.twin[side] = kNone;
+        for (const HalfEdge side : {base[i], base[i] + 1, base[i] + 2}) m.twin.set(side, kNone);
     }
     for (std::size_t i = 0; i < count_; ++i) {
         pair(m, base[i], outer_[i]);
-        m.sideOf[made_[i].a] = base[i];
-        m.sideOf[made_[i].b] = base[i] + 1;
+        m.sideOf.set(made_[i].a, base[i]);
+        m.sideOf.set(made_[i].b, base[i] + 1);
         for (std::size_t j = 0; j < count_; ++j) {
             // The side b -> x of one lies on the side x -> a of the next.
             if (made_[j].a == made_[i].b) pair(m, base[i] + 1, base[j] + 2);
@@ -132,7 +132,7 @@ void Change::apply(RepairState& m) const {
         m.queue.push_back(base[i]);
         m.queue.push_back(base[i] + 1);
     }
-    m.sideOf[x_] = base[0] + 2;
+    m.sideOf.set(x_, base[0] + 2);
 }
 
 /// A place for a point, and the quality of its triangles.

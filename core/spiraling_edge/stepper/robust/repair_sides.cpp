@@ -19,19 +19,21 @@ Index reachedSides(const RepairState& m, Index p) {
 void dropTriangle(RepairState& m, Index t) {
     const auto last = static_cast<Index>(m.triangles.size() - 1);
     m.conflictFlips.resize(m.triangles.size(), 0);
-    m.conflictFlips[t] = m.conflictFlips[last];
+    m.conflictFlips.set(t, m.conflictFlips[last]);
     m.conflictFlips.pop_back();
-    for (Index k = 0; k < 3; ++k) m.twin[3 * t + k] = kNone;
+    for (Index k = 0; k < 3; ++k) m.twin.set(3 * t + k, kNone);
     if (t != last) {
-        m.triangles[t] = m.triangles[last];
+        m.triangles.set(t, m.triangles[last]);
         for (Index k = 0; k < 3; ++k) {
             const HalfEdge from = 3 * last + k;
             const HalfEdge to = 3 * t + k;
             pair(m, to, m.twin[from]);
             const Index corner = cornerOf(m, to);
-            if (m.sideOf[corner] == from) m.sideOf[corner] = to;
-            for (PinchedSide& side : sidesOfPinched(m, corner)) {
-                if (side.leaving == from) side.leaving = to;
+            if (m.sideOf[corner] == from) m.sideOf.set(corner, to);
+            for (const PinchedSide& side : sidesOfPinched(m, corner)) {
+                if (side.leaving != from) continue;
+                m.pinchedSides.set(static_cast<std::size_t>(&side - &m.pinchedSides[0]),
+                                   {corner, to});
             }
             m.queue.push_back(to);
         }
@@ -47,17 +49,19 @@ void dropTriangles(RepairState& m, std::vector<Index> list) {
 }
 
 void listPinched(RepairState& m) {
-    m.pinchedSides.clear();
+    std::vector<PinchedSide> sides;
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         const Index p = cornerOf(m, h);
-        if (m.pinched[p]) m.pinchedSides.push_back({p, h});
+        if (m.pinched[p] != 0) sides.push_back({p, h});
     }
-    std::stable_sort(m.pinchedSides.begin(), m.pinchedSides.end(),
+    std::stable_sort(sides.begin(), sides.end(),
                      [](const PinchedSide& a, const PinchedSide& b) { return a.point < b.point; });
+    m.pinchedSides.assign(sides);
     for (Index p = 0; p < m.sideOf.size(); ++p) {
-        if (m.pinched[p]) m.pinched[p] = reachedSides(m, p) != sidesOfPinched(m, p).size();
+        if (m.pinched[p]) m.pinched.set(p, reachedSides(m, p) != sidesOfPinched(m, p).size());
     }
-    std::erase_if(m.pinchedSides, [&](const PinchedSide& side) { return !m.pinched[side.point]; });
+    std::erase_if(sides, [&](const PinchedSide& side) { return m.pinched[side.point] == 0; });
+    m.pinchedSides.assign(sides);
 }
 
 namespace {

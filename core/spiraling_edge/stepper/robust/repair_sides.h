@@ -57,16 +57,14 @@ Index reachedSides(const RepairState& m, Index p);
 /// Sets RepairState::pinchedSides, and unmarks points that are no longer pinched. O(t).
 void listPinched(RepairState& m);
 
-/// The sides that leave a pinched point, after listPinched(). `m` may be const.
-template <typename Repair>
-auto sidesOfPinched(Repair& m, Index point) {
+/// The sides that leave a pinched point, after listPinched().
+inline std::span<const PinchedSide> sidesOfPinched(const RepairState& m, Index point) {
     const auto first =
         std::lower_bound(m.pinchedSides.begin(), m.pinchedSides.end(), point,
                          [](const PinchedSide& side, Index p) { return side.point < p; });
     auto end = first;
     while (end != m.pinchedSides.end() && end->point == point) ++end;
-    return std::span(m.pinchedSides.data() + (first - m.pinchedSides.begin()),
-                     static_cast<std::size_t>(end - first));
+    return std::span<const PinchedSide>(first, end);
 }
 
 /// The corners of these triangles, ascending.
@@ -97,8 +95,8 @@ inline constexpr double kThin = 0.9998;
 inline constexpr double kRough = 0.9;
 
 inline void pair(RepairState& m, HalfEdge a, HalfEdge b) {
-    m.twin[a] = b;
-    if (b != kNone) m.twin[b] = a;
+    m.twin.set(a, b);
+    if (b != kNone) m.twin.set(b, a);
 }
 
 }  // namespace se
