@@ -63,8 +63,9 @@ class FlipScore {
                 if (isOld || std::any_of(before.begin(), before.end(),
                                          [&](Index p) { return hasCorner(other, p); }))
                     return;
+                const ShapedTriangle shaped(points_, other);
                 for (const ShapedTriangle& each : mine)
-                    count += conflict(points_, each, other) ? 1 : 0;
+                    count += conflict(points_, each, shaped) ? 1 : 0;
             });
         }
         return count;
