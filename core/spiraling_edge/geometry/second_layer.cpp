@@ -204,11 +204,6 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b)
            isSecondLayer(points, a, layerShape(points, a), b, layerShape(points, b));
 }
 
-bool isSecondLayer(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
-    return !encloseWide(a.shape.normal, areaVector(points, b)) &&
-           isSecondLayer(points, a.triangle, a.shape, b, layerShape(points, b));
-}
-
 ShapedTriangle::ShapedTriangle(const PointSet& points, const Triangle& t)
     : triangle(t), box(boxOf(points, t)), shape(layerShape(points, t)) {}
 

@@ -39,8 +39,6 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
-/// True if one triangle is a second layer over the other, which is tested once.
-bool isSecondLayer(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 /// False only if the boxes alone show that no triangles in them are in conflict.
 bool mayConflict(const Box& a, const Box& b);
 /// True if two triangles are not in conflict by their boxes alone.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -221,6 +222,23 @@ struct FanTriangle {
     Box wide;
 };
 
+/// A finished triangle; its shape is made when first needed, for all triangles of the fan.
+class FinishedTriangle {
+  public:
+    FinishedTriangle(const PointSet& points, const Triangle& t) : points_(points), triangle_(t) {}
+
+    const Triangle& triangle() const { return triangle_; }
+    const LayerShape& shape() {
+        if (!shape_) shape_ = layerShape(points_, triangle_);
+        return *shape_;
+    }
+
+  private:
+    const PointSet& points_;
+    const Triangle& triangle_;
+    std::optional<LayerShape> shape_;
+};
+
 Box widened(const Box& box, double reach) {
     const Vec3 size = box.high - box.low;
     return reach == 0.0 ? box : box.grown(reach * (size.x + size.y + size.z));
@@ -257,8 +275,8 @@ Objection againstFinished(const StepContext& context, Verdict verdict, double re
     for (const Index x : points.neighbors[p]) {
         for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
             if (std::exchange(tested[h / 3 % tested.size()], h / 3) == h / 3) continue;
-            const Triangle& old = s.triangles[h / 3];
-            const Box oldBox = widened(boxOf(points, old), reach);
+            FinishedTriangle old(points, s.triangles[h / 3]);
+            const Box oldBox = widened(boxOf(points, old.triangle()), reach);
             if (!oldBox.meets(all)) continue;
             for (std::size_t i = 0; i < fan.size(); ++i) {
                 if (fan[i].wide.meets(oldBox) && test(fan[i].made, old)) return {verdict, i, true};
@@ -273,18 +291,20 @@ Objection againstFinished(const StepContext& context, Verdict verdict, double re
 Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
 
 Objection meetsFinished(const StepContext& context) {
-    return againstFinished(
-        context, Verdict::Meets, 0.0, [&](const ShapedTriangle& made, const Triangle& old) {
-            return trianglesShareMore(context.points.position, made.triangle, old);
-        });
+    const std::vector<Vec3>& position = context.points.position;
+    return againstFinished(context, Verdict::Meets, 0.0,
+                           [&](const ShapedTriangle& made, const FinishedTriangle& old) {
+                               return trianglesShareMore(position, made.triangle, old.triangle());
+                           });
 }
 
 Objection coversFinished(const StepContext& context) {
     constexpr double kReach = 0.25;  // LayerShape::reach is a quarter of an edge.
-    return againstFinished(context, Verdict::Covers, kReach,
-                           [&](const ShapedTriangle& made, const Triangle& old) {
-                               return isSecondLayer(context.points, made, old);
-                           });
+    const PointSet& points = context.points;
+    return againstFinished(
+        context, Verdict::Covers, kReach, [&](const ShapedTriangle& made, FinishedTriangle& old) {
+            return isSecondLayer(points, made.triangle, made.shape, old.triangle(), old.shape());
+        });
 }
 
 }  // namespace se
