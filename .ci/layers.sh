@@ -37,12 +37,10 @@ in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
 mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|panel_state|commands|controllers)/')
 
-# core -> GLM, the standard library, nanoflann in neighbor_search.cpp, zlib in inflate.cpp.
-no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
-mapfile -t not_search < <(printf '%s\n' "${core[@]}" | grep -v '/neighbor_search.cpp')
+# core -> GLM, the standard library, zlib in inflate.cpp.
+no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
 mapfile -t not_inflate < <(printf '%s\n' "${core[@]}" | grep -v '/inflate.cpp')
 no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
-no "$(include nanoflann)" "only neighbor_search.cpp may use nanoflann" "${not_search[@]}"
 no 'reinterpret_cast' "pointers are of the type that they point to" "${not_inflate[@]}"
 no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
 no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[@]}"
