@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -66,31 +67,37 @@ inline NeighborOptions within(double radius, bool dropOpposing) {
     return {WithinRadius{radius}, dropOpposing, false};
 }
 
+/// The list of point p specified for findNeighbors(), by comparing it with all others.
+inline std::vector<Index> bruteForceList(const OraclePoints& points, const NeighborOptions& options,
+                                         Index p) {
+    const auto squared = [&](Index q) {
+        const Vec3 d = points.position[q] - points.position[p];
+        return d.x * d.x + d.y * d.y + d.z * d.z;
+    };
+    std::vector<Index> list;
+    for (Index q = 0; q < points.position.size(); ++q) {
+        const bool counts = points.usable[p] && points.usable[q] &&
+                            points.position[q] != points.position[p] && std::isfinite(squared(q));
+        if (counts) list.push_back(q);
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [&](Index a, Index b) { return squared(a) < squared(b); });
+    const auto* radius = std::get_if<WithinRadius>(&options.reach);
+    const std::size_t k = radius ? list.size() : std::get<KNearest>(options.reach).k;
+    if (!radius && options.dropOpposingNormals) list.resize(std::min(list.size(), 8 * k + 64));
+    std::erase_if(list, [&](Index q) {
+        return (radius && squared(q) > radius->radius * radius->radius) ||
+               (options.dropOpposingNormals && glm::dot(points.normal[p], points.normal[q]) <= 0.0);
+    });
+    list.resize(std::min(list.size(), k));
+    return list;
+}
+
 /// The result specified for findNeighbors(), by comparing all pairs.
 inline Lists bruteForce(const OraclePoints& points, const NeighborOptions& options) {
     Lists lists;
-    for (Index p = 0; p < points.position.size(); ++p) {
-        const auto squared = [&](Index q) {
-            const Vec3 d = points.position[q] - points.position[p];
-            return d.x * d.x + d.y * d.y + d.z * d.z;
-        };
-        std::vector<Index> list;
-        for (Index q = 0; q < points.position.size(); ++q) {
-            if (points.usable[p] && points.usable[q] && squared(q) > 0.0) list.push_back(q);
-        }
-        std::stable_sort(list.begin(), list.end(),
-                         [&](Index a, Index b) { return squared(a) < squared(b); });
-        const auto* radius = std::get_if<WithinRadius>(&options.reach);
-        const std::size_t k = radius ? list.size() : std::get<KNearest>(options.reach).k;
-        if (!radius && options.dropOpposingNormals) list.resize(std::min(list.size(), 8 * k + 64));
-        std::erase_if(list, [&](Index q) {
-            return (radius && squared(q) > radius->radius * radius->radius) ||
-                   (options.dropOpposingNormals &&
-                    glm::dot(points.normal[p], points.normal[q]) <= 0.0);
-        });
-        list.resize(std::min(list.size(), k));
-        lists.push_back(list);
-    }
+    for (Index p = 0; p < points.position.size(); ++p)
+        lists.push_back(bruteForceList(points, options, p));
     return lists;
 }
 
