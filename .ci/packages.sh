@@ -7,7 +7,7 @@ set -euo pipefail
 
 run=(
     g++ cmake ninja-build pkg-config ccache
-    libglm-dev libnanoflann-dev zlib1g-dev             # core
+    libglm-dev zlib1g-dev                              # core
     libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
     libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
     libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if necessary
@@ -15,6 +15,7 @@ run=(
 )
 test=(
     doctest-dev libbenchmark-dev
+    libnanoflann-dev     # the baseline of the neighbor search
     admesh assimp-utils  # other programs, to test written and read files
     clang-format-14 clang-tidy-16
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display

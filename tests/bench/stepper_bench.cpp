@@ -12,6 +12,7 @@
 
 #include "io_bench.h"
 #include "memory.h"
+#include "neighbors_bench.h"
 #include "shapes.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
@@ -170,18 +171,6 @@ void triangulateWithLog(benchmark::State& bench, const std::string& name, bool k
     countPoints(bench, points);
 }
 
-void findNeighborLists(benchmark::State& bench, const std::string& name) {
-    const PointFile& file = fileOf(name);
-    const PointSet& points = pointsOf(name);
-    if (skipIfAbsent(bench, points)) return;
-    const std::vector<bool> usable(file.position.size(), true);
-    for (auto _ : bench) {
-        auto lists = findNeighbors(file.position, file.normal, usable, NeighborOptions{});
-        benchmark::DoNotOptimize(lists);
-    }
-    countPoints(bench, points);
-}
-
 void registerAll(const std::string& name) {
     const auto add = [&](const std::string& what, auto function, auto... arguments) {
         const std::string title = what + "/" + name;
@@ -199,7 +188,7 @@ void registerAll(const std::string& name) {
     add("triangulate_paper_onsphere_kept", triangulateOtherwise, std::string("onsphere=kept"));
     add("triangulate_log_cleared", triangulateWithLog, false);
     add("triangulate_log_kept", triangulateWithLog, true);
-    add("neighbors", findNeighborLists);
+    registerNeighbors(name, [name]() -> const PointFile& { return fileOf(name); });
 }
 
 /// Not run unless requested: preparing the points alone takes seconds.
@@ -229,6 +218,7 @@ int main(int argc, char** argv) {
         }
         se::bench::registerIo();
     }
+    argc = se::bench::registerNeighborsOfFiles(argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();
     return 0;
