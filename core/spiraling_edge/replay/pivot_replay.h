@@ -77,16 +77,19 @@ struct DecisionState {
     /// Empty where there is no pivot.
     std::vector<RingPoint> neighborRing() const;
     /// The points of the fan as it would be laid now (§6.4): the neighbor ring, and those that
-    /// start and end have passed. Each two that follow each other make a triangle with the pivot.
+    /// start and end have passed. Each two that follow each other make a triangle with the pivot,
+    /// unless the fan is refused.
     std::vector<RingPoint> fan() const;
     /// The evidence of the last event of a stage if it is of that kind, otherwise null.
     template <typename Kind>
-    const Kind* evidence(Stage stage) const {
+    const Kind* evidence(Stage stage) const& {
         for (const Event& each : latest) {
             if (each.address.stage == stage) return std::get_if<Kind>(&each.evidence);
         }
         return nullptr;
     }
+    template <typename Kind>
+    const Kind* evidence(Stage stage) && = delete;  // it would point into a temporary
 };
 
 /// Computes the states of one pivot. O(events and changed points of the pivot, length of the rings)

@@ -1,5 +1,6 @@
 #include "spiraling_edge/replay/run_cursor.h"
 
+#include <cassert>
 #include <limits>
 #include <optional>
 
@@ -100,6 +101,11 @@ bool RunCursor::runUntil(const DecisionCondition& condition) {
     }
     goToEnd();
     return false;
+}
+
+bool RunCursor::runUntil(const DecisionQuery& query) {
+    assert(!query.needsFailures());
+    return runUntil([&](const Decision& decision) { return query.matches(decision); });
 }
 
 }  // namespace se

@@ -26,7 +26,8 @@ class RunCursor {
     /// At the start of the run. The points must pass validate().
     RunCursor(const SharedPoints& points, const Params& params);
 
-    /// The event just before the cursor; null at the start.
+    /// The event just before the cursor; null at the start. Valid until the cursor moves: an Event
+    /// is a value, copy it to keep it.
     const Event* event() const;
     /// The state at the cursor: rings, neighbor ring, candidates, fan and statuses.
     DecisionState state() const { return replay_.after(event_); }
@@ -41,16 +42,18 @@ class RunCursor {
     bool forward(StepUnit unit = StepUnit::Decision);
     /// Goes to the previous place. False, unmoved, at the start.
     bool back(StepUnit unit = StepUnit::Decision);
-    /// Goes to a decision, or to the first one of its stage if Address::n is 0. False, unmoved, if
-    /// the run has no such decision.
+    /// Goes to a decision, or to the first one of its stage if Address::n is 0; of stage Pivot that
+    /// is where the pivot begins. False, unmoved, if the run has no such decision.
     bool goTo(const Address& address);
     void goToStart();
     /// Goes to the last event of the run.
     void goToEnd();
     /// Goes to the next decision after the cursor that meets the condition; the run is made only as
-    /// far as that. False at the end of the run if there is none. Decision::failures is 0: for
-    /// conditions on failures see findDecisions().
+    /// far as that. If there is none: false, and the cursor is at the end of the run.
+    /// Decision::failures is 0: for conditions on failures see findDecisions().
     bool runUntil(const DecisionCondition& condition);
+    /// The same for a line. Requires !query.needsFailures().
+    bool runUntil(const DecisionQuery& query);
 
   private:
     bool isPlace(std::size_t i, StepUnit unit) const;

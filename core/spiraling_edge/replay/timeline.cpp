@@ -168,6 +168,7 @@ RunState Timeline::runState() {
 std::shared_ptr<const PivotRecord> Timeline::record(std::uint32_t pivot) {
     if (endKnown_) pivot = std::min(pivot, lastPivot());
     seek(pivot == 0 ? 0 : pivot - 1);
+    if (endKnown_ && pivot > lastPivot()) return this->record(lastPivot());
     auto record = std::make_shared<PivotRecord>();
     record->pivot = pivot;
     record->before = runState();

@@ -96,7 +96,8 @@ struct Address {
     std::uint32_t n = 0;
     friend bool operator==(const Address&, const Address&) = default;
 };
-/// The order of a run.
+/// The order by pivot, stage and n. Within a pivot that is not always the order of the run, since
+/// stages may be repeated (docs/robust.md); for that see RunPosition.
 bool isBefore(const Address& a, const Address& b);
 std::string toString(const Address& address);
 /// Reads `137`, `137.sphere` or `137.sphere.3`; parts left out are stage Pivot and n = 0.
@@ -237,11 +238,11 @@ struct HoleEvidence {
     Index edges = 3;         ///< Of the hole.
 };
 struct SphereEvidence {
-    Index t, q, s;
-    Vec3 center;
-    double radius, distance;
-    double gapDegrees;  ///< Angle from t to s.
-    Verdict verdict;    ///< InsideSphere, GapTooWide, NoCircle, Removed
+    Index t, q, s;            ///< q: tested; t, s: its neighbors on the neighbor ring.
+    Vec3 center;              ///< Of the circumsphere of the pivot, s and t.
+    double radius, distance;  ///< `distance`: of q from the center.
+    double gapDegrees;        ///< Angle from t to s.
+    Verdict verdict;          ///< InsideSphere, GapTooWide, NoCircle, Removed
 };
 struct TwoPointEvidence {
     double degrees;

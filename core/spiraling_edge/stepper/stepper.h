@@ -30,8 +30,8 @@ enum class StopReason : std::uint8_t {
     Capped,     ///< AlertKind::TriangleCap.
 };
 
-/// Is shown each decision in order, after the phase that made it. True stops the run when all
-/// decisions of that phase are shown.
+/// Is shown each decision in order, after the phase that made it. True stops the run, once the
+/// other decisions of that phase are shown as well: they are made already.
 using DecisionObserver = std::function<bool(const Event&)>;
 
 /// Runs the Spiraling Edge algorithm on a State. The points must pass validate(); they are never

@@ -65,6 +65,23 @@ TEST_CASE("A step by phase ends at the last decision of a stage, one by pivot at
     CHECK(cursor.state().complete);
 }
 
+TEST_CASE("The end of a run is its last event, also where the run was not made before") {
+    for (const char* rules : {"paper", "robust"}) {
+        CAPTURE(rules);
+        const PointSet points = test::sceneNamed("torus");
+        const Params params = paramsByName(rules).value();
+        const std::string last = toString(eventsOf(points, params).back().address);
+        RunCursor cursor(points, params);
+        cursor.goToEnd();
+        CHECK(placeOf(cursor) == last);
+        CHECK_FALSE(cursor.forward());
+        CHECK(cursor.pivot().isLast);
+        REQUIRE(cursor.back());
+        REQUIRE(cursor.forward());
+        CHECK(placeOf(cursor) == last);
+    }
+}
+
 TEST_CASE("The cursor stays where it is if the run has no such decision") {
     RunCursor cursor(test::sceneNamed("torus"), {});
     CHECK_FALSE(cursor.back());
