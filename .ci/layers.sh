@@ -105,7 +105,7 @@ allowed='app core shaders assets tests docs .ci CMakeLists.txt CMakePresets.json
     CONTRIBUTING.md LICENSE CITATION.cff run.sh test.sh .clang-format .clang-tidy .editorconfig
     .gitattributes .gitignore'
 while read -r entry; do
-    printf "%s\n" $allowed | grep -qxF -- "$entry" || breach "does not belong at the root: $entry"
+    grep -qxF -- "$entry" <<<"${allowed// /$'\n'}" || breach "does not belong at the root: $entry"
 done < <(git ls-tree --name-only HEAD 2>/dev/null)
 
 # Dear ImGui breaks lines within numbers: running text goes through wrappedText().
