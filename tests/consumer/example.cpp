@@ -41,13 +41,16 @@ int main(int argc, char** argv) {
     std::printf("%zu points on the edge ring\n", cursor.state().rings.front().points.size());
 
     // On to the next decision that meets a condition.
-    const auto query = se::DecisionQuery::parse("stage=sphere refused margin<0.01").value();
-    if (cursor.runUntil([&](const se::Decision& each) { return query.matches(each); }))
+    const auto query = se::DecisionQuery::parse("stage=sphere refused margin<0.01");
+    if (!query) return fail(query.error().message, 2);
+    if (cursor.runUntil(query.value()))
         std::printf("stopped at %s\n", se::toString(cursor.event()->address).c_str());
 
     // The same run with another rule, and where the two part.
     se::Params changed = params;
-    se::findRuleSetting("maxgap")->set(changed, 100.0);
+    const std::vector<se::RuleValue> values{{"maxgap", 100.0}};
+    if (const auto set = se::applyRuleValues(values, changed); !set)
+        return fail(set.error().message, 2);
     const auto runs = se::compareRuns({points, params}, {points, changed});
     if (runs && runs.value().first) std::puts(runs.value().first->words.c_str());
 
