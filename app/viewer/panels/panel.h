@@ -14,7 +14,7 @@
 namespace se {
 struct Event;
 struct StatusCounts;
-}
+}  // namespace se
 
 namespace se::view {
 
