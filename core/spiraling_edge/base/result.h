@@ -24,14 +24,18 @@ class Result {
     bool ok() const { return std::holds_alternative<T>(content_); }
     explicit operator bool() const { return ok(); }
 
-    /// Requires ok().
-    T& value() {
+    /// Requires ok(). Of a temporary, the value itself, so that nothing refers to it afterwards.
+    T& value() & {
         assert(ok());
         return *std::get_if<T>(&content_);
     }
-    const T& value() const {
+    const T& value() const& {
         assert(ok());
         return *std::get_if<T>(&content_);
+    }
+    T value() && {
+        assert(ok());
+        return std::move(*std::get_if<T>(&content_));
     }
     /// Requires !ok().
     const Error& error() const {
