@@ -83,7 +83,7 @@ class NeighborSearch {
     NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
                    const std::vector<bool>& usable, const NeighborOptions& options)
         : total_(position.size()), threads_(options.threads), blocks_(position, usable) {
-        if (blocks_.size() < 2) return;  // nobody to list
+        if (blocks_.size() < 2) return;  // no neighbors
         if (!normal.empty()) {
             normal_.reserve(blocks_.size());
             for (std::size_t i = 0; i < blocks_.size(); ++i)

@@ -35,7 +35,7 @@ void PointBlocks::divide(std::span<Item> items, std::uint32_t first) {
     const std::size_t blocks = (items.size() + kBlock - 1) / kBlock;
     node_.push_back({box, first, static_cast<std::uint32_t>(blocks)});
     if (blocks == 1) return;
-    // Halves, since the difference of the largest numbers is none.
+    // Halves, since the difference of the largest numbers would overflow.
     const Vec3 side = box.high * 0.5 - box.low * 0.5;
     const std::size_t axis =
         side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
@@ -46,7 +46,7 @@ void PointBlocks::divide(std::span<Item> items, std::uint32_t first) {
 }
 
 /// Puts the items that are first along the axis before `middle`, as std::nth_element does. That one
-/// branches at each item to a side that cannot be foretold; here most items are moved without a
+/// has an unpredictable branch at each item; here most items are moved without a
 /// branch, to either side of a value near the middle one.
 void PointBlocks::select(std::span<Item> items, std::size_t middle, std::size_t axis) {
     constexpr std::size_t kSample = 11;
