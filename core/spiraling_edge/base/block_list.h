@@ -1,5 +1,5 @@
 /// A long list as a value that is cheap to copy: it is cut into blocks that copies share until one
-/// of them changes. Two pictures of a million points thus differ by a few kilobytes, and the
+/// of them changes. Two lists for a million points thus differ by a few kilobytes, and the
 /// differences are found without a look at every point.
 #pragma once
 

@@ -24,7 +24,8 @@ class JournaledList {
     JournaledList(const JournaledList& other) : elements_(other.elements_) {}
     JournaledList(JournaledList&&) noexcept = default;
     JournaledList& operator=(const JournaledList& other) {
-        return *this = JournaledList(other.elements_);
+        if (this != &other) *this = JournaledList(other.elements_);
+        return *this;
     }
     JournaledList& operator=(JournaledList&&) noexcept = default;
     ~JournaledList() = default;
@@ -89,17 +90,17 @@ class JournaledList {
     /// Number of changes since beginJournal() at the present contents. A change after a return to
     /// earlier contents takes the place of the one that was made there: it must be the same again
     /// if those after it are still to be redone. Requires a journal.
-    std::size_t changes() const { return journal_->place; }
+    std::size_t changes() const {
+        assert(journal_);
+        return journal_->place;
+    }
     /// Undoes or redoes changes, up to the contents at which changes() was `place`.
     void moveTo(std::size_t place) {
+        assert(journal_);
         Journal& journal = *journal_;
         assert(place <= journal.changes.size());
         while (journal.place > place) exchange(journal.changes[--journal.place], true);
         while (journal.place < place) exchange(journal.changes[journal.place++], false);
-    }
-    /// Approximate size of the journal, in bytes.
-    std::size_t journalBytes() const {
-        return journal_ ? journal_->changes.size() * sizeof(Change) : 0;
     }
 
   private:

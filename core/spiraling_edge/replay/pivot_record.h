@@ -32,7 +32,7 @@ struct PivotRecord {
     /// For the first step after the last pivot: the triangles of the run, which it is the first to
     /// edit. Otherwise null.
     std::shared_ptr<const std::vector<Triangle>> unrepaired;
-    bool isLast = false;  ///< No event of the run follows.
+    bool isLast = false;  ///< Known to be the last of the run, whose end may be unknown.
 
     /// Position of the event with that address, or of the first event of its stage if n is 0.
     std::optional<std::size_t> find(const Address& address) const;

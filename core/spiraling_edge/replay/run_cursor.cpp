@@ -8,12 +8,13 @@ namespace se {
 namespace {
 
 /// The first of `events`, from number `from` on, that meets the condition.
-std::optional<std::size_t> firstMatch(const Timeline& timeline, std::span<const Event> events,
-                                      std::size_t from, const DecisionCondition& condition) {
+std::optional<std::size_t> firstMatch(const PointSet& points, const Params& params,
+                                      std::span<const Event> events, std::size_t from,
+                                      const DecisionCondition& condition) {
     const Index pivot = pivotPoint(events);
     for (std::size_t i = from; i < events.size(); ++i) {
-        const auto reading = readingOf(events[i], {timeline.points(), timeline.params(), pivot});
-        if (condition({events[i], pivot, reading, timeline.points(), events})) return i;
+        const auto reading = readingOf(events[i], {points, params, pivot});
+        if (condition({events[i], pivot, reading, points, events})) return i;
     }
     return {};
 }
@@ -37,7 +38,10 @@ bool RunCursor::isPlace(std::size_t i, StepUnit unit) const {
 /// has no such pivot.
 bool RunCursor::load(std::uint32_t pivot) {
     auto record = timeline_.record(pivot);
-    if (record->pivot != pivot) return false;
+    if (record->pivot != pivot) {
+        timeline_.seek(this->pivot().pivot);
+        return false;
+    }
     replay_ = PivotReplay(std::move(record));
     event_ = 0;
     return true;
@@ -70,7 +74,10 @@ bool RunCursor::back(StepUnit unit) {
 bool RunCursor::goTo(const Address& address) {
     std::shared_ptr<const PivotRecord> record = timeline_.record(address.pivot);
     const auto found = record->find(address);
-    if (!found) return false;
+    if (!found) {
+        timeline_.seek(pivot().pivot);
+        return false;
+    }
     replay_ = PivotReplay(std::move(record));
     event_ = *found;
     return true;
@@ -84,16 +91,21 @@ void RunCursor::goToEnd() {
 }
 
 bool RunCursor::runUntil(const DecisionCondition& condition) {
-    if (const auto here = firstMatch(timeline_, pivot().events, event_ + 1, condition)) {
+    // What-ifs may move points: those of the pivot are in force before it.
+    timeline_.seek(pivot().pivot == 0 ? 0 : pivot().pivot - 1);
+    const auto here =
+        firstMatch(timeline_.points(), timeline_.params(), pivot().events, event_ + 1, condition);
+    timeline_.seek(pivot().pivot);
+    if (here) {
         event_ = *here;
         return true;
     }
-    timeline_.seek(pivot().pivot);
     EventLog log;
     for (bool more = true; more; log.clear()) {
         const std::uint32_t number = timeline_.position() + 1;
+        const PointSet& points = timeline_.points();
         more = timeline_.stepPivot(&log);
-        const auto found = firstMatch(timeline_, log.events(), 0, condition);
+        const auto found = firstMatch(points, timeline_.params(), log.events(), 0, condition);
         if (!found) continue;
         load(number);
         event_ = *found;

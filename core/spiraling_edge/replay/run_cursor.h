@@ -52,13 +52,13 @@ class RunCursor {
     /// far as that. If there is none: false, and the cursor is at the end of the run.
     /// Decision::failures is 0: for conditions on failures see findDecisions().
     bool runUntil(const DecisionCondition& condition);
-    /// The same for a line. Requires !query.needsFailures().
+    /// Goes to the next decision after the cursor that matches a query line. Requires
+    /// !query.needsFailures().
     bool runUntil(const DecisionQuery& query);
 
   private:
     bool isPlace(std::size_t i, StepUnit unit) const;
     bool load(std::uint32_t pivot);
-    bool findFrom(std::size_t i, const DecisionCondition& condition);
 
     Timeline timeline_;
     PivotReplay replay_;

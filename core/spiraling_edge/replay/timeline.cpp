@@ -128,7 +128,7 @@ void Timeline::changeState(const std::function<void(State&)>& change) {
 /// Goes to a known place after the last pivot. False if it is the end of the run.
 bool Timeline::goToRepair(std::size_t place) {
     if (!inRepairs()) {
-        restore(lastPivot_);
+        restore(firstRepair_);
         changeState([&](State& state) { repairs_.takeUp(state); });
     }
     changeState([&](State& state) { repairs_.moveTo(state, place); });
@@ -140,7 +140,7 @@ bool Timeline::goToRepair(std::size_t place) {
 void Timeline::noteRepair() {
     if (!inRepairs()) return;
     if (repairs_.empty()) {
-        lastPivot_ = makeKeyframe();
+        firstRepair_ = makeKeyframe();
         changeState([&](State& state) { repairs_.add(state); });
     } else if (!state().repair.triangles.hasJournal()) {
         // The step to the first place was made again, with a log.
@@ -176,7 +176,8 @@ std::shared_ptr<const PivotRecord> Timeline::record(std::uint32_t pivot) {
     if (pivot > 0) {
         const bool endWasKnown = endKnown_;
         stepPivot(&log);
-        if (log.events().empty() && !endWasKnown) return this->record(pivot);  // the last one
+        if (log.events().empty() && endKnown_ && !endWasKnown)
+            return this->record(pivot);  // the last one
         record->events = log.events();
     }
     record->after = runState();

@@ -54,6 +54,13 @@ class Timeline {
         : Timeline(points, params, defaultBudget(*points)) {}
     /// `byteBudget`: approximate limit for all keyframes together, in bytes.
     Timeline(SharedPoints points, const Params& params, std::size_t byteBudget);
+    // A copy of a State has no journal, without which the steps after the last pivot cannot be
+    // undone.
+    Timeline(const Timeline&) = delete;
+    Timeline& operator=(const Timeline&) = delete;
+    Timeline(Timeline&&) noexcept = default;
+    Timeline& operator=(Timeline&&) noexcept = default;
+    ~Timeline() = default;
 
     const State& state() const { return stepper_.state(); }
     /// Pivots completed at the cursor.
@@ -112,7 +119,7 @@ class Timeline {
     Stepper stepper_;
     std::map<std::uint32_t, Keyframe> keyframes_;
     RepairHistory repairs_;
-    Keyframe lastPivot_;  ///< At the first place of `repairs_`.
+    Keyframe firstRepair_;  ///< At the first place of `repairs_`.
     RewoundTail<Triangle> triangles_;
     RewoundTail<Alert> alerts_;
     RewoundTail<Index> done_;

@@ -38,8 +38,10 @@ class RingEntries {
   public:
     class Iterator {
       public:
+        // NOLINTBEGIN(readability-identifier-naming): names of the standard library
         using value_type = Index;
         using difference_type = std::ptrdiff_t;
+        // NOLINTEND(readability-identifier-naming)
         Iterator() = default;
         Iterator(const EdgeRings& rings, Index entry, Index place)
             : rings_(&rings), entry_(entry), place_(place) {}

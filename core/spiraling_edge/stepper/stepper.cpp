@@ -173,6 +173,6 @@ StopReason Stepper::reason() const {
     return state_.capped() ? StopReason::Capped : StopReason::Finished;
 }
 
-State Stepper::takeState() { return std::exchange(state_, freshState(*points_, params_)); }
+State Stepper::takeState() { return exchangeState(freshState(*points_, params_)); }
 
 }  // namespace se

@@ -30,8 +30,8 @@ enum class StopReason : std::uint8_t {
     Capped,     ///< AlertKind::TriangleCap.
 };
 
-/// Is shown each decision in order, after the phase that made it. True stops the run, once the
-/// other decisions of that phase are shown as well: they are made already.
+/// Callback for each decision, in order, after the phase that made it. Returns true to stop the
+/// run; the other decisions of that phase, which are made already, are still reported.
 using DecisionObserver = std::function<bool(const Event&)>;
 
 /// Runs the Spiraling Edge algorithm on a State. The points must pass validate(); they are never
@@ -56,9 +56,13 @@ class Stepper {
 
     const State& state() const { return state_; }
     /// Goes to another place of a run over the same points and params.
-    void setState(State state) { state_ = std::move(state); }
+    void setState(State state) { exchangeState(std::move(state)); }
     /// As setState(); returns the previous State.
-    State exchangeState(State state) { return std::exchange(state_, std::move(state)); }
+    State exchangeState(State state) {
+        observed_.clear();
+        stopped_ = false;
+        return std::exchange(state_, std::move(state));
+    }
     /// Moves the state out, e.g. for its triangles. The stepper starts over.
     State takeState();
     void setLog(EventLog* log) { log_ = log; }

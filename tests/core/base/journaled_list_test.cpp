@@ -72,8 +72,6 @@ TEST_CASE("A copy of a journaled list has its elements and no journal") {
     list.set(0, 3);
     const JournaledList<int> copy = list;
     CHECK_FALSE(copy.hasJournal());
-    CHECK(copy.journalBytes() == 0);
     CHECK(copy[0] == 3);
     CHECK(list.hasJournal());
-    CHECK(list.journalBytes() > 0);
 }

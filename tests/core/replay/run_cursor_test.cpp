@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "support/clouds.h"
@@ -87,7 +88,9 @@ TEST_CASE("The cursor stays where it is if the run has no such decision") {
     CHECK_FALSE(cursor.back());
     REQUIRE(cursor.goTo({30, Stage::Sphere, 1}));
     CHECK_FALSE(cursor.goTo({30, Stage::Sphere, 999}));
+    const std::uint32_t position = cursor.timeline().position();
     CHECK_FALSE(cursor.goTo({1'000'000, Stage::Sphere, 1}));
+    CHECK(cursor.timeline().position() == position);
     CHECK(placeOf(cursor) == "30.sphere.1");
     cursor.goToEnd();
     const std::string last = placeOf(cursor);
@@ -165,10 +168,16 @@ TEST_CASE("Each two points of the fan that follow each other make a triangle wit
 }
 
 TEST_CASE("A cursor over points that were moved into it keeps them alive") {
-    const Params params;
-    const auto make = [&] { return RunCursor(test::sceneNamed("torus"), params); };
+    static_assert(!std::is_copy_constructible_v<RunCursor>);
+    const Params params = paramsByName("robust").value();
+    const auto make = [&] {
+        RunCursor cursor(test::sceneNamed("torus"), params);
+        cursor.goToEnd();
+        return cursor;
+    };
     RunCursor cursor = make();
-    cursor.goToEnd();
+    REQUIRE(cursor.back());
+    REQUIRE(cursor.forward());
     CHECK(cursor.timeline().state().finished());
     CHECK(cursor.timeline().points().size() == test::sceneNamed("torus").size());
 }
