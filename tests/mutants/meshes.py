@@ -83,11 +83,17 @@ TABLE = {
         ("report.loops",
          "report.boundaryLoops = ends - joined;",
          "report.boundaryLoops = ends - joined + (MUT && ends > 0 ? 1 : 0);"),
-        ("report.fans", "if (fans[p] > 1) found", "if (fans[p] > (MUT ? 2 : 1)) found"),
         ("report.euler",
          "static_cast<long long>(report.edges) +",
          "static_cast<long long>(report.edges) * (MUT ? -1 : 1) +"),
         ("report.flipped", "} else if (isFlipped(points, t)) {", "} else if (isFlipped(points, t) && !MUT) {"),
+    ],
+    "mesh/sorted_sides.cpp": [
+        ("report.fans", "if (fans[p] > 1) found", "if (fans[p] > (MUT ? 2 : 1)) found"),
+        ("sides.unsorted", "std::sort(begin, end, precedes);", "if (!MUT) OLD"),
+        ("sides.by-triangle-alone",
+         "return std::tie(x.high, x.triangle) <",
+         "if (MUT) return x.triangle < y.triangle; OLD"),
     ],
     "mesh/mesh_compare.cpp": [
         ("meshes.winding", "(e.odd == x.odd) == alike;", "(MUT || (e.odd == x.odd) == alike);"),

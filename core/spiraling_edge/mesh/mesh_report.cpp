@@ -1,5 +1,5 @@
 /// Counts from sorted sides and union-find: components over points, boundary loops over boundary
-/// edges, fans over corners joined across edges. O(t log t).
+/// edges. O(t) for t triangles, but for inverses of the Ackermann function.
 #include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>
@@ -44,37 +44,6 @@ void countShapes(const PointSet& points, std::span<const Triangle> triangles, Me
 }
 
 }  // namespace
-
-std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
-                                     const std::vector<TriangleSide>& sides, std::size_t points) {
-    // A corner is one triangle at one of its points; corners at a point are joined across edges.
-    const auto cornerOf = [&](Index triangle, Index point) {
-        const Triangle& t = triangles[triangle];
-        const Index k = t.a == point ? 0U : (t.b == point ? 1U : 2U);
-        return 3 * triangle + k;
-    };
-    DisjointSets corners(3 * triangles.size());
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-        if (!sides[i].sameEdge(sides[i - 1])) continue;
-        for (const Index point : {sides[i].low, sides[i].high}) {
-            corners.unite(cornerOf(sides[i - 1].triangle, point),
-                          cornerOf(sides[i].triangle, point));
-        }
-    }
-    std::vector<Index> fans(points, 0);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles[i];
-        const auto first = static_cast<Index>(3 * i);
-        if (corners.find(first) == first) ++fans[t.a];
-        if (corners.find(first + 1) == first + 1) ++fans[t.b];
-        if (corners.find(first + 2) == first + 2) ++fans[t.c];
-    }
-    std::vector<Index> found;
-    for (std::size_t p = 0; p < points; ++p) {
-        if (fans[p] > 1) found.push_back(static_cast<Index>(p));
-    }
-    return found;
-}
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "spiraling_edge/points/point_set.h"
@@ -23,20 +22,7 @@ struct TriangleSide {
 };
 
 /// All sides, sorted by edge and then by triangle.
-inline std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles) {
-    std::vector<TriangleSide> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles[i];
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-            sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const TriangleSide& x, const TriangleSide& y) {
-        return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
-    });
-    return sides;
-}
+std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles);
 
 /// Calls visit(sides of an edge) for each edge in turn.
 template <typename Visit>
@@ -59,7 +45,7 @@ inline bool isInconsistent(std::span<const TriangleSide> edge) {
 }
 
 /// Points whose triangles form more than one fan, ascending: they are not connected by edges at
-/// that point. `sides` are those of the triangles. In mesh_report.cpp.
+/// that point. `sides` are those of the triangles.
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
                                      const std::vector<TriangleSide>& sides, std::size_t points);
 

@@ -9,6 +9,10 @@ constexpr double kUnitTolerance = 1e-6;
 
 std::string pointText(Index p) { return "point " + std::to_string(p); }
 
+Error listError(Index p, const std::string& named) {
+    return Error{"the list of " + pointText(p) + " names " + named};
+}
+
 Status checkLengths(const PointSet& points) {
     const std::size_t n = points.size();
     if (n >= kNone) return Error{std::to_string(n) + " points; at most 4294967294 are possible"};
@@ -83,10 +87,9 @@ Status validate(const PointSet& points) {
         if (list.empty()) continue;
         if (Status status = checkPoint(points, p); !status) return status;
         for (const Index q : list) {
-            const std::string what = "the list of " + pointText(p) + " names ";
-            if (q >= n) return Error{what + pointText(q) + ", which does not exist"};
-            if (q == p) return Error{what + "the point itself"};
-            if (lastList[q] == p) return Error{what + pointText(q) + " twice"};
+            if (q >= n) return listError(p, pointText(q) + ", which does not exist");
+            if (q == p) return listError(p, "the point itself");
+            if (lastList[q] == p) return listError(p, pointText(q) + " twice");
             if (lastList[q] == kNone) {
                 if (Status status = checkPoint(points, q); !status) return status;
             }

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <tuple>
+
 #include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/mesh/sorted_sides.h"
 #include "support/oracles.h"
 #include "support/rig.h"
 
@@ -130,4 +133,23 @@ TEST_CASE("mesh: a ring of triangles has two boundary loops and Euler number 0")
     CHECK(r.eulerCharacteristic == 0);
     CHECK(r.flippedTriangles == 0);
     CHECK(r.nonManifoldVertices == 0);
+}
+
+TEST_CASE("mesh: sides are sorted by edge and then by triangle, whatever the order of triangles") {
+    const Triangles triangles{{9, 4, 0}, {2, 7, 4}, {0, 4, 2}, {4, 9, 2}, {0, 2, 4}, {5, 6, 7}};
+    const std::vector<TriangleSide> sides = sortedSides(triangles);
+    CHECK(sides.size() == 3 * triangles.size());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const auto key = [&](std::size_t k) {
+            return std::tuple(sides[k].low, sides[k].high, sides[k].triangle);
+        };
+        CHECK(key(i - 1) < key(i));
+    }
+    for (const TriangleSide& side : sides) {
+        const auto [a, b, c] = triangles[side.triangle];
+        const auto [u, v] =
+            side.ascending ? std::pair(side.low, side.high) : std::pair(side.high, side.low);
+        CHECK(((u == a && v == b) || (u == b && v == c) || (u == c && v == a)));
+    }
+    CHECK(sortedSides({}).empty());
 }
