@@ -239,7 +239,7 @@ ExitCode runVerb(const Arguments& words) {
                       nameOfInput(arguments.input) + ": holds no points to triangulate");
     const PrepareOptions prepareOptions =
         prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
-    const Prepared prepared = runWithProgress(
+    Prepared prepared = runWithProgress(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     requirePossible(prepared.points, outcome.params);
@@ -255,6 +255,10 @@ ExitCode runVerb(const Arguments& words) {
         outcome.ending = triangulateAtOnce(prepared.points, outcome.params, line, outcome.state);
     }
     outcome.seconds.triangulate = watch.lap();
+    // These take as much memory as the mesh, and nothing below reads them.
+    prepared.points.neighbors = {};
+    outcome.state.edges = {};
+    outcome.state.repair.tree = nullptr;
     if (outcome.ending != Ending::Interrupted) {
         // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
         releaseInterrupts();
@@ -262,7 +266,6 @@ ExitCode runVerb(const Arguments& words) {
         trace.commit();
         outcome.seconds.write = watch.lap();
     }
-    outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
     if (arguments.check || !arguments.report.empty()) {
         outcome.inspection = inspectWithTotals(prepared.points, outcome.state.mesh());
         outcome.fidelity = fidelityOf(prepared.points, outcome.state.mesh());
@@ -270,6 +273,8 @@ ExitCode runVerb(const Arguments& words) {
         outcome.inspection = inspectLocally(prepared.points, outcome.state.mesh());
         outcome.pairs = false;
     }
+    outcome.mesh = outcome.inspection ? outcome.inspection->report
+                                      : reportMesh(prepared.points, outcome.state.mesh());
     return conclude(arguments, outcome);
 }
 

@@ -20,7 +20,11 @@ using HalfEdge = Index;
 class EdgeTable {
   public:
     EdgeTable() = default;
-    explicit EdgeTable(std::size_t pointCount) : head_(pointCount, kNone) {}
+    /// Has room for the triangles of a closed surface, two for each point.
+    explicit EdgeTable(std::size_t pointCount) : head_(pointCount, kNone) {
+        next_.reserve(6 * pointCount);
+        target_.reserve(6 * pointCount);
+    }
 
     /// Adds the next triangle.
     void add(const Triangle& t) {

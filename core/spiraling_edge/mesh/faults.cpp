@@ -46,9 +46,11 @@ bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
 
 class FaultFinder {
   public:
-    FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
+    FaultFinder(const PointSet& points, std::span<const Triangle> triangles,
+                std::span<const TriangleSide> sides)
         : points_(points),
           triangles_(triangles),
+          sides_(sides),
           usable_(triangles.size(), true),
           allowed_(kPairWork + kPairWorkPerTriangle * triangles.size()),
           work_(allowed_) {}
@@ -95,6 +97,7 @@ class FaultFinder {
 
     const PointSet& points_;
     std::span<const Triangle> triangles_;
+    std::span<const TriangleSide> sides_;
     std::vector<bool> usable_;  ///< Has an area: worth a test.
     std::vector<LayerShape> shapes_;
     std::vector<Box> boxes_;
@@ -124,7 +127,7 @@ void FaultFinder::findFold(Index a, Index b) {
 }
 
 void FaultFinder::findEdgeFaults() {
-    forEachEdge(sortedSides(triangles_), [this](std::span<const TriangleSide> edge) {
+    forEachEdge(sides_, [this](std::span<const TriangleSide> edge) {
         for (std::size_t i = 1; i < edge.size(); ++i) {
             if (edge.size() > 2) {
                 add(FaultKind::NonManifoldEdge, edge[0].triangle, edge[i].triangle);
@@ -218,16 +221,22 @@ void FaultFinder::testPair(Index a, Index b) {
 }  // namespace
 
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    return searchFaults(points, triangles, sortedSides(triangles));
+}
+
+FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles,
+                         std::span<const TriangleSide> sides) {
     assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
-    return FaultFinder(points, triangles).findAll();
+    return FaultFinder(points, triangles, sides).findAll();
 }
 
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
     return searchFaults(points, triangles).faults;
 }
 
-FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles) {
-    return FaultFinder(points, triangles).findLocal();
+FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles,
+                              std::span<const TriangleSide> sides) {
+    return FaultFinder(points, triangles, sides).findLocal();
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

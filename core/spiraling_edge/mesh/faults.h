@@ -10,6 +10,8 @@
 
 namespace se {
 
+struct TriangleSide;  // sorted_sides.h
+
 /// The classes of faults of triangles; whether a mesh is sound also depends on its loops, pieces
 /// and points: inspection.h.
 enum class FaultKind : std::uint8_t {
@@ -58,12 +60,17 @@ struct FaultSearch {
 /// O(t) for t triangles of similar size, however often one is repeated.
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles);
 
+/// As above, with the sides of the triangles at hand.
+FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles,
+                         std::span<const TriangleSide> sides);
+
 /// The faults that searchFaults() finds, with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// All faults but intersections and second layers, which take most of the time; `complete` is
 /// false.
-FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles);
+FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles,
+                              std::span<const TriangleSide> sides);
 
 /// The number of faults of each kind.
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults);

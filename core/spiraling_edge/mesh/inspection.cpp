@@ -15,25 +15,38 @@
 #include "spiraling_edge/points/usable_points.h"
 
 namespace se {
+namespace {
+
+/// A copy of points that lack normals or types, with zeros there; nothing if they have both.
+std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
+    const std::size_t n = input.size();
+    if (input.normal.size() == n && input.type.size() == n) return {};
+    PointSet points;
+    points.position = input.position;
+    points.normal = input.normal;
+    points.type = input.type;
+    points.normal.resize(n, Vec3(0.0));
+    points.type.resize(n, kInterior);
+    return points;
+}
+
+}  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh,
                              SearchFunction* find)
-    : triangles(mesh),
+    : filled(withNormalsAndTypes(input)),
+      points(filled ? *filled : input),
+      triangles(mesh),
       sides(sortedSides(mesh)),
       used(usedPoints(input.size(), mesh)),
       aside(input.setAside),
       piece(input.size()),
       pieceTriangles(input.size(), 0) {
-    points.position = input.position;
-    points.normal = input.normal;
-    points.type = input.type;
-    const std::vector<Fitness> fitness = fitnessOf(points.position, points.normal);
+    const std::vector<Fitness> fitness = fitnessOf(input.position, input.normal);
     aside.resize(input.size(), false);
     for (std::size_t p = 0; p < input.size(); ++p)
         aside[p] = aside[p] || fitness[p] != Fitness::Usable;
-    points.normal.resize(input.size(), Vec3(0.0));
-    points.type.resize(input.size(), kInterior);
-    search = find(points, mesh);
+    search = find(points, mesh, sides);
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
         const Vec3 d = points.position[side.high] - points.position[side.low];
@@ -98,33 +111,31 @@ void ofKind(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
     }
 }
 
+/// The corner of a triangle that is not on this side; the same point again if there is none.
+Index cornerOpposite(const Triangle& t, const TriangleSide& side) {
+    return t.a ^ t.b ^ t.c ^ side.low ^ side.high;
+}
+
+/// Triangles of the same points share all sides: those at the side of their two lowest points.
 void duplicates(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
-    struct Corners {
-        std::array<Index, 3> points;
-        Index triangle;
-    };
-    std::vector<Corners> all;
-    all.reserve(mesh.triangles.size());
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        Corners corners{{t.a, t.b, t.c}, static_cast<Index>(i)};
-        std::sort(corners.points.begin(), corners.points.end());
-        all.push_back(corners);
-    }
-    std::sort(all.begin(), all.end(), [](const Corners& x, const Corners& y) {
-        return std::tie(x.points, x.triangle) < std::tie(y.points, y.triangle);
-    });
-    for (std::size_t i = 0; i < all.size();) {
-        std::size_t end = i + 1;
-        std::vector<Index> same{all[i].triangle};
-        for (; end < all.size() && all[end].points == all[i].points; ++end)
-            same.push_back(all[end].triangle);
-        if (same.size() > 1) {
-            failures.push_back(
-                mesh.at({all[i].points.begin(), all[i].points.end()}, std::move(same)));
+    std::vector<std::pair<Index, Index>> at;  // highest corner and triangle
+    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+        if (edge.size() < 2) return;
+        at.clear();
+        for (const TriangleSide& side : edge) {
+            const Index highest = cornerOpposite(mesh.triangles[side.triangle], side);
+            if (highest >= side.high) at.emplace_back(highest, side.triangle);
         }
-        i = end;
-    }
+        std::sort(at.begin(), at.end());
+        at.erase(std::unique(at.begin(), at.end()), at.end());
+        for (std::size_t i = 0; i < at.size();) {
+            std::vector<Index> same;
+            const Index highest = at[i].first;
+            for (; i < at.size() && at[i].first == highest; ++i) same.push_back(at[i].second);
+            if (same.size() > 1)
+                failures.push_back(mesh.at({edge[0].low, edge[0].high, highest}, std::move(same)));
+        }
+    });
 }
 
 void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
@@ -266,6 +277,7 @@ MeshInspection inspected(const PointSet& points, std::span<const Triangle> trian
         found.totals.push_back(total);
     }
     found.work = mesh.search.work;
+    found.report = reportMesh(mesh.points, triangles, mesh.sides);
     return found;
 }
 

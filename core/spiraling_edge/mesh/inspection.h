@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/mesh/mesh_report.h"
 
 namespace se {
 
@@ -71,6 +71,7 @@ struct MeshInspection {
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::uint64_t work = 0;          ///< FaultSearch::work.
+    MeshReport report;
 };
 /// True if every failure is listed and the search was complete.
 bool isComplete(std::span<const ClassTotal> totals);

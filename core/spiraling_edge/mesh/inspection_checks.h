@@ -1,6 +1,8 @@
 /// The checks of inspection.h and their common input.
 #pragma once
 
+#include <optional>
+
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/inspection.h"
@@ -17,14 +19,18 @@ struct BoundaryLoop {
 };
 
 /// searchFaults() or searchLocalFaults().
-using SearchFunction = FaultSearch(const PointSet&, std::span<const Triangle>);
+using SearchFunction = FaultSearch(const PointSet&, std::span<const Triangle>,
+                                   std::span<const TriangleSide>);
 
-/// A mesh with values that several checks share. Normals and types are filled in with zeros where
-/// absent.
+/// A mesh with values that several checks share. Refers to its points and triangles, which must
+/// outlive it.
 struct InspectedMesh {
     InspectedMesh(const PointSet& input, std::span<const Triangle> mesh, SearchFunction* find);
+    InspectedMesh(const InspectedMesh&) = delete;
+    InspectedMesh& operator=(const InspectedMesh&) = delete;
 
-    PointSet points;  ///< Without lists.
+    std::optional<PointSet> filled;  ///< The points, if the input lacks normals or types: zeros.
+    const PointSet& points;          ///< With normals and types; lists may be absent.
     std::span<const Triangle> triangles;
     std::vector<TriangleSide> sides;
     FaultSearch search;

@@ -14,7 +14,7 @@ namespace se {
 namespace {
 
 /// Counts the edges by the number of their triangles, and the loops of the boundary.
-void countEdges(const std::vector<TriangleSide>& sides, std::size_t points, MeshReport& report) {
+void countEdges(std::span<const TriangleSide> sides, std::size_t points, MeshReport& report) {
     DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
@@ -46,6 +46,11 @@ void countShapes(const PointSet& points, std::span<const Triangle> triangles, Me
 }  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    return reportMesh(points, triangles, sortedSides(triangles));
+}
+
+MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles,
+                      std::span<const TriangleSide> sides) {
     assert(cornersBelow(triangles, points.size()));
     MeshReport report;
     report.points = points.size();
@@ -59,7 +64,6 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.usedPoints = countUsedPoints(points.size(), triangles);
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
-    const std::vector<TriangleSide> sides = sortedSides(triangles);
     countEdges(sides, points.size(), report);
     report.nonManifoldVertices = nonManifoldPoints(triangles, sides, points.size()).size();
     countShapes(points, triangles, report);

@@ -7,6 +7,8 @@
 
 namespace se {
 
+struct TriangleSide;  // sorted_sides.h
+
 /// Counts over a triangle mesh. "Edge" is a pair of points that some triangle joins.
 struct MeshReport {
     std::size_t points = 0;
@@ -32,7 +34,10 @@ struct MeshReport {
     }
 };
 
-/// Counts a mesh. Requires corners below points.size(). O(t log t) for t triangles.
+/// Counts a mesh. Requires corners below points.size(). About O(t) for t triangles.
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles);
+/// As above, with the sides of the triangles at hand.
+MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles,
+                      std::span<const TriangleSide> sides);
 
 }  // namespace se

@@ -45,7 +45,7 @@ std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles) {
 }
 
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
-                                     const std::vector<TriangleSide>& sides, std::size_t points) {
+                                     std::span<const TriangleSide> sides, std::size_t points) {
     // A corner is one triangle at one of its points; corners at a point are joined across edges.
     const auto cornerOf = [&](Index triangle, Index point) {
         const Triangle& t = triangles[triangle];

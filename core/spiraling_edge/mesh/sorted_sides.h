@@ -47,6 +47,6 @@ inline bool isInconsistent(std::span<const TriangleSide> edge) {
 /// Points whose triangles form more than one fan, ascending: they are not connected by edges at
 /// that point. `sides` are those of the triangles.
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
-                                     const std::vector<TriangleSide>& sides, std::size_t points);
+                                     std::span<const TriangleSide> sides, std::size_t points);
 
 }  // namespace se

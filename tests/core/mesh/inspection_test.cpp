@@ -182,6 +182,16 @@ TEST_CASE("inspection: the same three points twice, in either winding") {
     CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
     twice.back() = {2, 0, 4};
     CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
+    twice.push_back({4, 2, 0});
+    CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
+}
+
+TEST_CASE("inspection: triangles of two common points, or with a corner twice, are no duplicates") {
+    const PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
+    const Faces aroundEdge{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+    CHECK(countsOf(points, aroundEdge).count("duplicate_triangles") == 0);
+    for (const Triangle& t : {Triangle{0, 1, 1}, Triangle{0, 0, 1}, Triangle{1, 0, 1}})
+        CHECK(countsOf(points, {t}).count("duplicate_triangles") == 0);
 }
 
 TEST_CASE("inspection: triangles without area, and slivers") {

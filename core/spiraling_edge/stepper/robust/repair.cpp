@@ -107,15 +107,23 @@ void RepairState::moveTo(const RepairPlace& place) {
 }
 
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles) {
+    EdgeTable table(pointCount);
+    for (const Triangle& t : triangles) table.add(t);
+    return beginRepair(pointCount, triangles, table);
+}
+
+RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles,
+                        EdgeTable& table) {
     RepairState m;
     m.triangles = triangles;
     m.twin.resize(3 * triangles.size(), kNone);
     m.sideOf.resize(pointCount, kNone);
     m.pinched.resize(pointCount, 0);
-    EdgeTable table(pointCount);
+    m.queue.reserve(3 * triangles.size() / 2);
     std::vector<bool> crowded(3 * triangles.size(), false);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::array<Index, 3> c{triangles[i].a, triangles[i].b, triangles[i].c};
+        table.moveTo(i);  // The triangles before this one.
         for (Index k = 0; k < 3; ++k) {
             const auto h = static_cast<HalfEdge>(3 * i + k);
             const HalfEdge same = table.find(c[k], c[(k + 1) % 3]);
@@ -124,8 +132,8 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
             if (same != kNone) crowded[same] = crowded[h] = true;
             if (other != kNone && m.twin[other] == kNone) pair(m, h, other);
         }
-        table.add(triangles[i]);
     }
+    table.moveTo(triangles.size());
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         if (crowded[h] && m.twin[h] != kNone) {
             m.twin.set(m.twin[h], kNone);
@@ -142,7 +150,9 @@ void beginRepairPhases(StepContext& context) {
     s.phase = Phase::Finished;
     s.pivotTriangles = 0;
     if (s.triangles.empty() || s.capped() || !enterFrom(context, 0)) return;
-    s.repair = beginRepair(context.points.size(), s.triangles);
+    const std::size_t count = context.points.size();
+    s.repair = s.edges.empty() ? beginRepair(count, s.triangles)
+                               : beginRepair(count, s.triangles, s.edges);
 }
 
 void phaseReinsert(AnyContext auto& context) {
