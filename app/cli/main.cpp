@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/freed_memory.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
     const auto say = [](const char* message) {
         std::fprintf(stderr, "spiraling-edge: %s\n", message);
     };
+    se::returnFreedMemory();
     se::removeUnfinishedFilesAtSignals();
     ExitCode code = ExitCode::Internal;
     try {

@@ -12,6 +12,7 @@
 #include "panel_state/settings.h"
 #include "scene/picking.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/freed_memory.h"
 #include "window.h"
 
 namespace {
@@ -199,6 +200,7 @@ int runWindow(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    se::returnFreedMemory();
     se::removeUnfinishedFilesAtSignals();
     try {
         ParsedOptions parsed = parseOptions(argc, argv);

@@ -53,6 +53,7 @@ class JournaledList {
         if (journal_) write({static_cast<std::uint32_t>(i), elements_[i]});
         elements_[i] = element;
     }
+    void reserve(std::size_t size) { elements_.reserve(size); }
     void push_back(const T& element) {  // NOLINT(readability-identifier-naming)
         if (journal_) write({kAppended, {}});
         elements_.push_back(element);
