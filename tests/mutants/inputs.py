@@ -175,8 +175,8 @@ TABLE = {
          "const bool isApart = MUT || distance_[i] > 0.0;"),
         ("group.vanishing-distance", "if (distance_[i] == 0.0 && blocks_", "if (!MUT && distance_[i] == 0.0 && blocks_"),
         ("group.no-retry",
-         "if (!rule_.all && accepts_ < rule_.length) return false;",
-         "if (!rule_.all && accepts_ + (MUT ? 1 : 0) < rule_.length) return false;"),
+         "if (!rule_.all && acceptedCount_ < rule_.length) return false;",
+         "if (!rule_.all && acceptedCount_ + (MUT ? 1 : 0) < rule_.length) return false;"),
         ("group.most-examined", "count > rule_.examined + 1) return false;", "count > rule_.examined + 1 && !MUT) return false;"),
     ],
     "prepare/rank_sort.h": [

@@ -229,10 +229,15 @@ bool mayConflict(const Box& a, const Box& b) {
     return a.grown(mostReachIn(a) + mostReachIn(b)).meets(b);
 }
 
+namespace {
+
+/// True if two triangles are not in conflict by their boxes alone.
 bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
     const Box box = boxOf(points, b);
     return !a.box.grown(a.shape.reach + mostReachIn(box)).meets(box);
 }
+
+}  // namespace
 
 bool conflict(const PointSet& points, const ShapedTriangle& a, const Triangle& b) {
     if (areApart(points, a, b)) return false;

@@ -41,8 +41,6 @@ struct ShapedTriangle {
 };
 /// False only if the boxes alone show that no triangles in them are in conflict.
 bool mayConflict(const Box& a, const Box& b);
-/// True if two triangles are not in conflict by their boxes alone.
-bool areApart(const PointSet& points, const ShapedTriangle& a, const Triangle& b);
 /// conflict() for triangles whose boxes meet if one is grown by the sum of their reaches.
 bool conflictInReach(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b);
 /// True if two triangles share more than their common corners, or one is a second layer of the

@@ -19,7 +19,7 @@ constexpr double kReachFactor = 2.0;
 constexpr double kTooFarFactor = 8.0;
 /// A group has not more blocks near it than these and one for each entry of a list. Where points
 /// are dense beside sparse ones, more lie within the reach of the sparse.
-constexpr std::size_t kCrowd = 256;
+constexpr std::size_t kMaxNearBlocks = 256;
 
 double clamped(double x, double low, double high) {
     const double above = x < low ? low : x;
@@ -54,16 +54,16 @@ bool GroupSearch::collect(const Box& box) {
             boxes.high[axis][i] = node.box.high[component];
         }
         boxes.block[i] = node.first;
-        return rule_.all || count <= kCrowd + rule_.length;
+        return rule_.all || count <= kMaxNearBlocks + rule_.length;
     });
     if (!few) near_.clear();
     reach_ = few ? squaredReach : 0.0;
-    const std::size_t most = near_.size() * kBoxes;
-    if (hit_.size() < most) {
-        hit_.resize(most);
-        distance_.resize(most * kBlock);
-        slot_.resize(most * kBlock);
-        accepted_.resize(most * kBlock);
+    const std::size_t capacity = near_.size() * kBoxes;
+    if (hit_.size() < capacity) {
+        hit_.resize(capacity);
+        distance_.resize(capacity * kBlock);
+        slot_.resize(capacity * kBlock);
+        accepted_.resize(capacity * kBlock);
     }
     return few;
 }
@@ -119,7 +119,7 @@ bool GroupSearch::accept(std::size_t slot, std::size_t count) {
         const bool opposes = !normal_.empty() && normalsOppose(normal_[slot], normal_[slot_[i]]);
         accepts += isApart && !opposes ? 1 : 0;
     }
-    accepts_ = accepts;
+    acceptedCount_ = accepts;
     if (apart + 1 == count) return true;  // but for the point itself
     const Vec3 place = blocks_.position(slot);
     for (std::size_t i = 0; i < count; ++i) {
@@ -130,15 +130,15 @@ bool GroupSearch::accept(std::size_t slot, std::size_t count) {
 
 /// The accepted points in the order of lists, as many as are listed.
 std::span<const Neighbor> GroupSearch::sortAccepted(double bound) {
-    const std::size_t length = rule_.all ? accepts_ : rule_.length;
-    if (accepts_ <= kMaxRanked) {
-        rankSort({accepted_.data(), accepts_}, bound, ranked_.data());
+    const std::size_t length = rule_.all ? acceptedCount_ : rule_.length;
+    if (acceptedCount_ <= kMaxRanked) {
+        rankSort({accepted_.data(), acceptedCount_}, bound, ranked_.data());
         return {ranked_.data(), length};
     }
     const auto at = [this](std::size_t i) {
         return accepted_.begin() + static_cast<std::ptrdiff_t>(i);
     };
-    std::nth_element(at(0), at(length), at(accepts_));
+    std::nth_element(at(0), at(length), at(acceptedCount_));
     std::sort(at(0), at(length));
     return {accepted_.data(), length};
 }
@@ -149,7 +149,7 @@ bool GroupSearch::listWithin(std::size_t slot, double bound, std::vector<Index>&
     // More points than are examined, besides the point itself.
     if (!rule_.all && !normal_.empty() && count > rule_.examined + 1) return false;
     if (!accept(slot, count)) return false;
-    if (!rule_.all && accepts_ < rule_.length) return false;
+    if (!rule_.all && acceptedCount_ < rule_.length) return false;
     const std::span<const Neighbor> list = sortAccepted(bound);
     for (const Neighbor& neighbor : list) ids.push_back(neighbor.id);
     if (!rule_.all) last_ = list.back().distanceSquared;

@@ -58,7 +58,7 @@ class GroupSearch {
     std::vector<double> distance_;
     std::vector<std::uint32_t> slot_;
     std::vector<Neighbor> accepted_;
-    std::size_t accepts_ = 0;
+    std::size_t acceptedCount_ = 0;
     std::array<Neighbor, kMaxRanked> ranked_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 /// Choice: where many normals around a point oppose its own, as around a flipped normal, only this
 /// many of the nearest points are examined. Without a bound such a point searches the whole set in
 /// vain, and some percent of flipped normals make the search quadratic.
-std::size_t mostExamined(std::size_t k) { return 8 * k + 64; }
+std::size_t maxExamined(std::size_t k) { return 8 * k + 64; }
 /// Number of groups that are searched as one range, of 32 to 64 points each.
 constexpr std::size_t kPerRange = 16;
 /// Least number of ranges per thread.
@@ -33,7 +33,7 @@ ListRule ruleOf(const NeighborOptions& options, std::size_t others) {
         rule.squaredReach = std::min(rule.squaredReach, reach->radius * reach->radius);
     } else {
         rule.length = std::min(std::get<KNearest>(options.reach).k, others);
-        rule.examined = mostExamined(rule.length);
+        rule.examined = maxExamined(rule.length);
     }
     return rule;
 }

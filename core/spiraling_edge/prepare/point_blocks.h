@@ -101,7 +101,7 @@ class PointBlocks {
         return true;
     }
 
-    /// Room for the nodes that wait during a search: one for each halving of 2^32 points.
+    /// Room for the nodes that wait during a search: more than halvings of 2^32 points.
     static constexpr std::size_t kMaxOpen = 40;
 
   private:

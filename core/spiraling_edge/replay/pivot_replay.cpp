@@ -12,8 +12,6 @@ namespace se {
 
 namespace {
 
-bool isRejection(Verdict verdict) { return rowOf(verdict).outcome == Outcome::Refused; }
-
 /// Applies events to a state, one after the other.
 class EventReplay {
   public:
@@ -99,7 +97,8 @@ class EventReplay {
         if (degrees) found->degrees = *degrees;
         found->verdict = verdict;
         found->stage = stage_;
-        found->state = isRejection(verdict) ? CandidateState::Rejected : CandidateState::Kept;
+        found->state = rowOf(verdict).outcome == Outcome::Refused ? CandidateState::Rejected
+                                                                  : CandidateState::Kept;
     }
 
     DecisionState& state_;

@@ -114,22 +114,14 @@ Index testedPoint(const Event& event) {
 
 Index subjectOf(const Event& event) {
     return std::visit(Overloaded{
-                          [](const SeedEvidence& e) { return e.second; },
-                          [](const InsertEvidence& e) { return e.third; },
-                          [](const LimitEvidence& e) { return e.to; },
-                          [](const SphereEvidence& e) { return e.q; },
                           [](const PivotEvidence& e) { return e.pivot; },
                           [](const SkipEvidence& e) { return e.pivot; },
                           [](const AdvanceEvidence& e) { return e.to; },
-                          [](const GuardEvidence& e) { return e.dropped; },
                           [](const FillEvidence& e) { return e.pivot; },
                           [](const FlipEvidence& e) { return e.x; },
                           [](const CloseHoleEvidence& e) { return e.first; },
                           [](const RemeshEvidence& e) { return e.faulty.a; },
-                          [](const auto& e) {
-                              if constexpr (requires { e.point; }) return e.point;
-                              return kNone;
-                          },
+                          [&](const auto&) { return testedPoint(event); },
                       },
                       event.evidence);
 }
