@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <queue>
 
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
@@ -113,15 +114,17 @@ Vec3 planeNormal(Matrix m) {
 }  // namespace
 
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
-                                          const NeighborLists& neighbors,
+                                          const NeighborLists& neighbors, unsigned threads,
                                           const Progress& progress) {
+    constexpr std::size_t kPlanesPerThread = 1024;
     std::vector<Vec3> normal(position.size(), Vec3(0.0));
-    Ticks ticks(position.size(), progress);
-    for (Index p = 0; p < position.size(); ++p) {
-        if (!ticks.next()) return cancelled();
+    const auto estimate = [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
         const auto list = neighbors[p];
         if (list.size() >= 2) normal[p] = planeNormal(scatter(position, p, list));
-    }
+    };
+    if (!forEachWithProgress(normal.size(), threads, kPlanesPerThread, progress, estimate))
+        return cancelled();
     return normal;
 }
 

@@ -14,10 +14,10 @@ namespace se {
 /// Unit normals of the planes nearest to each point and its listed neighbors (principal components
 /// of their positions; Hoppe et al. 1992, section 3.1), on either side. Zero where no plane fits
 /// best: fewer than two neighbors, or all collinear. `neighbors` has a list per position; those of
-/// points to leave out are empty, and no list holds these points. Deterministic. Fails if
-/// `progress` cancels.
+/// points to leave out are empty, and no list holds these points. Deterministic. `threads` as in
+/// NeighborOptions; the result is the same for any. Fails if `progress` cancels.
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
-                                          const NeighborLists& neighbors,
+                                          const NeighborLists& neighbors, unsigned threads = 0,
                                           const Progress& progress = {});
 
 /// The result of orientNormals().

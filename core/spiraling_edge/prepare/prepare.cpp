@@ -120,8 +120,8 @@ class Preparation {
         if (!lists) return lists.error();
         DerivedPieces& derived = report_.derived;
         if (derivesNormals()) {
-            Result<std::vector<Vec3>> normals =
-                estimateNormals(set_.position, lists.value(), upTo(kPlanesDone));
+            Result<std::vector<Vec3>> normals = estimateNormals(
+                set_.position, lists.value(), options_.neighbors.threads, upTo(kPlanesDone));
             if (!normals) return normals.error();
             set_.normal = std::move(normals.value());
             setAsidePlaneless();

@@ -92,6 +92,26 @@ TEST_CASE("normals: points without neighbors, or all in line, have none") {
     CHECK(estimated({}, NeighborLists{}).empty());
 }
 
+TEST_CASE("normals: they are the same for any number of threads") {
+    const PointFile file = closedFamilies(20.0)[0].sample(1);
+    const NeighborLists lists = nearest(file.position);
+    const std::vector<Vec3> one = estimateNormals(file.position, lists, 1).value();
+    for (const unsigned threads : {0U, 2U, 3U}) {
+        CHECK(estimateNormals(file.position, lists, threads).value() == one);
+    }
+}
+
+TEST_CASE("normals: cancelled work is an error, on any number of threads") {
+    const PointFile file = closedFamilies(20.0)[0].sample(1);
+    const NeighborLists lists = nearest(file.position);
+    for (const unsigned threads : {1U, 3U}) {
+        const auto normals = estimateNormals(file.position, lists, threads,
+                                             [](double share) { return share < 0.5; });
+        REQUIRE_FALSE(normals.ok());
+        CHECK(normals.error().message == "the work on normals was cancelled");
+    }
+}
+
 TEST_CASE("orientation: normals of closed surfaces point outward, in each component") {
     for (const Family& family : closedFamilies(1.0)) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
