@@ -52,8 +52,17 @@ inline std::vector<Family> closedFamilies(double scale = 1.0) {
             {"genus 2", 1, -2, closed(doubleTorus(), 28.1, 1000)}};
 }
 
+/// Scale of closedFamilies() at which no point has its neighbors on another tube.
+inline constexpr double kTubesApart = 3.0;
+
 inline NeighborOptions reach(std::size_t k, bool dropOpposing = true) {
     return {KNearest{k}, dropOpposing};
+}
+
+/// The k nearest of each point, regardless of normals.
+inline NeighborLists nearestLists(const std::vector<Vec3>& position, std::size_t k = 12) {
+    const std::vector<bool> usable(position.size(), true);
+    return findNeighbors(position, {}, usable, reach(k, false)).value();
 }
 
 /// The points prepared for the stepper; empty if they cannot be.

@@ -12,6 +12,7 @@
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/noise.h"
 #include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/orientation.h"
 #include "spiraling_edge/prepare/rim.h"
 
 namespace se {
