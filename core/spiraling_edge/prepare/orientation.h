@@ -15,7 +15,7 @@ namespace se {
 struct OrientationReport {
     std::size_t turned = 0;      ///< Normals that changed sides.
     std::size_t components = 0;  ///< Parts without a list entry from one to another.
-    /// Steps of the tree with nearly perpendicular normals (|cosine| < 0.1): creases, thin parts.
+    /// Edges of the trees with nearly perpendicular normals (|cosine| < 0.1): creases, thin parts.
     /// The likeliest places of errors.
     std::size_t doubtful = 0;
 };
@@ -27,9 +27,10 @@ struct OrientationReport {
 /// turns whole patches (docs/choices.md). The first point is the one farthest out along the axis
 /// that its normal follows best; its normal points outward, and so do all normals of a closed
 /// surface. Lists need not be symmetric. Points with a zero normal are left out. Deterministic:
-/// ties by index. Fails if `progress` cancels, with some normals turned and others not.
+/// ties by index. `threads` as in NeighborOptions; the result is the same for any. Fails if
+/// `progress` cancels; then no normal has been turned.
 Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
-                                        const Progress& progress = {});
+                                        unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace se

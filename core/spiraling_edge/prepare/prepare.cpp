@@ -130,7 +130,8 @@ class Preparation {
             derived.normalSeconds = watch.lap();
         }
         const Result<OrientationReport> oriented =
-            orientNormals(set_.position, lists.value(), set_.normal, upTo(kNormalsDone));
+            orientNormals(set_.position, lists.value(), set_.normal, options_.neighbors.threads,
+                          upTo(kNormalsDone));
         if (!oriented) return oriented.error();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;

@@ -37,6 +37,68 @@ std::size_t against(const std::vector<Vec3>& normal, const std::vector<Vec3>& tr
     return count;
 }
 
+/// The cosine that decides, as documented: of the normal of q and that of p mirrored.
+double mirroredCosine(std::span<const Vec3> position, const std::vector<Vec3>& normal, Index p,
+                      Index q) {
+    const Vec3 d = position[q] - position[p];
+    if (d == Vec3(0.0)) return glm::dot(normal[p], normal[q]);
+    const Vec3 unit = glm::normalize(d);
+    return glm::dot(normal[p] - 2.0 * glm::dot(normal[p], unit) * unit, normal[q]);
+}
+
+/// A minimum spanning forest by Kruskal's algorithm.
+std::vector<std::vector<Index>> kruskal(std::span<const Vec3> position, const NeighborLists& lists,
+                                        const std::vector<Vec3>& normal) {
+    struct Edge {
+        double weight;
+        Index p, q;
+    };
+    std::vector<Edge> edges;
+    for (Index p = 0; p < lists.size(); ++p) {
+        for (const Index q : lists[p]) {
+            if (normal[p] == Vec3(0.0) || normal[q] == Vec3(0.0)) continue;
+            edges.push_back({-std::abs(mirroredCosine(position, normal, p, q)), p, q});
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return a.weight < b.weight; });
+    std::vector<Index> part(lists.size());
+    for (Index p = 0; p < lists.size(); ++p) part[p] = p;
+    std::vector<std::vector<Index>> tree(lists.size());
+    for (const Edge& edge : edges) {
+        const Index from = part[edge.p];
+        const Index to = part[edge.q];
+        if (from == to) continue;
+        std::replace(part.begin(), part.end(), from, to);
+        tree[edge.p].push_back(edge.q);
+        tree[edge.q].push_back(edge.p);
+    }
+    return tree;
+}
+
+/// Points at random with normals and lists at random, a few without a normal: every edge of the
+/// forest decides about a side.
+struct RandomSides {
+    std::vector<Vec3> position, normal;
+    NeighborLists lists;
+};
+RandomSides randomSides(std::size_t count, std::size_t longest, std::uint64_t seed) {
+    Random random(seed);
+    RandomSides made;
+    std::vector<Index> list;
+    for (std::size_t p = 0; p < count; ++p) {
+        made.position.push_back(random.inCube());
+        made.normal.push_back(random.below(20) == 0 ? Vec3(0.0) : random.direction());
+        list.clear();
+        for (std::size_t i = random.below(longest + 1); i > 0; --i) {
+            const auto q = static_cast<Index>(random.below(count));
+            if (q != p) list.push_back(q);
+        }
+        made.lists.append(list);
+    }
+    return made;
+}
+
 }  // namespace
 
 TEST_CASE("orientation: normals of closed surfaces point outward, in each component") {
@@ -123,4 +185,116 @@ TEST_CASE("orientation: components are counted, and zero normals stay zero") {
     CHECK(normal[7] == Vec3(0.0));
     normal[7] = truth[7];
     CHECK(against(normal, truth) == 0);
+}
+
+TEST_CASE("orientation: sides agree along each edge of Kruskal's minimum spanning forest") {
+    std::size_t edges = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        RandomSides sides = randomSides(5 * seed, 1 + seed % 5, seed);
+        const auto tree = kruskal(sides.position, sides.lists, sides.normal);
+        const std::vector<Vec3> before = sides.normal;
+        const auto report = oriented(sides.position, sides.lists, sides.normal);
+        std::size_t ends = 0;
+        std::size_t doubtful = 0;
+        std::size_t turned = 0;
+        std::size_t normals = 0;
+        for (Index p = 0; p < tree.size(); ++p) {
+            turned += sides.normal[p] != before[p] ? 1U : 0U;
+            normals += before[p] != Vec3(0.0) ? 1U : 0U;
+            ends += tree[p].size();
+            for (const Index q : tree[p]) {
+                const double cosine = mirroredCosine(sides.position, sides.normal, p, q);
+                CHECK(cosine > 0.0);
+                doubtful += cosine < 0.1 ? 1U : 0U;
+            }
+        }
+        CHECK(report.doubtful == doubtful / 2);
+        CHECK(report.components == normals - ends / 2);
+        CHECK(report.turned == turned);
+        edges += ends / 2;
+    }
+    CHECK(edges > 5000);
+}
+
+TEST_CASE("orientation: it is the same for any number of threads") {
+    const RandomSides sides = randomSides(20000, 6, 1);
+    std::vector<Vec3> one = sides.normal;
+    const auto expected = orientNormals(sides.position, sides.lists, one, 1).value();
+    for (const unsigned threads : {0U, 2U, 3U, 8U}) {
+        std::vector<Vec3> normal = sides.normal;
+        const auto report = orientNormals(sides.position, sides.lists, normal, threads).value();
+        CHECK(normal == one);
+        CHECK(report.turned == expected.turned);
+        CHECK(report.components == expected.components);
+        CHECK(report.doubtful == expected.doubtful);
+    }
+}
+
+TEST_CASE("orientation: among equal weights, the edge of the lowest indices is taken") {
+    // On a lattice with two normals, edges have few different weights. The order of the lists must
+    // not matter.
+    std::vector<Vec3> position;
+    for (int i = 0; i < 30; ++i) {
+        for (int j = 0; j < 30; ++j) position.push_back({i, j, 0});
+    }
+    Random random(4);
+    std::vector<Vec3> normal;
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        normal.push_back(random.below(2) == 0 ? Vec3(0, 0, 1) : Vec3(0.0, 0.6, 0.8));
+    }
+    const NeighborLists lists = nearestLists(position, 8);
+    NeighborLists backward;
+    for (Index p = 0; p < lists.size(); ++p) {
+        const std::vector<Index> list(std::make_reverse_iterator(lists[p].end()),
+                                      std::make_reverse_iterator(lists[p].begin()));
+        backward.append(list);
+    }
+    std::vector<Vec3> other = normal;
+    const auto report = oriented(position, lists, normal);
+    CHECK(oriented(position, backward, other).turned == report.turned);
+    CHECK(normal == other);
+}
+
+TEST_CASE("orientation: a chain whose edges get ever cheaper takes no more than a moment") {
+    // Every point joins the next: in the first round, one component of a hundred thousand links.
+    constexpr int kCount = 100000;
+    std::vector<Vec3> position;
+    std::vector<Vec3> normal;
+    NeighborLists lists;
+    double angle = 0.0;
+    for (int i = 0; i < kCount; ++i) {
+        position.push_back({i, 0, 0});
+        normal.push_back({0, std::cos(angle), std::sin(angle)});
+        angle += 1.0 - 0.99 * i / kCount;
+        if (i + 1 < kCount) {
+            lists.append(std::vector<Index>{static_cast<Index>(i) + 1});
+        } else {
+            lists.append({});
+        }
+    }
+    const auto report = oriented(position, lists, normal);
+    CHECK(report.components == 1);
+    for (std::size_t p = 1; p < normal.size(); ++p) CHECK(glm::dot(normal[p - 1], normal[p]) > 0);
+}
+
+TEST_CASE("orientation: progress ascends, and cancelled work is an error and turns nothing") {
+    const RandomSides sides = randomSides(20000, 6, 2);
+    double last = 0.0;
+    std::vector<Vec3> normal = sides.normal;
+    const auto ascends = [&](double share) {
+        const bool on = share >= last && share <= 1.0;
+        last = share;
+        return on;
+    };
+    CHECK(orientNormals(sides.position, sides.lists, normal, 2, ascends).ok());
+    CHECK(last > 0.9);
+    for (const unsigned threads : {1U, 3U}) {
+        normal = sides.normal;
+        const auto result = orientNormals(sides.position, sides.lists, normal, threads,
+                                          [](double share) { return share < 0.6; });
+        REQUIRE_FALSE(result.ok());
+        CHECK(result.error().message == "the work on normals was cancelled");
+        CHECK(normal == sides.normal);
+    }
 }
