@@ -14,6 +14,7 @@
 #include "memory.h"
 #include "neighbors_bench.h"
 #include "shapes.h"
+#include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/replay/timeline.h"
@@ -135,18 +136,23 @@ void reconstructAtOnce(benchmark::State& bench, const std::string& name) {
 }
 
 /// Moves in a run that was seen once: to the previous pivot, or to any.
-void goBack(benchmark::State& bench, const std::string& name, bool anywhere) {
+void goBack(benchmark::State& bench, const std::string& name, const std::string& rules,
+            bool anywhere) {
     const PointSet& points = pointsOf(name);
     if (skipIfAbsent(bench, points)) return;
-    Timeline timeline(points, Params{});
+    Timeline timeline(points, *paramsByName(rules));
     timeline.seek(std::numeric_limits<std::uint32_t>::max());
     const std::uint32_t pivots = timeline.farthest();
     std::uint32_t place = pivots / 2;
+    double longest = 0.0;
     for (auto _ : bench) {
         place = anywhere ? (place * 7919U + 104729U) % pivots : std::max(1U, place) - 1;
+        StopWatch watch;
         timeline.seek(place);
+        longest = std::max(longest, watch.lap());
     }
     bench.counters["pivots"] = pivots;
+    bench.counters["ms_longest"] = 1e3 * longest;
     bench.counters["MB_keyframes"] = static_cast<double>(timeline.keyframeBytes()) / 1e6;
 }
 
@@ -196,11 +202,14 @@ void registerLarge(const std::string& name) {
     benchmark::RegisterBenchmark(("large/reconstruct/" + name).c_str(),
                                  [=](benchmark::State& bench) { reconstructAtOnce(bench, name); })
         ->Unit(benchmark::kMillisecond);
-    for (const bool anywhere : {false, true}) {
-        benchmark::RegisterBenchmark(
-            ("large/seek_" + std::string(anywhere ? "any/" : "previous/") + name).c_str(),
-            [=](benchmark::State& bench) { goBack(bench, name, anywhere); })
-            ->Unit(benchmark::kMillisecond);
+    for (const std::string rules : {"paper", "robust"}) {
+        for (const bool anywhere : {false, true}) {
+            const std::string title = "large/seek_" + std::string(anywhere ? "any" : "previous");
+            benchmark::RegisterBenchmark(
+                (title + "_" + rules + "/" + name).c_str(),
+                [=](benchmark::State& bench) { goBack(bench, name, rules, anywhere); })
+                ->Unit(benchmark::kMillisecond);
+        }
     }
 }
 
