@@ -217,9 +217,6 @@ TABLE = {
          "while (other == kNone || edgeOf(p) < edgeOf(other)) {",
          "while (other == kNone || (!MUT && edgeOf(p) < edgeOf(other))) {"),
         ("orientation.parity-lost", "link.opposed ^ above.opposed", "link.opposed ^ (MUT ? 0U : above.opposed)"),
-        ("orientation.one-way",
-         "for (const auto list : {lists_[p], listedBy_[p]}) {",
-         "for (const auto list : {lists_[p], MUT ? lists_[p] : listedBy_[p]}) {"),
     ],
     "prepare/noise.cpp": [
         ("noise.over-only",

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spiraling_edge/prepare/normals.h"
@@ -232,8 +233,8 @@ TEST_CASE("orientation: it is the same for any number of threads") {
 }
 
 TEST_CASE("orientation: among equal weights, the edge of the lowest indices is taken") {
-    // On a lattice with two normals, edges have few different weights. The order of the lists must
-    // not matter.
+    // On a lattice with three normals, edges have few different weights, and no sides agree along
+    // all of them. The order of the lists must not matter.
     std::vector<Vec3> position;
     for (int i = 0; i < 30; ++i) {
         for (int j = 0; j < 30; ++j) position.push_back({i, j, 0});
@@ -241,7 +242,8 @@ TEST_CASE("orientation: among equal weights, the edge of the lowest indices is t
     Random random(4);
     std::vector<Vec3> normal;
     for (std::size_t p = 0; p < position.size(); ++p) {
-        normal.push_back(random.below(2) == 0 ? Vec3(0, 0, 1) : Vec3(0.0, 0.6, 0.8));
+        const std::array<Vec3, 3> some{Vec3(0.6, 0.8, 0), Vec3(0, 0.6, 0.8), Vec3(0.8, 0, 0.6)};
+        normal.push_back(some[random.below(some.size())]);
     }
     const NeighborLists lists = nearestLists(position, 8);
     NeighborLists backward;
