@@ -33,14 +33,19 @@ class Workers {
     std::vector<std::future<void>> running_;
 };
 
+/// Number of threads that `threads` stands for. 0: as many as the machine has.
+inline unsigned threadCount(unsigned threads) {
+    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
 /// Calls work(from, to) for consecutive pieces of 0 .. count, one per thread. `threads` 0: as many
 /// as the machine has, but none for fewer than `least` items. Results are the same for any number
 /// if work on one item does not depend on another. An exception of `work` is rethrown once all
 /// threads have ended.
 template <typename Work>
 void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& work) {
-    const std::size_t asked = threads > 0 ? threads : std::thread::hardware_concurrency();
-    const std::size_t pieces = std::max<std::size_t>(1, std::min(asked, count / least));
+    const std::size_t pieces =
+        std::clamp<std::size_t>(count / least, 1, std::size_t{threadCount(threads)});
     Workers others;
     for (std::size_t i = 1; i < pieces; ++i) {
         others.start(
@@ -48,6 +53,14 @@ void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& wo
     }
     work(std::size_t{0}, count / pieces);
     others.join();
+}
+
+/// As forRanges(), but calls work(i) for each item.
+template <typename Work>
+void forEachItem(std::size_t count, unsigned threads, std::size_t least, Work&& work) {
+    forRanges(count, threads, least, [&work](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) work(i);
+    });
 }
 
 /// As forRanges(), but calls work(i) for each item, and `progress` at intervals from the caller's

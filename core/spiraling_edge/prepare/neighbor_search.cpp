@@ -82,7 +82,9 @@ class NeighborSearch {
   public:
     NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
                    const std::vector<bool>& usable, const NeighborOptions& options)
-        : total_(position.size()), threads_(options.threads), blocks_(position, usable) {
+        : total_(position.size()),
+          threads_(options.threads),
+          blocks_(position, usable, options.threads) {
         if (blocks_.size() < 2) return;  // no neighbors
         if (!normal.empty()) {
             normal_.reserve(blocks_.size());
@@ -122,10 +124,12 @@ class NeighborSearch {
     NeighborLists inOrderOfIndex(std::size_t entries) const {
         NeighborLists lists;
         lists.offset.assign(total_ + 1, 0);
-        for (const RangeSearch& range : ranges_) range.writeLengths(lists.offset);
+        forEachItem(ranges_.size(), threads_, kRangesPerThread,
+                    [&](std::size_t i) { ranges_[i].writeLengths(lists.offset); });
         std::partial_sum(lists.offset.begin(), lists.offset.end(), lists.offset.begin());
         lists.ids.resize(entries);
-        for (const RangeSearch& range : ranges_) range.writeLists(lists);
+        forEachItem(ranges_.size(), threads_, kRangesPerThread,
+                    [&](std::size_t i) { ranges_[i].writeLists(lists); });
         return lists;
     }
 

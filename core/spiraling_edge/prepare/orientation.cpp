@@ -154,9 +154,7 @@ class Orientation {
 
     template <typename Work>
     void forEach(std::size_t count, Work&& work) const {
-        forRanges(count, threads_, kOrientedPerThread, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = from; i < to; ++i) work(i);
-        });
+        forEachItem(count, threads_, kOrientedPerThread, work);
     }
 
     /// Finds the cheapest edge that leaves each component. False if cancelled.

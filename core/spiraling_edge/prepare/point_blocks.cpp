@@ -3,37 +3,57 @@
 #include <algorithm>
 #include <limits>
 
+#include "spiraling_edge/base/parallel.h"
+
 namespace se {
 
-PointBlocks::PointBlocks(std::span<const Vec3> position, const std::vector<bool>& usable) {
+namespace {
+
+/// Least number of points per thread.
+constexpr std::size_t kPointsPerThread = 4096;
+
+std::size_t blocksOf(std::size_t points) {
+    return (points + PointBlocks::kBlock - 1) / PointBlocks::kBlock;
+}
+
+}  // namespace
+
+PointBlocks::PointBlocks(std::span<const Vec3> position, const std::vector<bool>& usable,
+                         unsigned threads) {
     std::vector<Item> items;
     items.reserve(position.size());
     for (Index p = 0; p < position.size(); ++p) {
         if (usable[p]) items.push_back({{position[p].x, position[p].y, position[p].z}, p});
     }
-    const std::size_t blocks = (items.size() + kBlock - 1) / kBlock;
-    node_.reserve(2 * blocks);
-    if (!items.empty()) divide(items, 0);
+    node_.resize(items.empty() ? 0 : nodesOf(blocksOf(items.size())));
+    if (!items.empty()) divide(items, 0, 0, threadCount(threads));
+    fillBlocks(items, threads);
+}
+
+void PointBlocks::fillBlocks(std::span<const Item> items, unsigned threads) {
     PerPoint far;
     far.fill(std::numeric_limits<double>::infinity());
-    block_.assign(blocks, {far, far, far});
-    id_.reserve(items.size());
-    for (std::size_t slot = 0; slot < items.size(); ++slot) {
+    block_.assign(blocksOf(items.size()), {far, far, far});
+    id_.resize(items.size());
+    forEachItem(items.size(), threads, kPointsPerThread, [&](std::size_t slot) {
         Block& block = block_[slot / kBlock];
         const Item& item = items[slot];
         block.x[slot % kBlock] = item.at[0];
         block.y[slot % kBlock] = item.at[1];
         block.z[slot % kBlock] = item.at[2];
-        id_.push_back(static_cast<Index>(item.id));
-    }
+        id_[slot] = static_cast<Index>(item.id);
+    });
 }
 
-void PointBlocks::divide(std::span<Item> items, std::uint32_t first) {
+/// Makes the node of this number and those below it, from items in slots from block `first` on. The
+/// halves know their numbers beforehand, so that each is made by half of the threads.
+void PointBlocks::divide(std::span<Item> items, std::size_t number, std::uint32_t first,
+                         unsigned threads) {
     const auto place = [](const Item& item) { return Vec3(item.at[0], item.at[1], item.at[2]); };
     Box box(place(items[0]));
     for (const Item& item : items) box.add(place(item));
-    const std::size_t blocks = (items.size() + kBlock - 1) / kBlock;
-    node_.push_back({box, first, static_cast<std::uint32_t>(blocks)});
+    const std::size_t blocks = blocksOf(items.size());
+    node_[number] = {box, first, static_cast<std::uint32_t>(blocks)};
     if (blocks == 1) return;
     // Halves, since the difference of the largest numbers would overflow.
     const Vec3 side = box.high * 0.5 - box.low * 0.5;
@@ -41,8 +61,17 @@ void PointBlocks::divide(std::span<Item> items, std::uint32_t first) {
         side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
     const std::size_t middle = blocks / 2 * kBlock;
     select(items, middle, axis);
-    divide(items.first(middle), first);
-    divide(items.subspan(middle), first + static_cast<std::uint32_t>(blocks / 2));
+    const bool apart = threads > 1 && items.size() >= 2 * kPointsPerThread;
+    const unsigned others = apart ? threads / 2 : 1;
+    const auto right = [&, others] {
+        divide(items.subspan(middle), number + nodesOf(blocks / 2) + 1,
+               first + static_cast<std::uint32_t>(blocks / 2), others);
+    };
+    Workers worker;
+    if (apart) worker.start(right);
+    divide(items.first(middle), number + 1, first, apart ? threads - others : 1);
+    if (!apart) right();
+    worker.join();
 }
 
 /// Puts the items that are first along the axis before `middle`, as std::nth_element does. That one

@@ -35,16 +35,18 @@ class PointBlocks {
     };
     /// Consecutive blocks, and the box around their points.
     struct Node {
-        Box box;
-        std::uint32_t first;
-        std::uint32_t blocks;
+        Box box{Vec3(0.0)};
+        std::uint32_t first = 0;
+        std::uint32_t blocks = 0;
 
         bool isBlock() const { return blocks == 1; }
         std::size_t firstSlot() const { return std::size_t{first} * kBlock; }
     };
 
-    /// The points with usable[p] true, whose positions must be finite. O(n log n).
-    PointBlocks(std::span<const Vec3> position, const std::vector<bool>& usable);
+    /// The points with usable[p] true, whose positions must be finite. O(n log n). `threads` as in
+    /// NeighborOptions; the tree is the same for any.
+    PointBlocks(std::span<const Vec3> position, const std::vector<bool>& usable,
+                unsigned threads = 0);
 
     /// Number of points.
     std::size_t size() const { return id_.size(); }
@@ -116,7 +118,8 @@ class PointBlocks {
         return static_cast<std::size_t>(&node - node_.data());
     }
     static void select(std::span<Item> items, std::size_t middle, std::size_t axis);
-    void divide(std::span<Item> items, std::uint32_t first);
+    void divide(std::span<Item> items, std::size_t number, std::uint32_t first, unsigned threads);
+    void fillBlocks(std::span<const Item> items, unsigned threads);
 
     std::vector<Block> block_;
     std::vector<Node> node_;

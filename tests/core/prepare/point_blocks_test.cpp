@@ -56,6 +56,20 @@ TEST_CASE("PointBlocks: every usable point has one slot, and boxes are tight") {
     }
 }
 
+TEST_CASE("PointBlocks: order and boxes are the same for any number of threads") {
+    const OraclePoints points = makeRandom(50000);
+    const PointBlocks one(points.position, points.usable, 1);
+    for (const unsigned threads : {0U, 2U, 3U, 7U}) {
+        const PointBlocks blocks(points.position, points.usable, threads);
+        REQUIRE(blocks.size() == one.size());
+        bool same = true;
+        for (std::size_t slot = 0; slot < one.size(); ++slot)
+            same = same && blocks.id(slot) == one.id(slot);
+        CHECK(same);
+        checkNode(blocks, blocks.root());
+    }
+}
+
 TEST_CASE("PointBlocks: the halves of a node are apart along its longest side") {
     const OraclePoints points = makeRandom(5000);
     const PointBlocks blocks(points.position, points.usable);
