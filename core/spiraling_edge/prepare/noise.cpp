@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "spiraling_edge/base/parallel.h"
+
 namespace se {
 namespace {
 
@@ -17,6 +19,9 @@ constexpr double kApartSpacings = 2.0;
 constexpr double kReach = 6.0;
 /// Number of neighbors: farther ones lie higher wherever the surface bends.
 constexpr std::size_t kNearest = 12;
+
+/// Least number of points per thread.
+constexpr std::size_t kPatchesPerThread = 2048;
 
 NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
                    std::span<const Index> list, Index p) {
@@ -39,25 +44,31 @@ NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
     return patch;
 }
 
+/// Root mean square of the heights of a list over the tangent plane of p, in spacings.
+double heightInSpacings(std::span<const Vec3> position, const Vec3& normal,
+                        std::span<const Index> list, Index p) {
+    double squares = 0.0;
+    for (const Index x : list) {
+        const double height = glm::dot(position[x] - position[p], normal);
+        squares += height * height;
+    }
+    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
+    const Vec3 spacing = position[sixth] - position[p];
+    return std::sqrt(squares / static_cast<double>(list.size())) / glm::length(spacing);
+}
+
 }  // namespace
 
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
-                         const NeighborLists& neighbors) {
-    std::vector<double> ratios;
-    ratios.reserve(position.size());
-    for (Index p = 0; p < position.size(); ++p) {
+                         const NeighborLists& neighbors, unsigned threads) {
+    constexpr double kNoList = -1.0;
+    std::vector<double> ratios(position.size(), kNoList);
+    forEachItem(position.size(), threads, kPatchesPerThread, [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
         const auto list = neighbors[p].first(std::min(kNearest, neighbors[p].size()));
-        if (list.empty()) continue;
-        double squares = 0.0;
-        for (const Index x : list) {
-            const double height = glm::dot(position[x] - position[p], normal[p]);
-            squares += height * height;
-        }
-        const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
-        const Vec3 spacing = position[sixth] - position[p];
-        ratios.push_back(std::sqrt(squares / static_cast<double>(list.size())) /
-                         glm::length(spacing));
-    }
+        if (!list.empty()) ratios[i] = heightInSpacings(position, normal[p], list, p);
+    });
+    std::erase(ratios, kNoList);
     if (ratios.empty()) return 0.0;
     const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
     std::nth_element(ratios.begin(), middle, ratios.end());
@@ -65,11 +76,13 @@ double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> n
 }
 
 std::vector<NoisePatch> noisePatches(std::span<const Vec3> position, std::span<const Vec3> normal,
-                                     const NeighborLists& lists, const std::vector<bool>& usable) {
+                                     const NeighborLists& lists, const std::vector<bool>& usable,
+                                     unsigned threads) {
     std::vector<NoisePatch> patches(position.size());
-    for (Index p = 0; p < position.size(); ++p) {
+    forEachItem(position.size(), threads, kPatchesPerThread, [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
         if (usable[p]) patches[p] = patchOf(position, normal, lists[p], p);
-    }
+    });
     return patches;
 }
 

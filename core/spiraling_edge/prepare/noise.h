@@ -15,8 +15,9 @@ namespace se {
 /// list, and the median of those over all points with a list. Smooth surfaces have less than 0.35
 /// even where they bend between one point and the next; at 0.45 triangles slope by 30 degrees and
 /// more, and no order of the points determines where the surface runs. 0 if no point has a list.
+/// `threads` as in NeighborOptions; the result is the same for any.
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
-                         const NeighborLists& neighbors);
+                         const NeighborLists& neighbors, unsigned threads = 0);
 
 /// Noise above which points count as noisy.
 inline constexpr double kNoisy = 0.45;
@@ -30,9 +31,11 @@ struct NoisePatch {
     double width = 0.0;   ///< Root mean square of the heights over the mean place, along it.
     double height = 0.0;  ///< Height of the point itself, without sign.
 };
-/// One per position; those of points with usable[p] false stay empty.
+/// One per position; those of points with usable[p] false stay empty. `threads` as in
+/// NeighborOptions; the result is the same for any.
 std::vector<NoisePatch> noisePatches(std::span<const Vec3> position, std::span<const Vec3> normal,
-                                     const NeighborLists& lists, const std::vector<bool>& usable);
+                                     const NeighborLists& lists, const std::vector<bool>& usable,
+                                     unsigned threads = 0);
 
 /// Chooses points near the middle of the noise, as far apart as it is wide: those nearest to the
 /// middle choose first, and each that is chosen sets aside those of its list that lie over or under

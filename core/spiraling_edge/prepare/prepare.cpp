@@ -188,7 +188,8 @@ class Preparation {
     /// stay.
     Result<NeighborLists> withoutNoise(Result<NeighborLists> all) {
         const auto noiseOf = [&](const Result<NeighborLists>& lists) {
-            return noiseAlongNormals(set_.position, set_.normal, lists.value());
+            return noiseAlongNormals(set_.position, set_.normal, lists.value(),
+                                     options_.neighbors.threads);
         };
         report_.noise = noiseOf(all);
         if (report_.noise <= kNoisy) return all;
@@ -215,7 +216,8 @@ class Preparation {
         };
         Result<NeighborLists> lists = search();
         if (!lists) return lists.error();
-        const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
+        const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_,
+                                          options_.neighbors.threads);
         if (Status status = reportProgress(); !status) return status;
         while (const std::size_t aside =
                    setNoiseAside(set_.position, patches, lists.value(), usable_)) {

@@ -243,3 +243,23 @@ TEST_CASE("noise: points that stay get the mean normal of their patch, the other
     }
     CHECK(wrong == 0);
 }
+
+TEST_CASE("noise: its amount and middle are the same for any number of threads") {
+    const PointFile file = noisySphere(20000, 0.5, 3);
+    const NeighborLists lists = nearestLists(file.position);
+    std::vector<bool> usable(file.position.size(), true);
+    usable[5] = false;
+    const double noise = noiseAlongNormals(file.position, file.normal, lists, 1);
+    const auto one = noisePatches(file.position, file.normal, lists, usable, 1);
+    for (const unsigned threads : {0U, 2U, 3U}) {
+        CHECK(noiseAlongNormals(file.position, file.normal, lists, threads) == noise);
+        const auto patches = noisePatches(file.position, file.normal, lists, usable, threads);
+        bool same = patches.size() == one.size();
+        for (std::size_t p = 0; p < one.size(); ++p) {
+            same = same && patches[p].normal == one[p].normal && patches[p].width == one[p].width &&
+                   patches[p].height == one[p].height;
+        }
+        CHECK(same);
+        CHECK(patches[5].width == 0.0);
+    }
+}
