@@ -169,13 +169,17 @@ bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& sh
 
 }  // namespace
 
-LayerShape layerShape(const PointSet& points, const Triangle& t) {
+double layerReach(const PointSet& points, const Triangle& t) {
     const Vec3& a = points.position[t.a];
     const Vec3& b = points.position[t.b];
     const Vec3& c = points.position[t.c];
+    return (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
+}
+
+LayerShape layerShape(const PointSet& points, const Triangle& t) {
     LayerShape shape;
-    shape.normal = areaVector(a, b, c);
-    shape.reach = (glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a)) / 12.0;
+    shape.normal = areaVector(points, t);
+    shape.reach = layerReach(points, t);
     const double length = glm::length(shape.normal);
     if (!(length > 0.0)) return shape;
     shape.outward = shape.normal / (facing(points, t) < 0.0 ? -length : length);

@@ -16,6 +16,9 @@ struct LayerShape {
 /// The shape of a triangle. `points.normal` may hold zeros: the order of the corners decides then.
 LayerShape layerShape(const PointSet& points, const Triangle& t);
 
+/// LayerShape::reach alone.
+double layerReach(const PointSet& points, const Triangle& t);
+
 /// Normals of layers enclose less than this: the cosine of 45 degrees.
 inline constexpr double kLayerCosine = 0.70710678118654752;
 /// At least this share of the smaller triangle lies over or under the other.

@@ -60,9 +60,10 @@ struct FaultSearch {
 /// O(t) for t triangles of similar size, however often one is repeated.
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles);
 
-/// As above, with the sides of the triangles at hand.
+/// As above, with the sides of the triangles at hand, on `threads` threads. 0: as many as the
+/// machine has; the result is the same for any number.
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles,
-                         std::span<const TriangleSide> sides);
+                         std::span<const TriangleSide> sides, unsigned threads = 0);
 
 /// The faults that searchFaults() finds, with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);

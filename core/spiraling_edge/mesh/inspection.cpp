@@ -32,8 +32,7 @@ std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
 
 }  // namespace
 
-InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh,
-                             SearchFunction* find)
+InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
     : filled(withNormalsAndTypes(input)),
       points(filled ? *filled : input),
       triangles(mesh),
@@ -46,7 +45,6 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
     aside.resize(input.size(), false);
     for (std::size_t p = 0; p < input.size(); ++p)
         aside[p] = aside[p] || fitness[p] != Fitness::Usable;
-    search = find(points, mesh, sides);
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
         const Vec3 d = points.position[side.high] - points.position[side.low];
@@ -151,37 +149,43 @@ void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
 // ---- the table ----------------------------------------------------------------------------------
 
 constexpr FailureClass kClasses[] = {
-    {"non_manifold_edges", "Three or more triangles meet at an edge.", true,
+    {"non_manifold_edges", "non-manifold edge", "Three or more triangles meet at an edge.", true, 5,
      inspect::nonManifoldEdges},
-    {"non_manifold_vertices", "The triangles about a point are more than one fan.", true,
-     inspect::nonManifoldVertices},
-    {"inconsistent_edges",
-     "Two triangles pass an edge in the same direction: one of them is inside out.", true,
+    {"non_manifold_vertices", "non-manifold vertex",
+     "The triangles about a point are more than one fan.", true, 6, inspect::nonManifoldVertices},
+    {"inconsistent_edges", "inconsistent edge",
+     "Two triangles pass an edge in the same direction: one of them is inside out.", true, 7,
      inspect::inconsistentEdges},
-    {"duplicate_triangles", "Two triangles have the same three points.", true, duplicates},
-    {"degenerate_triangles",
+    {"duplicate_triangles", "duplicate triangle", "Two triangles have the same three points.", true,
+     9, duplicates},
+    {"degenerate_triangles", "degenerate triangle",
      "A triangle has a corner twice, or a height of at most a millionth of its longest edge.", true,
-     ofKind<FaultKind::Degenerate>},
-    {"intersecting_triangles", "Two triangles share more than their common corners.", true,
+     13, ofKind<FaultKind::Degenerate>},
+    {"intersecting_triangles", "intersecting pair",
+     "Two triangles share more than their common corners.", true, 10,
      ofKind<FaultKind::Intersecting>},
-    {"folded_edges", "Two triangles at an edge lie nearly on one another.", true,
+    {"folded_edges", "folded edge", "Two triangles at an edge lie nearly on one another.", true, 11,
      ofKind<FaultKind::Folded>},
-    {"second_layers", "A triangle lies over another one that faces the same way.", true,
-     ofKind<FaultKind::SecondLayer>},
-    {"flipped_triangles", "A triangle faces away from the normals of its points.", true,
-     ofKind<FaultKind::Flipped>},
-    {"holes", "A boundary loop in the middle of the surface.", true, inspect::holes},
-    {"small_components", "A piece of a few triangles beside a larger one.", true,
-     inspect::smallComponents},
-    {"unused_points", "A point is in no triangle, though the surface passes by.", true,
-     inspect::unusedPoints},
-    {"isolated_points", "A point is in no triangle, and far from all.", true,
+    {"second_layers", "second layer", "A triangle lies over another one that faces the same way.",
+     true, 8, ofKind<FaultKind::SecondLayer>},
+    {"flipped_triangles", "flipped triangle",
+     "A triangle faces away from the normals of its points.", true, 12, ofKind<FaultKind::Flipped>},
+    {"holes", "hole", "A boundary loop in the middle of the surface.", true, 2, inspect::holes},
+    {"small_components", "small component", "A piece of a few triangles beside a larger one.", true,
+     4, inspect::smallComponents},
+    {"unused_points", "unused point", "A point is in no triangle, though the surface passes by.",
+     true, 3, inspect::unusedPoints},
+    {"isolated_points", "isolated point", "A point is in no triangle, and far from all.", true, 3,
      inspect::isolatedPoints},
-    {"openings", "A boundary loop where the surface ends: no fault.", false, inspect::openings},
-    {"slivers", "A triangle has an angle below one degree: no fault.", false, slivers},
-    {"leftover_rings", "A ring was given up with points that the surface goes on at (runs only).",
-     false, nullptr},
-    {"triangle_cap", "The run was stopped: far too many triangles (runs only).", true, nullptr},
+    {"openings", "opening", "A boundary loop where the surface ends: no fault.", false, 14,
+     inspect::openings},
+    {"slivers", "sliver", "A triangle has an angle below one degree: no fault.", false, 16,
+     slivers},
+    {"leftover_rings", "leftover ring",
+     "A ring was given up with points that the surface goes on at (runs only).", false, 15,
+     nullptr},
+    {"triangle_cap", "triangle cap", "The run was stopped: far too many triangles (runs only).",
+     true, 1, nullptr},
 };
 
 /// "1, 2, 3"; long lists end in "... (70)".
@@ -216,6 +220,17 @@ std::string describe(const MeshFailure& failure) {
         text += "; length " + sixDigits(failure.length) + ", area " + sixDigits(failure.area);
     return text + "; at (" + sixDigits(failure.place.x) + ", " + sixDigits(failure.place.y) + ", " +
            sixDigits(failure.place.z) + ")";
+}
+
+std::string nounFor(const FailureClass& kind, std::size_t count) {
+    std::string noun(kind.singular);
+    constexpr std::string_view kVertex = "vertex";
+    if (count != 1) {
+        if (noun.ends_with(kVertex))
+            noun.replace(noun.size() - kVertex.size(), kVertex.size(), "vertice");
+        noun += "s";
+    }
+    return noun;
 }
 
 std::string amountText(const ClassTotal& total) {
@@ -258,10 +273,7 @@ std::optional<FaultKind> pairsOf(const FailureClass& each) {
     return {};
 }
 
-MeshInspection inspected(const PointSet& points, std::span<const Triangle> triangles,
-                         SearchFunction* find) {
-    assert(cornersBelow(triangles, points.size()));
-    const InspectedMesh mesh(points, triangles, find);
+MeshInspection inspected(const InspectedMesh& mesh) {
     const auto counts = countFaults(mesh.search.faults);
     MeshInspection found;
     std::vector<MeshFailure>& all = found.failures;
@@ -277,19 +289,26 @@ MeshInspection inspected(const PointSet& points, std::span<const Triangle> trian
         found.totals.push_back(total);
     }
     found.work = mesh.search.work;
-    found.report = reportMesh(mesh.points, triangles, mesh.sides);
+    found.meanEdge = mesh.meanEdge;
+    found.report = reportMesh(mesh.points, mesh.triangles, mesh.sides);
     return found;
 }
 
 }  // namespace
 
-MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
-    return inspected(points, triangles, searchFaults);
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles,
+                                 unsigned threads) {
+    assert(cornersBelow(triangles, points.size()));
+    InspectedMesh mesh(points, triangles);
+    mesh.search = searchFaults(mesh.points, triangles, mesh.sides, threads);
+    return inspected(mesh);
 }
 
 MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
-    return inspected(points, triangles, searchLocalFaults);
+    InspectedMesh mesh(points, triangles);
+    mesh.search = searchLocalFaults(mesh.points, triangles, mesh.sides);
+    return inspected(mesh);
 }
 
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles) {

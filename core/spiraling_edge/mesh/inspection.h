@@ -16,9 +16,11 @@ struct InspectedMesh;  // The input of the checks; made by inspectMesh().
 
 /// One row of the table of classes: a new check is one function and one row.
 struct FailureClass {
-    std::string_view name;     ///< As in the report of a run: `non_manifold_edges`.
-    std::string_view meaning;  ///< One sentence.
-    bool fault;                ///< A mesh with one of these is not sound.
+    std::string_view name;      ///< As in the report of a run: `non_manifold_edges`.
+    std::string_view singular;  ///< One of them: "non-manifold edge".
+    std::string_view meaning;   ///< One sentence.
+    bool fault;                 ///< A mesh with one of these is not sound.
+    int severity;               ///< Order of places with faults: 1 comes first.
     /// Null for a class that only a run can have, see failuresOfRun().
     void (*find)(const InspectedMesh& mesh, std::vector<MeshFailure>& failures);
 };
@@ -39,6 +41,8 @@ struct MeshFailure {
 };
 /// One sentence with points and numbers.
 std::string describe(const MeshFailure& failure);
+/// "non-manifold edge" for one, else "non-manifold edges".
+std::string nounFor(const FailureClass& kind, std::size_t count);
 
 /// A sliver's least angle is below this: the cosine of one degree.
 inline constexpr double kSliverCosine = 0.9998476951563913;
@@ -71,6 +75,7 @@ struct MeshInspection {
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::uint64_t work = 0;          ///< FaultSearch::work.
+    double meanEdge = 0.0;  ///< Mean length of the edges, scene units; 0 without triangles.
     MeshReport report;
 };
 /// True if every failure is listed and the search was complete.
@@ -88,8 +93,10 @@ bool isSound(std::span<const ClassTotal> totals);
 /// Neighbor lists are not used; points that were set aside (PointSet::setAside, fitnessOf()) may be
 /// in no triangle. Requires corners below points.size() and finite positions of used points.
 /// Self-intersections are exact; the search for pairs has the limits of searchFaults(), and the
-/// first kMaxListed are listed. Deterministic. About O(t log t).
-MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
+/// first kMaxListed are listed. About O(t log t) on `threads` threads. 0: as many as the machine
+/// has; the result is the same for any number.
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles,
+                                 unsigned threads = 0);
 /// As inspectWithTotals(), but without the search for pairs, which takes most of the time: the
 /// totals of intersecting triangles and of second layers are not exact.
 MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles);

@@ -18,14 +18,11 @@ struct BoundaryLoop {
     bool isOpening = false;  ///< The surface ends there; else it is a hole.
 };
 
-/// searchFaults() or searchLocalFaults().
-using SearchFunction = FaultSearch(const PointSet&, std::span<const Triangle>,
-                                   std::span<const TriangleSide>);
-
 /// A mesh with values that several checks share. Refers to its points and triangles, which must
 /// outlive it.
 struct InspectedMesh {
-    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh, SearchFunction* find);
+    /// All values but `search`.
+    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
     InspectedMesh(const InspectedMesh&) = delete;
     InspectedMesh& operator=(const InspectedMesh&) = delete;
 
@@ -33,7 +30,7 @@ struct InspectedMesh {
     const PointSet& points;          ///< With normals and types; lists may be absent.
     std::span<const Triangle> triangles;
     std::vector<TriangleSide> sides;
-    FaultSearch search;
+    FaultSearch search;                       ///< Empty unless assigned.
     std::vector<bool> used;                   ///< Per point: in some triangle.
     std::vector<bool> aside;                  ///< Per point: set aside, or unfit for any mesh.
     double meanEdge = 0.0;                    ///< Length, scene units.

@@ -3,9 +3,11 @@
 #include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -13,12 +15,30 @@
 namespace se {
 namespace {
 
-/// Counts the edges by the number of their triangles, and the loops of the boundary.
-void countEdges(std::span<const TriangleSide> sides, std::size_t points, MeshReport& report) {
-    DisjointSets boundary(points);
-    std::vector<bool> onBoundary(points, false);
+/// A mesh with the sides of its triangles.
+struct MeshSides {
+    const PointSet& points;
+    std::span<const Triangle> triangles;
+    std::span<const TriangleSide> sides;
+};
+
+void countPieces(const MeshSides& mesh, MeshReport& report) {
+    DisjointSets pieces(mesh.points.size());
     std::size_t joined = 0;
-    forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
+    for (const Triangle& t : mesh.triangles) {
+        joined += pieces.unite(t.a, t.b) ? 1U : 0U;
+        joined += pieces.unite(t.b, t.c) ? 1U : 0U;
+    }
+    report.usedPoints = countUsedPoints(mesh.points.size(), mesh.triangles);
+    report.components = report.usedPoints - joined;
+}
+
+/// Counts the edges by the number of their triangles, and the loops of the boundary.
+void countEdges(const MeshSides& mesh, MeshReport& report) {
+    DisjointSets boundary(mesh.points.size());
+    std::vector<bool> onBoundary(mesh.points.size(), false);
+    std::size_t joined = 0;
+    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
         ++report.edges;
         if (edge.size() > 2) ++report.nonManifoldEdges;
         if (isInconsistent(edge)) ++report.inconsistentEdges;
@@ -33,15 +53,25 @@ void countEdges(std::span<const TriangleSide> sides, std::size_t points, MeshRep
     report.boundaryLoops = ends - joined;
 }
 
-void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
-    for (const Triangle& t : triangles) {
-        if (isDegenerate(points, t)) {
+void countFans(const MeshSides& mesh, MeshReport& report) {
+    report.nonManifoldVertices =
+        nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size()).size();
+}
+
+void countShapes(const MeshSides& mesh, MeshReport& report) {
+    for (const Triangle& t : mesh.triangles) {
+        if (isDegenerate(mesh.points, t)) {
             ++report.degenerateTriangles;
-        } else if (isFlipped(points, t)) {
+        } else if (isFlipped(mesh.points, t)) {
             ++report.flippedTriangles;
         }
     }
 }
+
+/// Independent of one another: each has counts of its own.
+constexpr std::array kCounts{countPieces, countShapes, countFans, countEdges};
+/// Fewer triangles are not worth a thread.
+constexpr std::size_t kTrianglesPerThread = 32768;
 
 }  // namespace
 
@@ -55,18 +85,10 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     MeshReport report;
     report.points = points.size();
     report.triangles = triangles.size();
-    DisjointSets pieces(points.size());
-    std::size_t joined = 0;
-    for (const Triangle& t : triangles) {
-        joined += pieces.unite(t.a, t.b) ? 1U : 0U;
-        joined += pieces.unite(t.b, t.c) ? 1U : 0U;
-    }
-    report.usedPoints = countUsedPoints(points.size(), triangles);
+    const MeshSides mesh{points, triangles, sides};
+    const std::size_t least = triangles.size() < kTrianglesPerThread ? kCounts.size() : 1;
+    forEachItem(kCounts.size(), 0, least, [&](std::size_t i) { kCounts[i](mesh, report); });
     report.unusedPoints = report.points - report.usedPoints;
-    report.components = report.usedPoints - joined;
-    countEdges(sides, points.size(), report);
-    report.nonManifoldVertices = nonManifoldPoints(triangles, sides, points.size()).size();
-    countShapes(points, triangles, report);
     report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
                                  static_cast<long long>(report.edges) +
                                  static_cast<long long>(report.triangles);

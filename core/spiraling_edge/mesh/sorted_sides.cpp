@@ -6,9 +6,13 @@
 #include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/parallel.h"
 
 namespace se {
 namespace {
+
+/// Fewer are not worth a thread.
+constexpr std::size_t kPointsPerThread = 16384;
 
 bool precedes(const TriangleSide& x, const TriangleSide& y) {
     return std::tie(x.high, x.triangle) < std::tie(y.high, y.triangle);
@@ -26,21 +30,37 @@ void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
 
 }  // namespace
 
-std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles) {
+std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles, unsigned threads) {
     Index last = 0;
     forEachSide(triangles, [&](const TriangleSide& side) { last = std::max(last, side.low); });
-    std::vector<Index> place(std::size_t{last} + 2, 0);  // Of the next side of each point.
-    forEachSide(triangles, [&](const TriangleSide& side) { ++place[side.low + std::size_t{1}]; });
+    const std::size_t points = std::size_t{last} + 1;
+    // Every thread passes over all sides, but takes only those of its points.
+    const auto forEachPiece = [&](auto&& work) {
+        forRanges(points, threads, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+            work([from, to](const TriangleSide& side) { return side.low >= from && side.low < to; },
+                 from, to);
+        });
+    };
+    std::vector<Index> place(points + 1, 0);  // Of the next side of each point.
+    forEachPiece([&](auto&& isMine, std::size_t, std::size_t) {
+        forEachSide(triangles, [&](const TriangleSide& side) {
+            if (isMine(side)) ++place[side.low + std::size_t{1}];
+        });
+    });
     std::partial_sum(place.begin(), place.end(), place.begin());
     std::vector<TriangleSide> sides(3 * triangles.size());
-    forEachSide(triangles, [&](const TriangleSide& side) { sides[place[side.low]++] = side; });
-    auto begin = sides.begin();
-    while (begin != sides.end()) {
-        // Each place has moved on to the end of its point.
-        const auto end = sides.begin() + place[begin->low];
-        std::sort(begin, end, precedes);
-        begin = end;
-    }
+    forEachPiece([&](auto&& isMine, std::size_t from, std::size_t to) {
+        std::size_t begin = place[from];
+        forEachSide(triangles, [&](const TriangleSide& side) {
+            if (isMine(side)) sides[place[side.low]++] = side;
+        });
+        for (std::size_t p = from; p < to; ++p) {
+            // Each place has moved on to the end of its point.
+            const std::size_t end = place[p];
+            std::sort(sides.data() + begin, sides.data() + end, precedes);
+            begin = end;
+        }
+    });
     return sides;
 }
 

@@ -21,8 +21,20 @@ struct TriangleSide {
     }
 };
 
-/// All sides, sorted by edge and then by triangle.
-std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles);
+/// All sides, sorted by edge and then by triangle. `threads` 0: as many as the machine has; the
+/// result is the same for any number.
+std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles, unsigned threads = 0);
+
+/// The sides of the edges that begin at the positions `from` to `to`, without `to`.
+inline std::span<const TriangleSide> sidesOfRange(std::span<const TriangleSide> sides,
+                                                  std::size_t from, std::size_t to) {
+    const auto edgeFrom = [&](std::size_t i) {
+        while (i > 0 && i < sides.size() && sides[i].sameEdge(sides[i - 1])) ++i;
+        return i;
+    };
+    from = edgeFrom(from);
+    return sides.subspan(from, edgeFrom(to) - from);
+}
 
 /// Calls visit(sides of an edge) for each edge in turn.
 template <typename Visit>
