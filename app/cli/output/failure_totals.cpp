@@ -1,13 +1,41 @@
 #include "failure_totals.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "sentences.h"
 
 namespace se::cli {
 
-std::string faultTotalText(std::span<const ClassTotal> totals) {
+std::string faultTotalText(std::span<const ClassTotal> totals, std::span<const FaultPlace> places) {
     if (isSound(totals)) return "sound";
     if (faultCount(totals) == 0) return "no fault found, but the search ended early";
-    return (isExact(totals) ? "" : "at least ") + counted(faultCount(totals), "fault");
+    return (isExact(totals) ? "" : "at least ") + counted(faultCount(totals), "fault") + " at " +
+           counted(places.size(), "place");
+}
+
+std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
+                       std::size_t limit) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(limit, places.size()); ++i) {
+        const Vec3& at = places[i].center;
+        text += fmt::format("{:>7} {}; at ({:.6g}, {:.6g}, {:.6g})\n", "#" + std::to_string(i + 1),
+                            describe(places[i], failures), at.x, at.y, at.z);
+    }
+    return text;
+}
+
+void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
+               std::size_t limit, nlohmann::ordered_json& json) {
+    json["places_total"] = places.size();
+    json["places"] = nlohmann::ordered_json::array();
+    for (const FaultPlace& place : places.first(std::min(limit, places.size()))) {
+        json["places"].push_back({{"what", describe(place, failures)},
+                                  {"at", {place.center.x, place.center.y, place.center.z}},
+                                  {"radius", place.radius},
+                                  {"faults", place.faults}});
+    }
 }
 
 nlohmann::ordered_json failureRow(const MeshFailure& failure) {

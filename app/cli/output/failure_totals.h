@@ -5,13 +5,21 @@
 #include <span>
 #include <string>
 
-#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/fault_places.h"
 
 namespace se::cli {
 
-/// "12 faults", "at least 1204331 faults"; "sound" for none, "no fault found, but the search ended
-/// early" for none known.
-std::string faultTotalText(std::span<const ClassTotal> totals);
+/// "12 faults at 3 places", "at least 1204331 faults at 12 places"; "sound" for none, "no fault
+/// found, but the search ended early" for none known.
+std::string faultTotalText(std::span<const ClassTotal> totals, std::span<const FaultPlace> places);
+
+/// The first `limit` places, one line each; empty if there are none.
+std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
+                       std::size_t limit);
+/// Adds `places`: the number of them as `places_total`, and the first `limit` with `what`, `at`,
+/// `radius` and `faults`, positions in the list of failures.
+void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
+               std::size_t limit, nlohmann::ordered_json& json);
 
 /// One failure: `class`, `points`, `triangles`, `at`; of a loop also `length` and `area`.
 nlohmann::ordered_json failureRow(const MeshFailure& failure);

@@ -230,7 +230,8 @@ std::string remediesText(const Remedies& remedies) {
 
 std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
     if (found.failures.empty()) return "No failures found.\n";
-    std::string text;
+    std::string text = faultTotalText(found.totals, found.places) + "\n";
+    text += placesText(found.places, found.all, limit);
     for (std::size_t i = 0; i < found.totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
         if (found.totals[i].total == 0) continue;
@@ -246,6 +247,7 @@ std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
 std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
     Json json{{"input", input}};
     addTotals(found.totals, failureClasses(), json);
+    addPlaces(found.places, found.all, found.places.size(), json);
     json["failures"] = Json::array();
     for (const RunFailure& each : found.failures) json["failures"].push_back(failureJson(each));
     return dumped(json);

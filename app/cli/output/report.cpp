@@ -134,6 +134,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         if (failure.kind->fault && list.size() < kMaxFaults) list.push_back(faultRow(failure));
     }
     json["fault_list"] = list;
+    addPlaces(outcome.places, inspection.failures, kMaxFaults, json);
     json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
                         {"mean_distance", outcome.fidelity.meanDistance},
                         {"points_lost", lostPoints(inspection)},
@@ -258,9 +259,9 @@ std::string faultSentence(const RunOutcome& outcome) {
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
-    if (count == 0) return faultTotalText(totals);
+    if (count == 0) return faultTotalText(totals, outcome.places);
     std::string text = "the mesh has ";
-    text += outcome.pairs ? faultTotalText(totals) : counted(count, "fault");
+    text += outcome.pairs ? faultTotalText(totals, outcome.places) : counted(count, "fault");
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/mesh/fidelity.h"
-#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
@@ -39,14 +39,15 @@ struct RunOutcome {
     /// Set only if faults were searched.
     std::optional<MeshInspection> inspection;
     bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
-    Fidelity fidelity;  ///< Only with `pairs`.
+    std::vector<FaultPlace> places;  ///< Only with `pairs`.
+    Fidelity fidelity;               ///< Only with `pairs`.
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;
 };
 
-/// "the mesh has 3 faults: 2 holes, 1 folded; --rules robust may avoid them", "no fault found, but
-/// the search ended early"; empty if the mesh is sound, or faults were not searched.
+/// "the mesh has 3 faults at 2 places: 2 holes, 1 folded; --rules robust may avoid them", "no fault
+/// found, but the search ended early"; empty if the mesh is sound, or faults were not searched.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, ending in a newline.
 std::string reportJson(const RunOutcome& outcome);

@@ -13,7 +13,7 @@
 #include "output/output.h"
 #include "output/sentences.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "verbs.h"
 
@@ -168,11 +168,14 @@ std::span<const FailureClass> meshClasses() {
 }
 
 std::string reportText(const CheckArguments& arguments, std::size_t triangles,
-                       const MeshInspection& found, bool good) {
+                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     constexpr std::size_t kShown = 10;
     const bool allowed = good && !isSound(found.totals);
-    std::string text = fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
-                                   faultTotalText(found.totals), allowed ? ", allowed" : "");
+    std::string text =
+        fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+                    faultTotalText(found.totals, places), allowed ? ", allowed" : "");
+    text += placesText(places, found.failures, kShown);
+    if (places.size() > kShown) text += "        ... the other places by --json\n";
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
         const ClassTotal& total = found.totals[i];
@@ -195,7 +198,7 @@ std::string reportText(const CheckArguments& arguments, std::size_t triangles,
 }
 
 std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
-                       const MeshInspection& found, bool good) {
+                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
@@ -203,6 +206,7 @@ std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
     json["good"] = good;
     json["sound"] = isSound(found.totals);
     addTotals(found.totals, meshClasses(), json);
+    addPlaces(places, found.failures, places.size(), json);
     json["failures"] = Json::array();
     for (const MeshFailure& failure : found.failures)
         json["failures"].push_back(failureRow(failure));
@@ -247,11 +251,14 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const MeshInspection found = inspectWithTotals(pointsOf(file, arguments), triangles);
+    const PointSet points = pointsOf(file, arguments);
+    const MeshInspection found = inspectWithTotals(points, triangles);
+    const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
     const bool good = isGood(arguments, found.totals);
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json ? reportJson(arguments, triangles.size(), found, good)
-                                        : reportText(arguments, triangles.size(), found, good));
+        writeOutput("-", arguments.json
+                             ? reportJson(arguments, triangles.size(), found, places, good)
+                             : reportText(arguments, triangles.size(), found, places, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

@@ -268,6 +268,8 @@ ExitCode runVerb(const Arguments& words) {
     }
     if (arguments.check || !arguments.report.empty()) {
         outcome.inspection = inspectWithTotals(prepared.points, outcome.state.mesh());
+        outcome.places = faultPlaces(prepared.points, outcome.inspection->failures,
+                                     outcome.inspection->meanEdge);
         outcome.fidelity = fidelityOf(prepared.points, outcome.state.mesh());
     } else if (!arguments.quiet) {
         outcome.inspection = inspectLocally(prepared.points, outcome.state.mesh());

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
+#include <numeric>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/inspected_run.h"
@@ -100,13 +100,14 @@ bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
     return rankOf(*a.kind) < rankOf(*b.kind);
 }
 
-/// Removes from `run` the failures that cannot be followed within the work `left`; the work of
-/// following a failure is the number of events of the run at its points, `eventsAt` each point.
-/// The first ones of each class stay: all firsts, then all seconds, until the next of its class
-/// exceeds the work. Requires failures in the order of their classes.
-void keepAffordable(const PointSet& points, const Params& params,
-                    const std::vector<std::uint64_t>& eventsAt, std::uint64_t left,
-                    InspectedRun& run) {
+/// Positions in run.failures of those that can be followed within the work `left`, ascending;
+/// lowers the numbers listed in run.totals to them. The work of following a failure is the number
+/// of events of the run at its points, `eventsAt` each point. The first ones of each class are
+/// taken: all firsts, then all seconds, until the next of its class exceeds the work. Requires
+/// failures in the order of their classes.
+std::vector<std::size_t> affordableOf(const PointSet& points, const Params& params,
+                                      const std::vector<std::uint64_t>& eventsAt,
+                                      std::uint64_t left, InspectedRun& run) {
     assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
     const std::vector<LedgerLine> noMoves;
     const FinderInput input{points, params, run.end.mesh(), noMoves};
@@ -119,7 +120,9 @@ void keepAffordable(const PointSet& points, const Params& params,
         for (const Index p : finder.watched()) work.back() += eventsAt[p];
         all += work.back();
     }
-    if (all <= left) return;
+    std::vector<std::size_t> chosen(run.failures.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    if (all <= left) return chosen;
     std::vector<std::size_t> first;  // of each class
     std::size_t before = 0;
     for (const ClassTotal& each : run.totals) {
@@ -142,12 +145,11 @@ void keepAffordable(const PointSet& points, const Params& params,
             more = true;
         }
     }
-    std::vector<MeshFailure> some;
+    chosen.clear();
     for (std::size_t c = 0; c < kept.size(); ++c) {
-        const auto begin = run.failures.begin() + static_cast<std::ptrdiff_t>(first[c]);
-        std::move(begin, begin + static_cast<std::ptrdiff_t>(kept[c]), std::back_inserter(some));
+        for (std::size_t i = 0; i < kept[c]; ++i) chosen.push_back(first[c] + i);
     }
-    run.failures = std::move(some);
+    return chosen;
 }
 
 /// The moments that the finders have found. Triangles that fill a gap between three points are
@@ -216,23 +218,30 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4), onPivot);
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
-    std::vector<MeshFailure>& failures = run->failures;
-    std::stable_sort(failures.begin(), failures.end(), isOfEarlierClass);
-    keepAffordable(points, params, eventsAt, affordable, *run);
-    const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
+    const std::vector<std::size_t> chosen =
+        affordableOf(points, params, eventsAt, affordable, *run);
+    std::vector<MeshFailure> followed;
+    for (const std::size_t i : chosen) followed.push_back(run->failures[i]);
+    const auto moments = momentsOfAll(points, params, followed, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
-    RunFailureSearch found{{}, std::move(run->totals)};
-    for (std::size_t i = 0; i < failures.size(); ++i) {
+    RunFailureSearch found{{},
+                           std::move(run->totals),
+                           std::move(run->failures),
+                           std::move(run->places),
+                           fidelityOf(points, mesh),
+                           mesh.size()};
+    for (std::size_t i = 0; i < followed.size(); ++i) {
         if (!moments.value()[i]) {
             // Not a failure of this run: not counted.
-            ClassTotal& total = found.totals[rankOf(*failures[i].kind)];
+            ClassTotal& total = found.totals[rankOf(*followed[i].kind)];
             --total.listed;
             --total.total;
             continue;
         }
         std::vector<Triangle> corners;
-        for (const Index number : failures[i].triangles) corners.push_back(mesh[number]);
-        found.failures.push_back({std::move(failures[i]), std::move(corners), *moments.value()[i]});
+        for (const Index number : followed[i].triangles) corners.push_back(mesh[number]);
+        found.failures.push_back(
+            {std::move(followed[i]), chosen[i], std::move(corners), *moments.value()[i]});
     }
     return found;
 }

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "spiraling_edge/explain/ledger.h"
-#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/fault_places.h"
+#include "spiraling_edge/mesh/fidelity.h"
 
 namespace se {
 
@@ -34,6 +35,7 @@ Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
 /// One failure of a run.
 struct RunFailure {
     MeshFailure failure;
+    std::size_t position;           ///< In RunFailureSearch::all.
     std::vector<Triangle> corners;  ///< The corners of failure.triangles, in their order.
     FailureMoments moments;
 };
@@ -47,6 +49,10 @@ inline constexpr std::uint64_t kMomentWorkPerEvent = 128;
 struct RunFailureSearch {
     std::vector<RunFailure> failures;
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
+    std::vector<MeshFailure> all;    ///< Those that were not followed as well.
+    std::vector<FaultPlace> places;  ///< Of `all`.
+    Fidelity fidelity;               ///< Of the mesh.
+    std::size_t triangles = 0;       ///< Of the mesh.
 };
 
 /// All failures of a run: those that inspectWithTotals() finds in its mesh, with its limits, and

@@ -62,7 +62,13 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         ++total.total;
         found.failures.push_back(std::move(each));
     }
-    return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals)};
+    std::stable_sort(found.failures.begin(), found.failures.end(),
+                     [](const MeshFailure& a, const MeshFailure& b) {
+                         return rankOf(*a.kind) < rankOf(*b.kind);
+                     });
+    std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
+    return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals),
+                        std::move(places)};
 }
 
 }  // namespace se

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
@@ -38,10 +38,11 @@ inline std::size_t rankOf(const FailureClass& kind) {
 
 struct InspectedRun {
     State end;
-    /// The failures that inspectWithTotals() finds, then rings left over; `totals` count all of
-    /// them.
+    /// The failures that inspectWithTotals() finds, then rings left over, in the order of
+    /// failureClasses(); `totals` count all of them.
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;
+    std::vector<FaultPlace> places{};
 
     /// The total of a class.
     const ClassTotal& totalOf(const FailureClass& kind) const { return totals[rankOf(kind)]; }
