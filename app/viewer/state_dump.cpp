@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "application.h"
+#include "commands/alert_actions.h"
 #include "jobs/questions.h"
 #include "session/selection_facts.h"
 #include "session/view_position.h"
@@ -120,6 +121,8 @@ void dumpRun(json& out, const Session& session) {
                                                         : "waiting";
     out["alerts_complete"] = alerts.complete();
     out["alerts"] = alerts.failures().size();
+    out["verdict"] = alerts.done() ? verdictText(alerts) : "";
+    out["place"] = session.alerts().place() ? *session.alerts().place() + 1 : 0;
     out["alert"] = session.alerts().chosen() ? alertName(alerts, *session.alerts().chosen()) : "";
     out["noticed"] = session.noticedHere().size();
     out["hovered"] = indexOrNull(session.highlights().hovered());

@@ -5,6 +5,7 @@
 
 #include "command_actions.h"
 #include "jobs/questions.h"
+#include "panel_state/side_panels.h"
 #include "run/overview.h"
 #include "run/rule_set.h"
 #include "run/strings.h"
@@ -24,6 +25,17 @@ std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
     return points;
 }
 
+/// The points of all faults at a place.
+std::vector<Index> pointsAt(const Model& model, const AlertSearch& alerts, std::size_t place) {
+    std::vector<Index> points;
+    for (const std::size_t i : alerts.places()[place].faults) {
+        const std::vector<Index>& its = alerts.found()->all[i].points;
+        points.insert(points.end(), its.begin(), its.end());
+    }
+    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
+    return points;
+}
+
 RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
     if (remedy.rule == nullptr) return {std::string(remedy.set), {}, rules.whatIf};
     return withRule(rules, remedy.rule->name, 1.0);
@@ -32,10 +44,13 @@ RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
 }  // namespace
 
 void frameAlert(CommandContext& context) {
-    const RunFailure* alert = context.session.alerts().shown();
-    if (alert == nullptr) return;
+    const RunAlerts& alerts = context.session.alerts();
+    const RunFailure* alert = alerts.shown();
+    if (alert == nullptr && !alerts.place()) return;
     const Model& model = context.session.model();
-    const std::vector<Index> points = placesOf(model, *alert);
+    const std::vector<Index> points = alerts.place()
+                                          ? pointsAt(model, alerts.search(), *alerts.place())
+                                          : placesOf(model, *alert);
     if (points.empty()) return;
     const MarkedSphere place = sphereAround(model, points);
     if (place.normal != glm::vec3(0.0F)) context.camera.face(place.normal);
@@ -110,39 +125,70 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     context.ui.alerts.reveal = true;
 }
 
-void nextAlert(CommandContext& context, int direction) {
+void showPlace(CommandContext& context, std::size_t place) {
+    Session& session = context.session;
+    RunAlerts& alerts = session.alerts();
+    assert(place < alerts.search().places().size());
+    context.playback.pause();
+    alerts.choosePlace(place);
+    session.highlights().mark({});
+    session.select(alerts.shown() != nullptr ? subjectOf(*alerts.shown()) : Selection{});
+    if (!session.atEnd()) session.moves().toEnd();
+    context.ui.requests.frameAlert = true;
+    context.ui.alerts.reveal = true;
+    context.ui.tab.wanted = kAlertsTab;
+    const std::size_t count = alerts.search().places().size();
+    session.messages().say("Place " + grouped(place + 1) + " of " + grouped(count) + ": " +
+                           describe(alerts.search().places()[place], alerts.search().found()->all) +
+                           ".");
+}
+
+void nextPlace(CommandContext& context, int direction) {
     Session& session = context.session;
     if (!session.ready()) return;
     const AlertSearch& alerts = session.alerts().search();
     if (!alerts.done())
-        return session.messages().say(alerts.busy() ? "The search for alerts is still running."
-                                                    : "The search for alerts has not started yet.");
-    const auto order = alerts.inOrder();
-    if (order.empty()) return session.messages().say("No failures found.");
-    const auto created = [&](std::size_t i) {
-        return alerts.failures()[i].moments.created.event.address;
-    };
-    std::ptrdiff_t place = 0;
-    if (const auto chosen = session.alerts().chosen()) {
-        place = std::find(order.begin(), order.end(), *chosen) - order.begin() + direction;
-    } else {
-        const Address here =
-            session.event() != nullptr ? session.address() : Address{0, Stage{}, 0};
-        const auto after = std::partition_point(
-            order.begin(), order.end(), [&](std::size_t i) { return !isBefore(here, created(i)); });
-        place = after - order.begin() - (direction > 0 ? 0 : 1);
-        // At an alert: the cursor is past it already.
-        if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)
-            --place;
-    }
-    if (place < 0) return session.messages().say("There is no alert before this one.");
-    if (place >= static_cast<std::ptrdiff_t>(order.size()))
-        return session.messages().say("There is no alert after this one.");
-    showAlert(context, order[static_cast<std::size_t>(place)], AlertMoment::Created);
+        return session.messages().say(alerts.busy() ? "The search for faults is still running."
+                                                    : "The search for faults has not started yet.");
+    const auto count = static_cast<std::ptrdiff_t>(alerts.places().size());
+    if (count == 0) return session.messages().say("No faults found.");
+    const auto chosen = session.alerts().chosen();
+    const auto from = session.alerts().place() ? session.alerts().place()
+                      : chosen                 ? alerts.placeOf(*chosen)
+                                               : std::nullopt;
+    const std::ptrdiff_t next = from            ? static_cast<std::ptrdiff_t>(*from) + direction
+                                : direction > 0 ? 0
+                                                : count - 1;
+    if (next < 0) return session.messages().say("This is the first place.");
+    if (next >= count) return session.messages().say("This is the last place.");
+    showPlace(context, static_cast<std::size_t>(next));
+}
+
+std::string verdictText(const AlertSearch& alerts) {
+    const std::vector<ClassTotal>& totals = alerts.found()->totals;
+    if (isSound(totals)) return "the mesh is sound";
+    const std::size_t faults = faultCount(totals);
+    if (faults == 0) return "no fault found, but the search ended early";
+    const std::size_t places = alerts.places().size();
+    return (isExact(totals) ? "" : "at least ") + grouped(faults) +
+           (faults == 1 ? " fault at " : " faults at ") + grouped(places) +
+           (places == 1 ? " place" : " places");
 }
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
     context.ui.requests.rules = rulesWith(rulesOf(context.session.input().spec()), remedy);
+    context.ui.requests.resume = Resume::End;
+}
+
+bool canFixByRules(const CommandContext& context) {
+    const RuleSet rules = rulesOf(context.session.input().spec());
+    return rules.name != "robust" || !rules.choices.empty();
+}
+
+void fixByRules(CommandContext& context) {
+    assert(canFixByRules(context));
+    const RuleSet rules = rulesOf(context.session.input().spec());
+    context.ui.requests.rules = RuleSet{"robust", {}, rules.whatIf};
     context.ui.requests.resume = Resume::End;
 }
 
@@ -154,21 +200,17 @@ void showBeside(CommandContext& context, const Remedy& remedy) {
         CompareWith::otherRun(withRules(spec, rulesWith(rulesOf(spec), remedy)));
 }
 
-bool openOnFirstAlert(CommandContext& context) {
+bool openOnVerdict(CommandContext& context) {
     Session& session = context.session;
-    const auto order = session.alerts().search().inOrder();
     const bool untouched =
         session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
-    if (order.empty() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
+    const bool faulty = !session.alerts().search().places().empty();
+    if (!faulty || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
     // The notice about the input stays.
     const std::string notice = session.messages().notice();
-    showAlert(context, order.front(), AlertMoment::Created);
-    const std::size_t count = order.size();
-    session.messages().say(notice + (notice.empty() ? "" : " ") +
-                           (count == 1 ? "One alert: it was created here. Home goes to the start."
-                                       : "The first of " + std::to_string(count) +
-                                             " alerts; F8 goes to the next, Home to the start."));
+    session.moves().toEnd();
+    session.messages().say(notice);
     return true;
 }
 

@@ -32,19 +32,28 @@ std::string watchNote(std::size_t points, std::size_t noticed);
 /// Chooses an alert, goes to one of its moments if given, selects its subject and
 /// frames it. Requires a place in session.alerts().search().failures().
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment);
-/// Centers the chosen alert in the view.
+/// Shows a place with faults on the finished mesh: chooses it, goes to the end of the run, selects
+/// the subject of its most severe fault, frames it, and says what is there. Requires a position in
+/// session.alerts().search().places().
+void showPlace(CommandContext& context, std::size_t place);
+/// Centers the chosen place or alert in the view.
 void frameAlert(CommandContext& context);
-/// The next (+1) or previous (-1) alert in the order of the run: from the one that is chosen, else
-/// from the cursor.
-void nextAlert(CommandContext& context, int direction);
+/// The next (+1) or previous (-1) place, from the most severe on.
+void nextPlace(CommandContext& context, int direction);
+/// "44 faults at 12 places", "the mesh is sound". Requires a search that is done.
+std::string verdictText(const AlertSearch& alerts);
 /// Runs the input again with one more rule, or another set of rules, to its end: the place of the
 /// defect is visible there, since selection and camera stay.
 void switchOn(CommandContext& context, const Remedy& remedy);
+/// True if the input is not run with the set robust already.
+bool canFixByRules(const CommandContext& context);
+/// Runs the input again with the set robust, to its end. Requires canFixByRules().
+void fixByRules(CommandContext& context);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);
 
 /// Called when the alerts of an input are known. A newly opened input without any user action
-/// yet opens on the first of them. True if it does.
-bool openOnFirstAlert(CommandContext& context);
+/// yet opens on its finished mesh if that has faults. True if it does.
+bool openOnVerdict(CommandContext& context);
 
 }  // namespace se::view

@@ -40,6 +40,11 @@ void AlertController::poll() {
     if (!session.alerts().takeNews()) return;
     const std::string& source = session.input().spec().source;
     const bool fresh = std::exchange(source_, source) != source;
+    if (fresh) {
+        verdict_.clear();
+        c_.ui.verdict = {};
+    }
+    sayOutcome();
     if (!asked_.empty()) return showAsked();
     if (const std::string kept = document_.takeAlert(); !kept.empty())
         session.alerts().choose(alertNamed(session.alerts().search(), kept));
@@ -47,10 +52,21 @@ void AlertController::poll() {
     // Scenes and sampled points are opened to watch the run, so they open at the start.
     const bool file = !isScene(source) && !isSample(source);
     if (!fresh || !file || !interactive_ || document_.placed()) return;
-    opened_ = openOnFirstAlert(c_);
+    opened_ = openOnVerdict(c_);
     // Problems of the input come first: the doctor has the tab.
     if (opened_ && c_.ui.tab.wanted.empty() && c_.ui.tab.title != kDoctorTab)
         c_.ui.tab.wanted = kAlertsTab;
+}
+
+void AlertController::sayOutcome() {
+    const AlertSearch& alerts = c_.session.alerts().search();
+    if (!alerts.done()) return;
+    const std::string before = std::exchange(verdict_, verdictText(alerts));
+    if (before.empty() || before == verdict_) return;
+    // What was said about the place in the new run stays.
+    const std::string notice = c_.session.messages().notice();
+    c_.session.messages().say(notice + (notice.empty() ? "" : " ") + "Now " + verdict_ +
+                              "; before, " + before + ".");
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.

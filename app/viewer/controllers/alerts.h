@@ -1,5 +1,5 @@
-/// Choice of the alert to show once the alerts of a run are known: that of the command line, that
-/// of the session, or the first. Independent of window and OpenGL.
+/// What is shown once the alerts of a run are known: that of the command line, that of the session,
+/// or the finished mesh with its faults. Independent of window and OpenGL.
 #pragma once
 
 #include <string>
@@ -16,21 +16,24 @@ class AlertController {
 
     /// Takes the alert of the command line. Pictures without a user open where their options say.
     void begin(const Options& options);
-    /// Once the alerts are known: goes to the alert to show.
+    /// Once the alerts are known: goes to what to show; after a run of the same input with other
+    /// rules, says what has become of the faults.
     void poll();
-    /// True once, if a newly opened input opened on its first alert.
+    /// True once, if a newly opened input opened on its finished mesh.
     bool takeOpened() { return std::exchange(opened_, false); }
     /// Error if the alert of the command line does not exist.
     const Status& status() const { return status_; }
 
   private:
     void chooseOfGallery();
+    void sayOutcome();
     void showAsked();
 
     CommandContext& c_;
     DocumentController& document_;
     std::string asked_;        ///< By the command line, until it was shown.
     std::string source_;       ///< The input of the last known alerts.
+    std::string verdict_;      ///< Of that input; empty before any was known.
     bool interactive_ = true;  ///< A user is present.
     bool opened_ = false;
     Status status_ = success();

@@ -47,6 +47,12 @@ std::uint32_t tintOf(const Session& session, PointTint tint) {
     return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
 }
 
+/// The faults of the finished mesh, if it is shown and they are known; null in other styles.
+const RunFailureSearch* faultsHere(const Session& session, MeshStyle style) {
+    const bool shown = style == MeshStyle::Faults && session.atEnd();
+    return shown ? session.alerts().search().found() : nullptr;
+}
+
 /// Colors triangles that the other mesh lacks, and outlines what it has in the shown region.
 void addDifference(const DifferenceLook& look, const Model& model, std::size_t finished,
                    const std::shared_ptr<const std::vector<Triangle>>& repaired, DrawList& out) {
@@ -111,7 +117,9 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     model_ = session.sharedModel();
     upload(session);
     const ViewSettings& settings = context.ui.settings;
-    shownLayers_ = shownLayers(settings.layers, session.stage());
+    // The finished mesh is shown without its last decision.
+    const bool faults = faultsHere(session, settings.meshStyle) != nullptr;
+    shownLayers_ = shownLayers(settings.layers, faults ? std::nullopt : session.stage());
     const std::size_t shapes = session.overview().shapes.size();
     Filled now{session.revision(),
                shownLayers_,
@@ -121,6 +129,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
                shapes,
                tintOf(session, settings.pointTint),
                session.noticedHere().size(),
+               faults,
                look != nullptr ? look->revision : 0U};
     if (now == filled_) return;
     const LayerInput input{
@@ -144,6 +153,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         now.tint,
         settings.theme,
         session.alerts().shown(),
+        faultsHere(session, settings.meshStyle),
         session.noticedHere()};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)

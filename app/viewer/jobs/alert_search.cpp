@@ -14,6 +14,8 @@ void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
     started_ = stopped_ = false;
     groups_.clear();
     inOrder_.clear();
+    followedAs_.clear();
+    placeOf_.clear();
 }
 
 void AlertSearch::start() {
@@ -51,11 +53,29 @@ void AlertSearch::sortOut() {
         groups_.push_back({&failureClasses()[i], first, total.listed, total});
         first += total.listed;
     }
+    followedAs_.assign(found()->all.size(), kNoAlert);
+    for (std::size_t i = 0; i < all.size(); ++i) followedAs_[all[i].position] = i;
+    placeOf_.assign(all.size(), kNoAlert);
+    for (std::size_t p = 0; p < places().size(); ++p) {
+        for (const std::size_t alert : alertsAt(p)) placeOf_[alert] = p;
+    }
     inOrder_.resize(all.size());
     std::iota(inOrder_.begin(), inOrder_.end(), std::size_t{0});
     std::stable_sort(inOrder_.begin(), inOrder_.end(), [&](std::size_t a, std::size_t b) {
         return isBefore(all[a].moments.created.event.address, all[b].moments.created.event.address);
     });
+}
+
+std::vector<std::size_t> AlertSearch::alertsAt(std::size_t place) const {
+    std::vector<std::size_t> alerts;
+    for (const std::size_t position : places()[place].faults) {
+        if (followedAs_[position] != kNoAlert) alerts.push_back(followedAs_[position]);
+    }
+    return alerts;
+}
+
+std::optional<std::size_t> AlertSearch::placeOf(std::size_t alert) const {
+    return placeOf_[alert] == kNoAlert ? std::nullopt : std::optional(placeOf_[alert]);
 }
 
 std::string alertName(const AlertSearch& alerts, std::size_t index) {
@@ -85,6 +105,7 @@ void RunAlerts::open(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     search_.enqueue(model_);
     chosen_.reset();
+    place_.reset();
     remediesOf_.reset();
     remedies_.cancel();
     news_ = false;
@@ -102,8 +123,16 @@ void RunAlerts::waitUntilDone() {
 }
 
 void RunAlerts::choose(std::optional<std::size_t> alert) {
-    if (chosen_ == alert) return;
+    if (chosen_ == alert && !place_) return;
     chosen_ = alert;
+    place_.reset();
+    ++revision_;
+}
+
+void RunAlerts::choosePlace(std::size_t place) {
+    const std::vector<std::size_t> alerts = search_.alertsAt(place);
+    chosen_ = alerts.empty() ? std::nullopt : std::optional(alerts.front());
+    place_ = place;
     ++revision_;
 }
 

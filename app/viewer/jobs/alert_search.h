@@ -2,6 +2,7 @@
 /// a rule that would have prevented the one that is shown (core's remedy.h).
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,11 +56,24 @@ class AlertSearch {
     bool complete() const { return !done() || isComplete(query_.answer()->totals); }
     /// The search is done, and the mesh has no fault (isSound()).
     bool sound() const { return done() && isSound(query_.answer()->totals); }
+    /// The search is done, and what it found; else null.
+    const RunFailureSearch* found() const { return query_.answer(); }
     std::span<const AlertGroup> groups() const { return groups_; }
+    /// Places with faults, the most severe first: of all failures, followed or not.
+    std::span<const FaultPlace> places() const {
+        return done() ? std::span<const FaultPlace>(query_.answer()->places)
+                      : std::span<const FaultPlace>{};
+    }
+    /// Positions in failures() of the faults at a place that were followed, the most severe first.
+    std::vector<std::size_t> alertsAt(std::size_t place) const;
+    /// The place of an alert; empty if it is no fault.
+    std::optional<std::size_t> placeOf(std::size_t alert) const;
     /// Positions in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }
 
   private:
+    static constexpr std::size_t kNoAlert = std::numeric_limits<std::size_t>::max();
+
     void sortOut();
 
     std::shared_ptr<const Model> model_;
@@ -67,6 +81,8 @@ class AlertSearch {
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
     std::vector<std::size_t> inOrder_;
+    std::vector<std::size_t> followedAs_;  ///< Per failure of all: its alert, or kNoAlert.
+    std::vector<std::size_t> placeOf_;     ///< Per alert: its place, or kNoAlert.
     BackgroundQuery<RunFailureSearch> query_;
 };
 
@@ -99,6 +115,10 @@ class RunAlerts {
     std::optional<std::size_t> chosen() const { return chosen_; }
     /// Sets a position in search().failures(), or none.
     void choose(std::optional<std::size_t> alert);
+    /// Sets a position in search().places(), with its most severe alert if one was followed.
+    void choosePlace(std::size_t place);
+    /// The place that is shown as a whole; empty if an alert alone is, or nothing.
+    std::optional<std::size_t> place() const { return place_; }
 
     /// Tries all rules for the alert that is shown; a search in progress is cancelled. Requires
     /// that an alert is shown.
@@ -115,6 +135,7 @@ class RunAlerts {
     std::shared_ptr<const Model> model_;
     AlertSearch search_;
     std::optional<std::size_t> chosen_;
+    std::optional<std::size_t> place_;
     bool news_ = false;
     std::optional<std::size_t> remediesOf_;
     BackgroundQuery<Remedies> remedies_;

@@ -6,7 +6,9 @@
 namespace se::view {
 
 void addLabels(const LayerInput& in, DrawList& out) {
-    const DecisionState& p = in.picture;
+    // With its faults, the finished mesh is shown without its last decision.
+    const DecisionState none;
+    const DecisionState& p = in.faults != nullptr ? none : in.picture;
     const Palette& c = in.palette;
     // One label per point, the more informative one first; strong ones are essential.
     std::set<Index> seen;

@@ -50,8 +50,9 @@ struct LayerInput {
     std::uint32_t tint = 0;  ///< Revision of the margins; 0 for none.
     Theme theme = Theme::Dark;
 
-    const RunFailure* alert = nullptr;       ///< The chosen alert.
-    std::span<const LiveFailure> noticed{};  ///< Failures at this event.
+    const RunFailure* alert = nullptr;         ///< The chosen alert.
+    const RunFailureSearch* faults = nullptr;  ///< Of the finished mesh, where they are shown.
+    std::span<const LiveFailure> noticed{};    ///< Failures at this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
     std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
@@ -67,6 +68,7 @@ struct LayerInput {
 
 void addPoints(const LayerInput& in, DrawList& out);
 void addTriangles(const LayerInput& in, DrawList& out);
+void addFaults(const LayerInput& in, DrawList& out);
 void addMeshEdges(const LayerInput& in, DrawList& out);
 void addEdgeRing(const LayerInput& in, DrawList& out);
 void addStackedRings(const LayerInput& in, DrawList& out);

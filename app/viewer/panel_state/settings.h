@@ -31,7 +31,7 @@ struct ViewSettings {
     bool legend = true;
     KeyMap keys;
     std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
-    MeshStyle meshStyle = MeshStyle::Flat;
+    MeshStyle meshStyle = MeshStyle::Faults;
     PointTint pointTint = PointTint::Status;
     std::optional<UpAxis> up;  ///< For files; empty: guessed for each.
 };

@@ -103,6 +103,11 @@ struct AlertsPanel {
     bool reveal = false;               ///< The list scrolls to the chosen alert.
 };
 
+/// The card over the view that sums up the finished mesh.
+struct VerdictCard {
+    bool closed = false;  ///< By the user, until another input is opened.
+};
+
 struct DoctorPanel {
     std::string shownCheck;  ///< The finding whose points are highlighted.
 };

@@ -72,6 +72,7 @@ struct UiState {
     Bookmarks bookmarks;
     std::vector<Breakpoint> breakpoints;
     AlertsPanel alerts;
+    VerdictCard verdict;
     DoctorPanel doctor;
     WatchPanel watch;
     Lasso lasso;

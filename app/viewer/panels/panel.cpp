@@ -19,11 +19,11 @@ namespace se::view {
 template <class State>
 State& PanelContext::state() const {
     UiState& ui = commands.ui;
-    return std::get<State&>(std::tie(ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab,
-                                     ui.watch, ui.browsing, ui.click, ui.compare, ui.facts, ui.goTo,
-                                     ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
-                                     ui.navigation, ui.palette, ui.prepare, ui.query, ui.startPage,
-                                     ui.subjectMenu, ui.typing, ui.viewDrag, ui.walk, ui.whatIf));
+    return std::get<State&>(std::tie(
+        ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing, ui.click,
+        ui.compare, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
+        ui.navigation, ui.palette, ui.prepare, ui.query, ui.startPage, ui.subjectMenu, ui.typing,
+        ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
@@ -51,6 +51,7 @@ template QueryPanel& PanelContext::state() const;
 template StartPage& PanelContext::state() const;
 template SubjectMenu& PanelContext::state() const;
 template TypingWait& PanelContext::state() const;
+template VerdictCard& PanelContext::state() const;
 template ViewDrag& PanelContext::state() const;
 template WhatIfForm& PanelContext::state() const;
 
@@ -284,6 +285,7 @@ void drawPanels(const PanelContext& context) {
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
+    if (!growth) drawVerdict(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);

@@ -87,6 +87,8 @@ void drawSubjectMenu(const PanelContext& context);
 void drawPrepareDialog(const PanelContext& context);
 /// The question whether to save annotations before the session is left.
 void drawLeaveQuestion(const PanelContext& context);
+/// The card that sums up the finished mesh, with what to do next.
+void drawVerdict(const PanelContext& context);
 /// Notices: loading, failed, or a long move in progress.
 void drawNotices(const PanelContext& context);
 

@@ -117,13 +117,6 @@ std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& a
                  static_cast<std::size_t>(last - first));
 }
 
-std::size_t noticedUpTo(const RunOverview& run, const Address& address) {
-    const auto end = std::partition_point(
-        run.failures.begin(), run.failures.end(),
-        [&](const LiveFailure& each) { return each.address.pivot <= address.pivot; });
-    return static_cast<std::size_t>(end - run.failures.begin());
-}
-
 ComponentShape shapeOf(const Model& model, std::span<const Triangle> triangles, std::size_t begin) {
     ComponentShape shape;
     shape.begin = begin;

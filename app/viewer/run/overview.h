@@ -108,9 +108,6 @@ struct RunOverview {
 /// Failures at an address, in order.
 std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address);
 
-/// Number of failures before the end of the pivot of an address.
-std::size_t noticedUpTo(const RunOverview& run, const Address& address);
-
 /// Appends the lists of `fresh` to those of `overview` and copies its figures.
 void append(RunOverview& overview, const RunOverview& fresh);
 

@@ -7,7 +7,8 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<MeshStyleRow, 5> kStyles = {{
+constexpr std::array<MeshStyleRow, 6> kStyles = {{
+    {MeshStyle::Faults, "faults", "Faults"},
     {MeshStyle::Flat, "flat", "Flat"},
     {MeshStyle::Shaded, "shaded", "Smooth"},
     {MeshStyle::Wire, "wire", "Edges only"},

@@ -14,6 +14,7 @@
 namespace se::view {
 
 enum class MeshStyle : std::uint8_t {
+    Faults,  ///< Flat; at the end of the run, faults are colored.
     Flat,
     Shaded,         ///< Smooth, by the normals of the points.
     Wire,           ///< Only edges.
@@ -35,7 +36,7 @@ MeshStyle following(MeshStyle style);
 
 /// Inputs of the mesh colors.
 struct MeshColoring {
-    MeshStyle style = MeshStyle::Flat;
+    MeshStyle style = MeshStyle::Faults;
     std::size_t creationEnd = 1;      ///< Triangles of the run known so far.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
     /// Components of the repaired mesh, where it is shown.

@@ -132,49 +132,124 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
     }
 }
 
-TEST_CASE("The next alert is the next in the order of the run, from the cursor or the last one") {
-    AlertApp app("scene:noise", {}, "0");
-    const AlertSearch& alerts = app.session.alerts().search();
-    REQUIRE(alerts.failures().size() > 2);
+TEST_CASE("The next place is the most severe one, then the next, always on the finished mesh") {
+    AlertApp app("scene:uneven-density", {}, "0");
+    const RunAlerts& alerts = app.session.alerts();
+    const AlertSearch& search = alerts.search();
+    REQUIRE(search.places().size() > 2);
     app.session.alerts().choose({});
-    nextAlert(app.context, 1);
-    CHECK(app.session.alerts().chosen() == alerts.inOrder()[0]);
-    nextAlert(app.context, 1);
-    CHECK(app.session.alerts().chosen() == alerts.inOrder()[1]);
-    nextAlert(app.context, -1);
-    CHECK(app.session.alerts().chosen() == alerts.inOrder()[0]);
-    nextAlert(app.context, -1);
-    CHECK(app.session.messages().last() == "There is no alert before this one.");
+    nextPlace(app.context, 1);
+    CHECK(alerts.place() == 0U);
+    const auto worst = search.alertsAt(0);
+    REQUIRE_FALSE(worst.empty());
+    CHECK(alerts.chosen() == worst.front());
+    CHECK(app.session.selection() == subjectOf(search.failures()[worst.front()]));
+    CHECK(app.ui.requests.frameAlert);
+    CHECK(app.ui.tab.wanted == kAlertsTab);
+    CHECK(app.session.messages().last() ==
+          "Place 1 of " + std::to_string(search.places().size()) + ": " +
+              describe(search.places()[0], search.found()->all) + ".");
     app.session.waitUntilDone();
+    CHECK(app.session.atEnd());
+    nextPlace(app.context, 1);
+    CHECK(alerts.place() == 1U);
+    nextPlace(app.context, -1);
+    CHECK(alerts.place() == 0U);
+    nextPlace(app.context, -1);
+    CHECK(app.session.messages().last() == "This is the first place.");
+    // A single fault leads on from its place.
+    app.session.alerts().choose(search.alertsAt(1).front());
+    CHECK_FALSE(alerts.place());
+    nextPlace(app.context, 1);
+    CHECK(alerts.place() == 2U);
+    app.session.alerts().choosePlace(search.places().size() - 1);
+    nextPlace(app.context, 1);
+    CHECK(app.session.messages().last() == "This is the last place.");
     app.session.alerts().choose({});
-    app.session.moves().toEnd();
-    app.session.waitUntilDone();
-    nextAlert(app.context, 1);
-    CHECK(app.session.messages().last() == "There is no alert after this one.");
+    nextPlace(app.context, -1);
+    CHECK(alerts.place() == search.places().size() - 1);
     OpenSession open("scene:sphere", "robust");
     CommandContext sound{open.session, app.playback, app.camera, app.ui};
     REQUIRE(open.session.alerts().search().done());
-    REQUIRE(open.session.alerts().search().failures().empty());
-    nextAlert(sound, 1);
-    CHECK(open.session.messages().last() == "No failures found.");
+    nextPlace(sound, 1);
+    CHECK(open.session.messages().last() == "No faults found.");
 }
 
-TEST_CASE("An input opens on its first alert, if no position was named, and only once") {
+TEST_CASE("Every alert of a class that is a fault is at one place, and no other is") {
+    OpenSession open("scene:noise");
+    const AlertSearch& alerts = open.session.alerts().search();
+    std::vector<int> seen(alerts.failures().size(), 0);
+    for (std::size_t place = 0; place < alerts.places().size(); ++place) {
+        for (const std::size_t alert : alerts.alertsAt(place)) {
+            ++seen[alert];
+            CHECK(alerts.placeOf(alert) == place);
+        }
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        CHECK(seen[i] == (alerts.failures()[i].failure.kind->fault ? 1 : 0));
+        if (seen[i] == 0) CHECK_FALSE(alerts.placeOf(i));
+    }
+}
+
+TEST_CASE(
+    "A file with faults opens on its finished mesh, if no position was named, and only once") {
     const FailingFile file;
     AlertApp app(file.path.string());
     const AlertSearch& alerts = app.session.alerts().search();
-    REQUIRE_FALSE(alerts.failures().empty());
-    const std::size_t first = alerts.inOrder().front();
-    CHECK(app.session.alerts().chosen() == first);
-    CHECK(app.place() == toString(alerts.failures()[first].moments.created.event.address));
+    REQUIRE_FALSE(alerts.places().empty());
+    CHECK(app.session.atEnd());
+    CHECK_FALSE(app.session.alerts().chosen());
     CHECK(app.ui.tab.wanted == kAlertsTab);
     CHECK(app.alerts.takeOpened());
-    // Re-run, with another rule or unchanged: the cursor stays at the start.
+    // Re-run, with another rule or unchanged: the cursor stays at the end.
     app.ui.requests.reload = true;
     app.document.carryOut(app.ui.requests);
     app.arrive();
-    CHECK(app.place() == "start");
-    CHECK_FALSE(app.session.alerts().chosen());
+    CHECK_FALSE(app.alerts.takeOpened());
+}
+
+TEST_CASE(
+    "A run again with the rules of robust ends at its end, and says what it made of the faults") {
+    const FailingFile file;
+    AlertApp app(file.path.string());
+    const std::string before = verdictText(app.session.alerts().search());
+    CHECK(before.find(" at ") != std::string::npos);
+    REQUIRE(canFixByRules(app.context));
+    fixByRules(app.context);
+    app.document.carryOut(app.ui.requests);
+    app.arrive();
+    const std::string after = verdictText(app.session.alerts().search());
+    CHECK(app.session.atEnd());
+    CHECK_FALSE(canFixByRules(app.context));
+    CHECK(app.session.messages().last() == "Now " + after + "; before, " + before + ".");
+}
+
+TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 walks them") {
+    OpenSession open("scene:noise");
+    Session& session = open.session;
+    session.moves().toEnd();
+    session.waitUntilDone();
+    LayerInput input{session.model(), session.picture(), paletteOf(Theme::Dark)};
+    input.triangles = session.triangles();
+    input.faults = session.alerts().search().found();
+    REQUIRE(input.faults != nullptr);
+    DrawList all;
+    addTriangles(input, all);
+    DrawList list;
+    addFaults(input, list);
+    std::size_t points = 0;
+    for (const MeshFailure& each : input.faults->all) {
+        if (each.kind->fault && each.triangles.empty()) points += each.points.size();
+    }
+    CHECK(list.sprites.size() == points);
+    REQUIRE_FALSE(list.labels.empty());
+    CHECK(list.labels.front().text == "1");
+    CHECK(list.labels.front().position == session.model().toView(input.faults->places[0].center));
+    input.faults = nullptr;
+    DrawList none;
+    addTriangles(input, none);
+    CHECK(all.faces.size() == none.faces.size() + list.faces.size());
+    CHECK(list.faces.size() > 10);
 }
 
 TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
@@ -252,7 +327,6 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
     AlertApp app("scene:four-edge-hole", {}, "54.emit.1");
     REQUIRE_FALSE(app.session.noticedHere().empty());
     CHECK(app.session.noticedText().find(" Alert: Triangle 196 ") == 0);
-    CHECK(noticedUpTo(app.session.overview(), app.session.address()) > 0);
     DrawList list;
     LayerInput input{app.session.model(), app.session.picture(), paletteOf(Theme::Dark)};
     input.triangles = app.session.triangles();

@@ -81,13 +81,13 @@ TEST_CASE("The overview has the counts of a plain run") {
 }
 
 TEST_CASE("Mesh styles have names that are read back, and form a cycle") {
-    MeshStyle style = MeshStyle::Flat;
+    MeshStyle style = MeshStyle::Faults;
     for (const MeshStyleRow& row : meshStyles()) {
         CHECK(row.id == style);
         CHECK(meshStyleFromName(row.name) == style);
         style = following(style);
     }
-    CHECK(style == MeshStyle::Flat);
+    CHECK(style == MeshStyle::Faults);
     CHECK_FALSE(meshStyleFromName("glossy").has_value());
 }
 

@@ -38,11 +38,14 @@ click_on "tab Alerts"; says open_tab Alerts
 reach "alert created"; click_on "alert created"; says address 54.emit.[12]; says noticed "[1-9]"
 reach "alert unavoidable"; click_on "alert unavoidable"; says address 54.sphere.1
 reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
-# Another alert: the cursor goes to where it was created, and it is selected and framed.
+# The place of the alert is the only one; the first of a run is shown on the finished mesh, framed,
+# with its most severe fault selected.
+press F8; says message "This is the last place."
+press Escape; says alert ""
 picture before
-press F8; says noticed "[1-9]"
+press F8; says place 1; says at_end true; says message "Place 1 of 1: .*"
 picture after
-[ "$(differing before after)" -gt 500 ] || fail "the next alert is not framed"
+[ "$(differing before after)" -gt 500 ] || fail "the place is not framed"
 says selection "triangle|edge|point"
 # Esc clears the selection and the alert.
 press Escape; says alert ""; says selection none
@@ -67,14 +70,25 @@ says at_end true; says camera "$camera"
 [ "$(field alerts)" -lt "$alerts" ] || fail "the rule does not help: $(field alerts) alerts, $alerts before"
 stop
 
-# A file that fails opens on its first alert, and F8 goes to the next.
+# A file that fails opens on its finished mesh, with a card that says what is wrong and what to do;
+# in three actions it is repaired and saved.
 awk 'BEGIN { srand(3); for (y = 0; y < 14; ++y) for (x = 0; x < 14; ++x)
          if ((x - 7) ^ 2 + (y - 7) ^ 2 > 2) print x + 0.3 * sin(7 * x + 3 * y), y + 0.3 * sin(5 * x + 11 * y), 0, 0, 0, 1
      }' >"$failing"
 size=1600x980 start "$failing"
 says alert_search done; says alerts "[1-9][0-9]*"
-says alert ".+:[0-9]+"
-denies pivot 0
-press Home; says pivot 0
+says at_end true; says verdict "[0-9]+ faults? at [0-9]+ places?"; says place 0
+click_on "verdict worst"; says place 1; says alert ".+:[0-9]+"; says open_tab Alerts
+click_on "verdict why"; says open_tab Ledger
+before=$(field verdict)
+click_on "verdict fix"
+says rules robust; says alert_search done; says at_end true
+leaves verdict "$before"
+says message ".*Now .*; before, $before."
+click_on "verdict save"; says file_browser true
+press Escape
+click_on "verdict steps"; says pivot 0
+press End; says at_end true; denies verdict ""
+grep -q '"verdict close"' "$state" && fail "the card is back"
 stop
 well

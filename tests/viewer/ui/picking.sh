@@ -84,12 +84,14 @@ press shift+a; says loop '.*"from": null.*'
 
 # Mesh styles.
 press End
-says mesh_style flat
+says mesh_style faults
+press m; says mesh_style flat
 picture flat
-for style in shaded wire birth component flat; do
+for style in shaded wire birth component faults; do
     press m; says mesh_style "$style"
     picture "$style"
-    [ "$style" = flat ] || [ "$(differing flat "$style")" -gt 500 ] || fail "$style looks like flat"
+    # The mesh is sound.
+    [ "$style" = faults ] || [ "$(differing flat "$style")" -gt 500 ] || fail "$style looks like flat"
 done
 stop
 well

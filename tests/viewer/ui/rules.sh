@@ -23,7 +23,7 @@ says choices '\[\]'
 click_on "rules filter"; press ctrl+a; type_text "maxgap"
 click_on "rule maxgap"; press ctrl+a; type_text "95"; press Return
 says choices '\[ "maxgap=95" \]'; says phase ready
-says message "(Same (place|pivot).*runs diverge at pivot [0-9]+\.|The new run has no pivot.*)"
+says message "(Same (place|pivot).*runs diverge at pivot [0-9]+\.|The new run has no pivot.*)( Now .*)?"
 press Escape; press ctrl+z; says choices '\[\]'; says message "Undone: rule maxgap\..*"
 press ctrl+y; says choices '\[ "maxgap=95" \]'
 

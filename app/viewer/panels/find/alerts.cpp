@@ -24,29 +24,52 @@ namespace {
 /// Number of alerts above which classes are folded at first.
 constexpr std::size_t kManyAlerts = 40;
 
-/// A line of the list: the head of a class, or an alert.
+/// A line of the list: the head of a place, or of a class that is no fault, or an alert of it.
 struct AlertRow {
-    const AlertGroup* head = nullptr;
-    std::size_t alert = 0;
+    enum class Kind : std::uint8_t { Place, Class, Alert } kind;
+    std::size_t number;  ///< Of the place, the group or the alert.
 };
 
-bool isOpen(const PanelContext& context, const AlertGroup& group) {
+/// Whether the rows under a head are shown; `holds`: the chosen alert is among them.
+bool isOpen(const PanelContext& context, const std::string& head, bool holds) {
     const auto& byHand = context.state<AlertsPanel>().open;
-    const auto found = byHand.find(std::string(group.kind->name));
-    const auto chosen = context.session().alerts().chosen();
-    const bool holdsChosen =
-        chosen && *chosen >= group.first && *chosen < group.first + group.count;
-    if (holdsChosen && context.state<AlertsPanel>().reveal) return true;
+    const auto found = byHand.find(head);
+    if (holds && context.state<AlertsPanel>().reveal) return true;
     if (found != byHand.end()) return found->second;
-    return holdsChosen || context.session().alerts().search().failures().size() <= kManyAlerts;
+    return holds || context.session().alerts().search().failures().size() <= kManyAlerts;
+}
+
+std::string placeName(std::size_t place) { return "place " + std::to_string(place + 1); }
+
+bool isOpen(const PanelContext& context, std::size_t place) {
+    const RunAlerts& alerts = context.session().alerts();
+    const auto chosen = alerts.chosen();
+    return isOpen(context, placeName(place),
+                  alerts.place() == place || (chosen && alerts.search().placeOf(*chosen) == place));
+}
+
+bool isOpen(const PanelContext& context, const AlertGroup& group) {
+    const auto chosen = context.session().alerts().chosen();
+    return isOpen(context, std::string(group.kind->name),
+                  chosen && *chosen >= group.first && *chosen < group.first + group.count);
 }
 
 std::vector<AlertRow> rowsOf(const PanelContext& context) {
     std::vector<AlertRow> rows;
-    for (const AlertGroup& group : context.session().alerts().search().groups()) {
-        rows.push_back({&group, 0});
+    const AlertSearch& alerts = context.session().alerts().search();
+    for (std::size_t place = 0; place < alerts.places().size(); ++place) {
+        rows.push_back({AlertRow::Kind::Place, place});
+        if (!isOpen(context, place)) continue;
+        for (const std::size_t alert : alerts.alertsAt(place))
+            rows.push_back({AlertRow::Kind::Alert, alert});
+    }
+    for (std::size_t i = 0; i < alerts.groups().size(); ++i) {
+        const AlertGroup& group = alerts.groups()[i];
+        if (group.kind->fault) continue;
+        rows.push_back({AlertRow::Kind::Class, i});
         if (!isOpen(context, group)) continue;
-        for (std::size_t i = 0; i < group.count; ++i) rows.push_back({nullptr, group.first + i});
+        for (std::size_t k = 0; k < group.count; ++k)
+            rows.push_back({AlertRow::Kind::Alert, group.first + k});
     }
     return rows;
 }
@@ -69,29 +92,47 @@ std::string amountOf(const AlertGroup& group) {
     return "first " + grouped(total.listed) + " of " + (total.exact ? "" : "at least ") + known;
 }
 
-void drawHead(const PanelContext& context, const AlertGroup& group) {
-    const bool open = isOpen(context, group);
-    ImGui::PushID(group.kind);
+/// Head of rows: an arrow, a title in strong type, and a dim note at the right. True if clicked.
+bool drawHead(const PanelContext& context, const std::string& name, const std::string& title,
+              const std::string& note, bool open, bool chosen, const std::string& help) {
+    ImGui::PushID(name.c_str());
     ImGui::PushFont(context.fonts.strong);
-    ImGui::PushStyleColor(
-        ImGuiCol_Text, toVec4(group.kind->fault ? context.palette.rejected : context.palette.text));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetCursorPosX();
-    const std::string name(group.kind->name);
-    const std::string help = std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold");
-    if (selectable(context, "##head", false, "alerts " + name, help))
-        context.state<AlertsPanel>().open[name] = !open;
+    const bool clicked = selectable(context, "##head", chosen, "alerts " + name, help);
     drawArrow(context, at, open);
     ImGui::SameLine(left + 1.3F * context.em);
-    const std::string count = amountOf(group);
-    const float end = ImGui::GetContentRegionMax().x;
     const float room =
-        end - ImGui::GetCursorPosX() - ImGui::CalcTextSize(count.c_str()).x - context.em;
-    ImGui::TextUnformatted(fitted(titleOf(*group.kind), room).c_str());
-    ImGui::PopStyleColor();
+        ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - textWidth(note) - context.em;
+    ImGui::TextUnformatted(fitted(title, room).c_str());
     ImGui::PopFont();
-    dimAtRight(count);
+    dimAtRight(note);
     ImGui::PopID();
+    return clicked;
+}
+
+void drawPlace(const PanelContext& context, std::size_t place) {
+    const RunAlerts& alerts = context.session().alerts();
+    const std::string name = placeName(place);
+    const std::string what =
+        describe(alerts.search().places()[place], alerts.search().found()->all);
+    const bool open = isOpen(context, place);
+    const bool shown = alerts.place() == place;
+    if (!drawHead(
+            context, name, std::to_string(place + 1) + "  " + what, "", open, shown,
+            what + ".\n" + (shown ? (open ? "Fold" : "Unfold") : "Show it on the finished mesh")))
+        return;
+    bool& unfolded = context.state<AlertsPanel>().open[name];
+    unfolded = shown ? !open : true;
+    if (!shown) showPlace(context.commands, place);
+}
+
+void drawClass(const PanelContext& context, const AlertGroup& group) {
+    const std::string name(group.kind->name);
+    const bool open = isOpen(context, group);
+    if (drawHead(context, name, titleOf(*group.kind), amountOf(group), open, false,
+                 std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold")))
+        context.state<AlertsPanel>().open[name] = !open;
 }
 
 void drawRow(const PanelContext& context, std::size_t index) {
@@ -109,7 +150,8 @@ void drawRow(const PanelContext& context, std::size_t index) {
     const float width = ImGui::GetItemRectSize().x;
     const float at = left + std::max(8.6F * context.em, width + 2.0F * context.em);
     ImGui::SameLine(at);
-    const std::string points = pointsText(alert.failure, 6);
+    const std::string points =
+        std::string(alert.failure.kind->singular) + " " + pointsText(alert.failure, 6);
     ImGui::TextDisabled("%s", fitted(points, ImGui::GetContentRegionMax().x - at).c_str());
     ImGui::PopID();
 }
@@ -249,7 +291,17 @@ void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const AlertRow& row = rows[static_cast<std::size_t>(i)];
-            row.head != nullptr ? drawHead(context, *row.head) : drawRow(context, row.alert);
+            switch (row.kind) {
+                case AlertRow::Kind::Place:
+                    drawPlace(context, row.number);
+                    break;
+                case AlertRow::Kind::Class:
+                    drawClass(context, context.session().alerts().search().groups()[row.number]);
+                    break;
+                case AlertRow::Kind::Alert:
+                    drawRow(context, row.number);
+                    break;
+            }
         }
     }
     clipper.End();
@@ -260,14 +312,15 @@ void drawList(const PanelContext& context) {
     const std::vector<AlertRow> rows = rowsOf(context);
     const auto chosen = context.session().alerts().chosen();
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const AlertRow& each) {
-        return chosen && each.head == nullptr && each.alert == *chosen;
+        return chosen && each.kind == AlertRow::Kind::Alert && each.number == *chosen;
     });
     if (found == rows.end()) return drawRows(context, rows);
     const auto above = static_cast<std::size_t>(found - rows.begin());
     const float pitch = ImGui::GetTextLineHeightWithSpacing();
     if (context.state<AlertsPanel>().reveal) {
-        // At the top: the details take the room below.
-        const float y = ImGui::GetCursorPosY() + static_cast<float>(above) * pitch;
+        // At the top: the details take the room below. A place has its head above its first alert.
+        const std::size_t top = above - (context.session().alerts().place() ? 1 : 0);
+        const float y = ImGui::GetCursorPosY() + static_cast<float>(top) * pitch;
         ImGui::SetScrollY(std::max(0.0F, y - 0.3F * pitch));
     }
     drawRows(context, std::span(rows).first(above + 1));
@@ -307,20 +360,13 @@ void drawSearch(const PanelContext& context) {
     if (smallButton(context, "Stop", "alerts stop")) session.alerts().search().stop();
 }
 
-std::string headingNote(const AlertSearch& alerts) {
-    const std::size_t count = alerts.failures().size();
-    if (!alerts.done() || count == 0) return {};
-    if (!alerts.complete()) return "first " + grouped(count) + " alerts";
-    return withS(count, "alert") + (alerts.sound() ? ", the mesh is sound" : "");
-}
-
 }  // namespace
 
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
-    heading(context, "Alerts", headingNote(alerts));
+    heading(context, "Alerts", alerts.done() ? verdictText(alerts) : "");
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);
@@ -328,13 +374,13 @@ void drawAlerts(const PanelContext& context) {
     if (alerts.failures().empty()) return drawNothing(alerts);
     if (!alerts.complete())
         dimText(
-            "There are too many failures to follow all of them: the first of each class are "
-            "listed.");
+            "There are too many failures to follow all of them: places list the first of each "
+            "class.");
     if (!session.alerts().chosen()) {
         dimText(
-            "Click an alert to go to where it was created, frame it, and list its three "
-            "moments. " +
-            context.key("step.alert.next") + " goes to the next one.");
+            "Places with faults, the most severe first: " + context.key("step.alert.next") +
+            " shows the next one. Click a fault in it to go to where it was created, and to list "
+            "its three moments.");
     }
     drawList(context);
     context.state<AlertsPanel>().reveal = false;

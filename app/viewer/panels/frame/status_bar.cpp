@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "commands/alert_actions.h"
 #include "layout/bars.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
@@ -26,12 +27,8 @@ std::vector<std::string> partsOf(const PanelContext& context) {
     }
     parts.push_back("triangles " +
                     grouped(picture.finishedTriangles + picture.newTriangles.size()));
-    const std::size_t alerts = noticedUpTo(session.overview(), session.address());
-    if (session.shown().points.size() > kMaxWatched) {
-        parts.push_back("alerts not watched");
-    } else if (alerts > 0) {
-        parts.push_back("alerts " + grouped(alerts));
-    }
+    const AlertSearch& alerts = session.alerts().search();
+    if (alerts.done()) parts.push_back(verdictText(alerts));
     parts.push_back("unused " + grouped(context.counts.unused) + "   used " +
                     grouped(context.counts.used) + "   done " + grouped(context.counts.done));
     return parts;

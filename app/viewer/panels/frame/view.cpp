@@ -240,7 +240,9 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
-    if (context.settings().legend && !compared) note(drawLegend(context, taken));
+    // The finished mesh has none of the marks of a decision.
+    const bool finished = context.session().ready() && context.session().atEnd();
+    if (context.settings().legend && !compared && !finished) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }
