@@ -184,8 +184,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         ->check(CLI::IsMember({"debug", "learn", "present", "compare"}));
     app.add_flag("--reset-layout", o.resetLayout, "Start with the default layout");
     app.add_option("--mesh-style", raw.meshStyle,
-                   "Style of finished triangles: flat, shaded, wire, birth or component")
-        ->check(CLI::IsMember({"flat", "shaded", "wire", "birth", "component"}));
+                   "Style of finished triangles: faults, flat, shaded, wire, birth or component")
+        ->check(CLI::IsMember({"faults", "flat", "shaded", "wire", "birth", "component"}));
     app.add_option("--point-tint", raw.pointTint,
                    "Color of points: status, or margin (the least of all tests of a point)")
         ->check(CLI::IsMember({"status", "margin"}));

@@ -19,6 +19,15 @@ namespace se::view {
 namespace {
 
 constexpr float kCardWidth = 27.0F;
+/// In a view of less than these sizes, in em, the card has the verdict and two actions.
+constexpr float kSmallWidth = 34.0F;
+constexpr float kSmallHeight = 24.0F;
+constexpr float kSmallCardWidth = 17.0F;
+
+bool isSmall(const PanelContext& context) {
+    const Rect& view = context.rects.view;
+    return view.size.x < kSmallWidth * context.em || view.size.y < kSmallHeight * context.em;
+}
 
 /// Classes with a number of their own.
 constexpr std::size_t kNamedClasses = 3;
@@ -53,29 +62,36 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
+void drawWhy(const PanelContext& context) {
+    if (!textButton(
+            context, "Why?", "verdict why",
+            "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why")))
+        return;
+    if (context.session().alerts().shown() == nullptr) showPlace(context.commands, 0);
+    actions::askWhySelected(context.commands);
+}
+
 void drawActions(const PanelContext& context, const AlertSearch& alerts) {
-    Session& session = context.session();
-    const bool faulty = !alerts.places().empty();
-    if (faulty) {
+    if (!alerts.places().empty()) {
         if (textButton(context, "Worst first", "verdict worst",
                        "Show the places one by one: " + context.key("step.alert.next")))
             showPlace(context.commands, 0);
         ImGui::SameLine();
-        if (textButton(context, "Why?", "verdict why",
-                       "Every decision about the shown fault, in the panel Ledger: " +
-                           context.key("ask.why"))) {
-            if (session.alerts().shown() == nullptr) showPlace(context.commands, 0);
-            actions::askWhySelected(context.commands);
+        if (!isSmall(context)) {
+            drawWhy(context);
+            ImGui::SameLine();
         }
-        ImGui::SameLine();
-        if (canFixByRules(context.commands) &&
-            textButton(context, "Fix", "verdict fix",
-                       "Run again with the rules of robust, to the end"))
-            fixByRules(context.commands);
-        if (canFixByRules(context.commands)) ImGui::SameLine();
+        if (canFixByRules(context.commands)) {
+            if (textButton(context, "Fix", "verdict fix",
+                           "Run again with the rules of robust, to the end"))
+                fixByRules(context.commands);
+            ImGui::SameLine();
+        }
+        if (isSmall(context)) return ImGui::NewLine();
     }
     if (textButton(context, "Save mesh...", "verdict save", context.key("file.savemesh")))
         context.run("file.savemesh");
+    if (isSmall(context)) return;
     ImGui::SameLine();
     if (textButton(context, "Step through", "verdict steps", "Go to the start of the run")) {
         context.state<VerdictCard>().closed = true;
@@ -98,9 +114,11 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     textIn(context.fonts.strong, title);
     ImGui::PopStyleColor();
     drawClose(context);
-    if (faulty) wrappedText(classesText(*alerts.found()));
-    dimText(meshText(*alerts.found(), context.session().model()));
-    ImGui::Spacing();
+    if (!isSmall(context)) {
+        if (faulty) wrappedText(classesText(*alerts.found()));
+        dimText(meshText(*alerts.found(), context.session().model()));
+        ImGui::Spacing();
+    }
     drawActions(context, alerts);
 }
 
@@ -125,7 +143,8 @@ void drawVerdict(const PanelContext& context) {
     if (!isShown(context)) return;
     const float em = context.em;
     const Rect& view = context.rects.view;
-    const float width = std::min(kCardWidth * em, view.size.x - 1.4F * em);
+    const float wanted = (isSmall(context) ? kSmallCardWidth : kCardWidth) * em;
+    const float width = std::min(wanted, view.size.x - 1.4F * em);
     if (width < 12.0F * em) return;
     ImGui::SetNextWindowPos({view.min.x + 0.7F * em, view.min.y + 0.7F * em});
     ImGui::SetNextWindowSize({width, 0.0F});
