@@ -381,7 +381,7 @@ check_finds_faults() {
     # The same corners with the normal of one turned inwards.
     icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
-    says err "the mesh has 34 faults: 2 non_manifold_edge, 2 inconsistent_edge, "
+    says err "the mesh has 34 faults at 1 place: 2 non_manifold_edge, 2 inconsistent_edge, "
     says err "19 second_layers, 8 flipped"
     says err "; --rules robust may avoid them"
 }
@@ -406,12 +406,28 @@ check_fails_where_there_is_no_mesh() {
     expect 0 run copies.xyz -q
 }
 
+faults_and_places_are_counted_alike() {
+    expect 1 run scene:uneven-density --check --report report.json -o mesh.ply
+    says err "the mesh has 341 faults at 3 places: "
+    is "$(number places_total report.json)" 3 "places of the report"
+    expect 1 check mesh.ply
+    says out "341 faults at 3 places"
+    says out "#2 3 unused points; at ("
+    expect 1 check mesh.ply --json
+    is "$(number places_total out)" 3 "places of check"
+    expect 0 why scene:uneven-density --failures --most 1
+    [ "$(head -1 out)" = "341 faults at 3 places" ] || fail "why: $(head -1 out)"
+    says out "#1 1 hole of 5 edges, "
+    expect 0 why scene:uneven-density --failures --json
+    is "$(number places_total out)" 3 "places of why"
+}
+
 run_ends_with_its_faults() {
     expect 0 run scene:close-sheets
     tail -1 err | grep -qE '^scene:close-sheets: the mesh has 29 faults: 1 non_manifold_vertices, 1 inconsistent_edge, 4 degenerate, 2 folded, 10 flipped, 9 small_components, 2 unused_points; intersecting triangles and second layers not counted \(use --check\); --rules robust may avoid them$' ||
         fail "last line: $(tail -1 err)"
     expect 0 run scene:close-sheets --report report.json
-    tail -1 err | grep -qE 'the mesh has 117 faults: .* 14 intersecting, .* 74 second_layers, .*; --rules robust may avoid them$' ||
+    tail -1 err | grep -qE 'the mesh has 117 faults at 1 place: .* 14 intersecting, .* 74 second_layers, .*; --rules robust may avoid them$' ||
         fail "last line with a report: $(tail -1 err)"
     expect 0 run scene:close-sheets -q
     empty err
@@ -942,7 +958,8 @@ check_says_what_is_wrong_with_a_mesh() {
     says out "1 isolated_points"
     says out "lost.off: 2 triangles, 1 fault"
     expect 0 check lost.off --allow isolated_points
-    says out "lost.off: 2 triangles, 1 fault, allowed"
+    says out "lost.off: 2 triangles, 1 fault at 1 place, allowed"
+    says out "#1 1 isolated point; at (9, 9, 0)"
     printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
     expect 1 check twice.off --json
     is "$(number duplicate_triangles out)" 1 "duplicates"
