@@ -408,18 +408,19 @@ check_fails_where_there_is_no_mesh() {
 
 faults_and_places_are_counted_alike() {
     expect 1 run scene:uneven-density --check --report report.json -o mesh.ply
-    says err "the mesh has 341 faults at 3 places: "
-    is "$(number places_total report.json)" 3 "places of the report"
+    says err "the mesh has 341 faults at 6 places: "
+    is "$(number places_total report.json)" 6 "places of the report"
     expect 1 check mesh.ply
-    says out "341 faults at 3 places"
-    says out "#2 3 unused points; at ("
+    says out "341 faults at 6 places"
+    says out "#2 2 unused points; at ("
     expect 1 check mesh.ply --json
-    is "$(number places_total out)" 3 "places of check"
+    is "$(number places_total out)" 6 "places of check"
     expect 0 why scene:uneven-density --failures --most 1
-    [ "$(head -1 out)" = "341 faults at 3 places" ] || fail "why: $(head -1 out)"
+    [ "$(head -1 out)" = "341 faults at 6 places" ] || fail "why: $(head -1 out)"
     says out "#1 1 hole of 5 edges, "
+    says out "... and 5 more by --json"
     expect 0 why scene:uneven-density --failures --json
-    is "$(number places_total out)" 3 "places of why"
+    is "$(number places_total out)" 6 "places of why"
 }
 
 run_ends_with_its_faults() {
@@ -427,7 +428,7 @@ run_ends_with_its_faults() {
     tail -1 err | grep -qE '^scene:close-sheets: the mesh has 29 faults: 1 non_manifold_vertices, 1 inconsistent_edge, 4 degenerate, 2 folded, 10 flipped, 9 small_components, 2 unused_points; intersecting triangles and second layers not counted \(use --check\); --rules robust may avoid them$' ||
         fail "last line: $(tail -1 err)"
     expect 0 run scene:close-sheets --report report.json
-    tail -1 err | grep -qE 'the mesh has 117 faults at 1 place: .* 14 intersecting, .* 74 second_layers, .*; --rules robust may avoid them$' ||
+    tail -1 err | grep -qE 'the mesh has 117 faults at 5 places: .* 14 intersecting, .* 74 second_layers, .*; --rules robust may avoid them$' ||
         fail "last line with a report: $(tail -1 err)"
     expect 0 run scene:close-sheets -q
     empty err

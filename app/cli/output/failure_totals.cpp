@@ -8,13 +8,6 @@
 
 namespace se::cli {
 
-std::string faultTotalText(std::span<const ClassTotal> totals, std::span<const FaultPlace> places) {
-    if (isSound(totals)) return "sound";
-    if (faultCount(totals) == 0) return "no fault found, but the search ended early";
-    return (isExact(totals) ? "" : "at least ") + counted(faultCount(totals), "fault") + " at " +
-           counted(places.size(), "place");
-}
-
 std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
                        std::size_t limit) {
     std::string text;
@@ -23,18 +16,27 @@ std::string placesText(std::span<const FaultPlace> places, std::span<const MeshF
         text += fmt::format("{:>7} {}; at ({:.6g}, {:.6g}, {:.6g})\n", "#" + std::to_string(i + 1),
                             describe(places[i], failures), at.x, at.y, at.z);
     }
+    if (places.size() > limit)
+        text += fmt::format("        ... and {} more by --json\n", places.size() - limit);
     return text;
 }
 
 void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
-               std::size_t limit, nlohmann::ordered_json& json) {
+               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit,
+               nlohmann::ordered_json& json) {
+    using Json = nlohmann::ordered_json;
     json["places_total"] = places.size();
-    json["places"] = nlohmann::ordered_json::array();
+    json["places"] = Json::array();
     for (const FaultPlace& place : places.first(std::min(limit, places.size()))) {
+        Json rows = Json::array();
+        for (const std::size_t fault : place.faults) {
+            if (fault < rowOf.size() && rowOf[fault]) rows.push_back(*rowOf[fault]);
+        }
         json["places"].push_back({{"what", describe(place, failures)},
                                   {"at", {place.center.x, place.center.y, place.center.z}},
                                   {"radius", place.radius},
-                                  {"faults", place.faults}});
+                                  {"faults", place.faults.size()},
+                                  {"rows", std::move(rows)}});
     }
 }
 

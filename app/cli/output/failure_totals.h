@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,17 +10,15 @@
 
 namespace se::cli {
 
-/// "12 faults at 3 places", "at least 1204331 faults at 12 places"; "sound" for none, "no fault
-/// found, but the search ended early" for none known.
-std::string faultTotalText(std::span<const ClassTotal> totals, std::span<const FaultPlace> places);
-
 /// The first `limit` places, one line each; empty if there are none.
 std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
                        std::size_t limit);
-/// Adds `places`: the number of them as `places_total`, and the first `limit` with `what`, `at`,
-/// `radius` and `faults`, positions in the list of failures.
+/// Adds the number of places as `places_total`, and the first `limit` as `places`: `what`, `at`,
+/// `radius` and `faults`, the number of faults there. `rowOf`: of each failure, its position in the
+/// list that is printed, if it is in it; those are the `rows` of a place.
 void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
-               std::size_t limit, nlohmann::ordered_json& json);
+               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit,
+               nlohmann::ordered_json& json);
 
 /// One failure: `class`, `points`, `triangles`, `at`; of a loop also `length` and `area`.
 nlohmann::ordered_json failureRow(const MeshFailure& failure);

@@ -229,8 +229,7 @@ std::string remediesText(const Remedies& remedies) {
 }
 
 std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
-    if (found.failures.empty()) return "No failures found.\n";
-    std::string text = faultTotalText(found.totals, found.places) + "\n";
+    std::string text = verdictText(found.totals, found.all.size(), found.places.size()) + "\n";
     text += placesText(found.places, found.all, limit);
     for (std::size_t i = 0; i < found.totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
@@ -247,7 +246,9 @@ std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
 std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
     Json json{{"input", input}};
     addTotals(found.totals, failureClasses(), json);
-    addPlaces(found.places, found.all, found.places.size(), json);
+    std::vector<std::optional<std::size_t>> rowOf(found.all.size());
+    for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
+    addPlaces(found.places, found.all, rowOf, found.places.size(), json);
     json["failures"] = Json::array();
     for (const RunFailure& each : found.failures) json["failures"].push_back(failureJson(each));
     return dumped(json);

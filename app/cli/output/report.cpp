@@ -128,13 +128,16 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     if (!isExact(inspection.totals)) json["faults_at_least"] = true;
     json["sound"] = isSound(inspection.totals);
     Json list = Json::array();
+    std::vector<std::optional<std::size_t>> rowOf;
     std::size_t openings = 0;
     for (const MeshFailure& failure : inspection.failures) {
+        const bool listed = failure.kind->fault && list.size() < kMaxFaults;
+        rowOf.push_back(listed ? std::optional(list.size()) : std::nullopt);
         if (!failure.kind->fault) openings += isLoop(failure) ? 1U : 0U;
-        if (failure.kind->fault && list.size() < kMaxFaults) list.push_back(faultRow(failure));
+        if (listed) list.push_back(faultRow(failure));
     }
     json["fault_list"] = list;
-    addPlaces(outcome.places, inspection.failures, kMaxFaults, json);
+    addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
     json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
                         {"mean_distance", outcome.fidelity.meanDistance},
                         {"points_lost", lostPoints(inspection)},
@@ -259,9 +262,12 @@ std::string faultSentence(const RunOutcome& outcome) {
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
-    if (count == 0) return faultTotalText(totals, outcome.places);
+    if (count == 0)
+        return verdictText(totals, outcome.inspection->failures.size(), outcome.places.size());
     std::string text = "the mesh has ";
-    text += outcome.pairs ? faultTotalText(totals, outcome.places) : counted(count, "fault");
+    text += outcome.pairs
+                ? verdictText(totals, outcome.inspection->failures.size(), outcome.places.size())
+                : counted(count, "fault");
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <unordered_map>
 
 #include "input.h"
@@ -171,11 +172,10 @@ std::string reportText(const CheckArguments& arguments, std::size_t triangles,
                        const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     constexpr std::size_t kShown = 10;
     const bool allowed = good && !isSound(found.totals);
-    std::string text =
-        fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
-                    faultTotalText(found.totals, places), allowed ? ", allowed" : "");
+    std::string text = fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+                                   verdictText(found.totals, found.failures.size(), places.size()),
+                                   allowed ? ", allowed" : "");
     text += placesText(places, found.failures, kShown);
-    if (places.size() > kShown) text += "        ... the other places by --json\n";
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
         const ClassTotal& total = found.totals[i];
@@ -206,7 +206,9 @@ std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
     json["good"] = good;
     json["sound"] = isSound(found.totals);
     addTotals(found.totals, meshClasses(), json);
-    addPlaces(places, found.failures, places.size(), json);
+    std::vector<std::optional<std::size_t>> rowOf;
+    for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf.emplace_back(i);
+    addPlaces(places, found.failures, rowOf, places.size(), json);
     json["failures"] = Json::array();
     for (const MeshFailure& failure : found.failures)
         json["failures"].push_back(failureRow(failure));

@@ -15,13 +15,17 @@ namespace se::view {
 
 namespace {
 
+void keepDrawable(const Model& model, std::vector<Index>& points) {
+    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
+}
+
 /// The points to frame: those of the triangles as well, of which an edge shows too little.
-std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
+std::vector<Index> pointsOf(const Model& model, const RunFailure& alert) {
     std::vector<Index> points = alert.failure.points;
     if (!isLoop(alert.failure)) {
         for (const Triangle& t : alert.corners) points.insert(points.end(), {t.a, t.b, t.c});
     }
-    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
+    keepDrawable(model, points);
     return points;
 }
 
@@ -29,10 +33,10 @@ std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
 std::vector<Index> pointsAt(const Model& model, const AlertSearch& alerts, std::size_t place) {
     std::vector<Index> points;
     for (const std::size_t i : alerts.places()[place].faults) {
-        const std::vector<Index>& its = alerts.found()->all[i].points;
-        points.insert(points.end(), its.begin(), its.end());
+        const std::vector<Index>& ofFault = alerts.found()->all[i].points;
+        points.insert(points.end(), ofFault.begin(), ofFault.end());
     }
-    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
+    keepDrawable(model, points);
     return points;
 }
 
@@ -50,7 +54,7 @@ void frameAlert(CommandContext& context) {
     const Model& model = context.session.model();
     const std::vector<Index> points = alerts.place()
                                           ? pointsAt(model, alerts.search(), *alerts.place())
-                                          : placesOf(model, *alert);
+                                          : pointsOf(model, *alert);
     if (points.empty()) return;
     const MarkedSphere place = sphereAround(model, points);
     if (place.normal != glm::vec3(0.0F)) context.camera.face(place.normal);
@@ -137,10 +141,25 @@ void showPlace(CommandContext& context, std::size_t place) {
     context.ui.requests.frameAlert = true;
     context.ui.alerts.reveal = true;
     context.ui.tab.wanted = kAlertsTab;
-    const std::size_t count = alerts.search().places().size();
-    session.messages().say("Place " + grouped(place + 1) + " of " + grouped(count) + ": " +
-                           describe(alerts.search().places()[place], alerts.search().found()->all) +
-                           ".");
+    session.messages().say(verdictSentence(alerts));
+}
+
+std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what) {
+    const auto corners = what.corners();
+    if (corners.empty()) return {};
+    std::optional<std::size_t> worst;
+    for (std::size_t i = 0; i < alerts.failures().size(); ++i) {
+        const MeshFailure& failure = alerts.failures()[i].failure;
+        if (!failure.kind->fault) continue;
+        if (worst && alerts.failures()[*worst].failure.kind->severity <= failure.kind->severity)
+            continue;
+        // The points of a failure are in order.
+        const bool all = std::all_of(corners.begin(), corners.end(), [&](Index p) {
+            return std::binary_search(failure.points.begin(), failure.points.end(), p);
+        });
+        if (all) worst = i;
+    }
+    return worst;
 }
 
 void nextPlace(CommandContext& context, int direction) {
@@ -165,14 +184,21 @@ void nextPlace(CommandContext& context, int direction) {
 }
 
 std::string verdictText(const AlertSearch& alerts) {
-    const std::vector<ClassTotal>& totals = alerts.found()->totals;
-    if (isSound(totals)) return "the mesh is sound";
-    const std::size_t faults = faultCount(totals);
-    if (faults == 0) return "no fault found, but the search ended early";
-    const std::size_t places = alerts.places().size();
-    return (isExact(totals) ? "" : "at least ") + grouped(faults) +
-           (faults == 1 ? " fault at " : " faults at ") + grouped(places) +
-           (places == 1 ? " place" : " places");
+    const RunFailureSearch& found = *alerts.found();
+    const std::string text = verdictText(found.totals, found.all.size(), found.places.size());
+    return isSound(found.totals) ? "the mesh is sound" : text;
+}
+
+std::string verdictSentence(const RunAlerts& alerts) {
+    const AlertSearch& search = alerts.search();
+    if (!alerts.place()) return "The run is finished: " + verdictText(search) + ".";
+    return "Place " + grouped(*alerts.place() + 1) + " of " + grouped(search.places().size()) +
+           ": " + describe(search.places()[*alerts.place()], search.found()->all) + ".";
+}
+
+bool showsFinishedMesh(const CommandContext& context) {
+    return context.ui.settings.meshStyle == MeshStyle::Faults && context.session.ready() &&
+           context.session.atEnd();
 }
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
@@ -181,14 +207,14 @@ void switchOn(CommandContext& context, const Remedy& remedy) {
 }
 
 bool canFixByRules(const CommandContext& context) {
-    const RuleSet rules = rulesOf(context.session.input().spec());
-    return rules.name != "robust" || !rules.choices.empty();
+    return rulesOf(context.session.input().spec()).name != "robust";
 }
 
 void fixByRules(CommandContext& context) {
     assert(canFixByRules(context));
-    const RuleSet rules = rulesOf(context.session.input().spec());
-    context.ui.requests.rules = RuleSet{"robust", {}, rules.whatIf};
+    RuleSet rules = rulesOf(context.session.input().spec());
+    rules.name = "robust";
+    context.ui.requests.rules = std::move(rules);
     context.ui.requests.resume = Resume::End;
 }
 

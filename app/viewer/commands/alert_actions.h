@@ -38,16 +38,25 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
 void showPlace(CommandContext& context, std::size_t place);
 /// Centers the chosen place or alert in the view.
 void frameAlert(CommandContext& context);
+/// The most severe fault that a point, an edge or a triangle is part of, by its alert; empty if
+/// there is none, or none that was followed.
+std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what);
 /// The next (+1) or previous (-1) place, from the most severe on.
 void nextPlace(CommandContext& context, int direction);
 /// "44 faults at 12 places", "the mesh is sound". Requires a search that is done.
 std::string verdictText(const AlertSearch& alerts);
+/// "Place 1 of 31: 1 hole of 3 edges." of the place that is shown, else "The run is finished: 44
+/// faults at 31 places." Requires a search that is done.
+std::string verdictSentence(const RunAlerts& alerts);
+/// True where the finished mesh is shown with its faults, and without its last decision.
+bool showsFinishedMesh(const CommandContext& context);
 /// Runs the input again with one more rule, or another set of rules, to its end: the place of the
 /// defect is visible there, since selection and camera stay.
 void switchOn(CommandContext& context, const Remedy& remedy);
 /// True if the input is not run with the set robust already.
 bool canFixByRules(const CommandContext& context);
-/// Runs the input again with the set robust, to its end. Requires canFixByRules().
+/// Runs the input again with the set robust, and the same choices of rules, to its end. Requires
+/// canFixByRules().
 void fixByRules(CommandContext& context);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);

@@ -44,7 +44,7 @@ void AlertController::poll() {
         verdict_.clear();
         c_.ui.verdict = {};
     }
-    sayOutcome();
+    reportChange();
     if (!asked_.empty()) return showAsked();
     if (const std::string kept = document_.takeAlert(); !kept.empty())
         session.alerts().choose(alertNamed(session.alerts().search(), kept));
@@ -58,15 +58,16 @@ void AlertController::poll() {
         c_.ui.tab.wanted = kAlertsTab;
 }
 
-void AlertController::sayOutcome() {
+void AlertController::reportChange() {
     const AlertSearch& alerts = c_.session.alerts().search();
     if (!alerts.done()) return;
     const std::string before = std::exchange(verdict_, verdictText(alerts));
-    if (before.empty() || before == verdict_) return;
+    if (before.empty()) return;
     // What was said about the place in the new run stays.
     const std::string notice = c_.session.messages().notice();
-    c_.session.messages().say(notice + (notice.empty() ? "" : " ") + "Now " + verdict_ +
-                              "; before, " + before + ".");
+    const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
+                                                  : "Now " + verdict_ + "; before, " + before + ".";
+    c_.session.messages().say(notice + (notice.empty() ? "" : " ") + change);
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.

@@ -1,5 +1,5 @@
-/// What is shown once the alerts of a run are known: that of the command line, that of the session,
-/// or the finished mesh with its faults. Independent of window and OpenGL.
+/// Shows the alert of the command line, that of the session, or the finished mesh with its faults,
+/// once the alerts of a run are known. Independent of window and OpenGL.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ class AlertController {
 
   private:
     void chooseOfGallery();
-    void sayOutcome();
+    void reportChange();
     void showAsked();
 
     CommandContext& c_;

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "commands/alert_actions.h"
 #include "jobs/questions.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -45,12 +46,6 @@ Index seedBefore(const Session& session) {
 std::uint32_t tintOf(const Session& session, PointTint tint) {
     const bool known = !session.questions().leastMargin().empty();
     return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
-}
-
-/// The faults of the finished mesh, if it is shown and they are known; null in other styles.
-const RunFailureSearch* faultsHere(const Session& session, MeshStyle style) {
-    const bool shown = style == MeshStyle::Faults && session.atEnd();
-    return shown ? session.alerts().search().found() : nullptr;
 }
 
 /// Colors triangles that the other mesh lacks, and outlines what it has in the shown region.
@@ -118,8 +113,9 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     upload(session);
     const ViewSettings& settings = context.ui.settings;
     // The finished mesh is shown without its last decision.
-    const bool faults = faultsHere(session, settings.meshStyle) != nullptr;
-    shownLayers_ = shownLayers(settings.layers, faults ? std::nullopt : session.stage());
+    const bool finished = showsFinishedMesh(context);
+    shownLayers_ = shownLayers(settings.layers, finished ? std::nullopt : session.stage());
+    const RunFailureSearch* faults = finished ? session.alerts().search().found() : nullptr;
     const std::size_t shapes = session.overview().shapes.size();
     Filled now{session.revision(),
                shownLayers_,
@@ -129,7 +125,8 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
                shapes,
                tintOf(session, settings.pointTint),
                session.noticedHere().size(),
-               faults,
+               finished,
+               faults != nullptr,
                look != nullptr ? look->revision : 0U};
     if (now == filled_) return;
     const LayerInput input{
@@ -153,7 +150,8 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         now.tint,
         settings.theme,
         session.alerts().shown(),
-        faultsHere(session, settings.meshStyle),
+        finished,
+        faults,
         session.noticedHere()};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)

@@ -14,7 +14,7 @@ void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
     started_ = stopped_ = false;
     groups_.clear();
     inOrder_.clear();
-    followedAs_.clear();
+    alertOfFailure_.clear();
     placeOf_.clear();
 }
 
@@ -40,11 +40,11 @@ void AlertSearch::resume() {
 
 bool AlertSearch::poll() {
     if (!query_.poll()) return false;
-    if (done()) sortOut();
+    if (done()) indexAnswer();
     return true;
 }
 
-void AlertSearch::sortOut() {
+void AlertSearch::indexAnswer() {
     const std::span<const RunFailure> all = failures();
     std::size_t first = 0;
     for (std::size_t i = 0; i < failureClasses().size(); ++i) {
@@ -53,8 +53,8 @@ void AlertSearch::sortOut() {
         groups_.push_back({&failureClasses()[i], first, total.listed, total});
         first += total.listed;
     }
-    followedAs_.assign(found()->all.size(), kNoAlert);
-    for (std::size_t i = 0; i < all.size(); ++i) followedAs_[all[i].position] = i;
+    alertOfFailure_.assign(found()->all.size(), kNoAlert);
+    for (std::size_t i = 0; i < all.size(); ++i) alertOfFailure_[all[i].position] = i;
     placeOf_.assign(all.size(), kNoAlert);
     for (std::size_t p = 0; p < places().size(); ++p) {
         for (const std::size_t alert : alertsAt(p)) placeOf_[alert] = p;
@@ -69,7 +69,7 @@ void AlertSearch::sortOut() {
 std::vector<std::size_t> AlertSearch::alertsAt(std::size_t place) const {
     std::vector<std::size_t> alerts;
     for (const std::size_t position : places()[place].faults) {
-        if (followedAs_[position] != kNoAlert) alerts.push_back(followedAs_[position]);
+        if (alertOfFailure_[position] != kNoAlert) alerts.push_back(alertOfFailure_[position]);
     }
     return alerts;
 }

@@ -56,7 +56,7 @@ class AlertSearch {
     bool complete() const { return !done() || isComplete(query_.answer()->totals); }
     /// The search is done, and the mesh has no fault (isSound()).
     bool sound() const { return done() && isSound(query_.answer()->totals); }
-    /// The search is done, and what it found; else null.
+    /// Results; null until the search is done.
     const RunFailureSearch* found() const { return query_.answer(); }
     std::span<const AlertGroup> groups() const { return groups_; }
     /// Places with faults, the most severe first: of all failures, followed or not.
@@ -74,15 +74,15 @@ class AlertSearch {
   private:
     static constexpr std::size_t kNoAlert = std::numeric_limits<std::size_t>::max();
 
-    void sortOut();
+    void indexAnswer();
 
     std::shared_ptr<const Model> model_;
     bool started_ = false;
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
     std::vector<std::size_t> inOrder_;
-    std::vector<std::size_t> followedAs_;  ///< Per failure of all: its alert, or kNoAlert.
-    std::vector<std::size_t> placeOf_;     ///< Per alert: its place, or kNoAlert.
+    std::vector<std::size_t> alertOfFailure_;  ///< Per failure of all: its alert, or kNoAlert.
+    std::vector<std::size_t> placeOf_;         ///< Per alert: its place, or kNoAlert.
     BackgroundQuery<RunFailureSearch> query_;
 };
 

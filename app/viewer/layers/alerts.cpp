@@ -67,7 +67,7 @@ void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out)
 
 void addAlerts(const LayerInput& in, DrawList& out) {
     if (in.alert != nullptr) addChosen(in, *in.alert, out);
-    if (in.faults != nullptr) return;  // All faults are shown, not those of the last event.
+    if (in.finished) return;  // All faults are shown, not those of the last event.
     for (const LiveFailure& each : in.noticed) addNoticed(in, each, out);
     if (in.noticed.empty()) return;
     const LiveFailure& first = in.noticed.front();

@@ -6,9 +6,8 @@
 namespace se::view {
 
 void addLabels(const LayerInput& in, DrawList& out) {
-    // With its faults, the finished mesh is shown without its last decision.
     const DecisionState none;
-    const DecisionState& p = in.faults != nullptr ? none : in.picture;
+    const DecisionState& p = in.finished ? none : in.picture;
     const Palette& c = in.palette;
     // One label per point, the more informative one first; strong ones are essential.
     std::set<Index> seen;

@@ -50,8 +50,9 @@ struct LayerInput {
     std::uint32_t tint = 0;  ///< Revision of the margins; 0 for none.
     Theme theme = Theme::Dark;
 
-    const RunFailure* alert = nullptr;         ///< The chosen alert.
-    const RunFailureSearch* faults = nullptr;  ///< Of the finished mesh, where they are shown.
+    const RunFailure* alert = nullptr;  ///< The chosen alert.
+    bool finished = false;              ///< The finished mesh is shown, without its last decision.
+    const RunFailureSearch* faults = nullptr;  ///< Of the finished mesh, once they are known.
     std::span<const LiveFailure> noticed{};    ///< Failures at this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }

@@ -91,7 +91,11 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     }
     s.keys = keysIn(object, s.complaints);
     s.up = upAxisFromName(wordIn(object, "up"));
-    s.meshStyle = meshStyleFromName(wordIn(object, "meshStyle")).value_or(s.meshStyle);
+    // The default of the program that wrote the file was not chosen; that of 0.1.0 was flat.
+    const std::string style = wordIn(object, "meshStyle");
+    const std::string usual = wordIn(object, "usualMeshStyle");
+    if (style != (usual.empty() ? "flat" : usual))
+        s.meshStyle = meshStyleFromName(style).value_or(s.meshStyle);
     s.pointTint = pointTintFromName(wordIn(object, "pointTint")).value_or(s.pointTint);
     if (const auto modes = object.find("layers"); modes != object.end()) {
         const ReadLayers read = layersFromJson(*modes);
@@ -111,6 +115,7 @@ std::string settingsToJson(const ViewSettings& s) {
                    {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     object["meshStyle"] = rowOf(s.meshStyle).name;
+    object["usualMeshStyle"] = rowOf(ViewSettings{}.meshStyle).name;
     object["pointTint"] = rowOf(s.pointTint).name;
     if (s.up) object["up"] = upAxisName(*s.up);
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;

@@ -224,25 +224,30 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     for (const std::size_t i : chosen) followed.push_back(run->failures[i]);
     const auto moments = momentsOfAll(points, params, followed, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
-    RunFailureSearch found{{},
-                           std::move(run->totals),
-                           std::move(run->failures),
-                           std::move(run->places),
-                           fidelityOf(points, mesh),
-                           mesh.size()};
-    for (std::size_t i = 0; i < followed.size(); ++i) {
-        if (!moments.value()[i]) {
+    RunFailureSearch found;
+    found.fidelity = fidelityOf(points, mesh);
+    found.triangles = mesh.size();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < run->failures.size(); ++i) {
+        MeshFailure& failure = run->failures[i];
+        const bool isFollowed = next < chosen.size() && chosen[next] == i;
+        const std::optional<FailureMoments>* its = isFollowed ? &moments.value()[next++] : nullptr;
+        if (its != nullptr && !*its) {
             // Not a failure of this run: not counted.
-            ClassTotal& total = found.totals[rankOf(*followed[i].kind)];
+            ClassTotal& total = run->totals[rankOf(*failure.kind)];
             --total.listed;
             --total.total;
             continue;
         }
-        std::vector<Triangle> corners;
-        for (const Index number : followed[i].triangles) corners.push_back(mesh[number]);
-        found.failures.push_back(
-            {std::move(followed[i]), chosen[i], std::move(corners), *moments.value()[i]});
+        if (its != nullptr) {
+            std::vector<Triangle> corners;
+            for (const Index number : failure.triangles) corners.push_back(mesh[number]);
+            found.failures.push_back({failure, found.all.size(), std::move(corners), **its});
+        }
+        found.all.push_back(std::move(failure));
     }
+    found.totals = std::move(run->totals);
+    found.places = faultPlaces(points, found.all, run->meanEdge);
     return found;
 }
 

@@ -66,9 +66,8 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
                      [](const MeshFailure& a, const MeshFailure& b) {
                          return rankOf(*a.kind) < rankOf(*b.kind);
                      });
-    std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
     return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals),
-                        std::move(places)};
+                        found.meanEdge};
 }
 
 }  // namespace se

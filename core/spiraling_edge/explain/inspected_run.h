@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/mesh/fault_places.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
@@ -42,7 +42,7 @@ struct InspectedRun {
     /// failureClasses(); `totals` count all of them.
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;
-    std::vector<FaultPlace> places{};
+    double meanEdge = 0.0;  ///< Mean length of the edges, scene units.
 
     /// The total of a class.
     const ClassTotal& totalOf(const FailureClass& kind) const { return totals[rankOf(kind)]; }

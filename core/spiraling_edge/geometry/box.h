@@ -53,14 +53,15 @@ class BoxCells {
     /// A block is a cube of 2 to this power cells a side.
     static constexpr unsigned kBlockBits = 4;
 
-    /// `low` is the lower corner of all boxes, `cell` the width of a cell, above 0.
+    /// `low` is the lower corner of the grid: boxes that reach below it are in its first cells.
+    /// `cell` is the width of a cell, above 0.
     BoxCells(Vec3 low, double cell) : low_(low), perCell_(1.0 / cell) {}
 
     /// Calls `visit` with the number of each cell. False, without a call, if they are too many.
     template <typename Visit>
     bool forEachCell(const Vec3& low, const Vec3& high, Visit&& visit) const {
-        const Place from = place(low);
-        const Place to = place(high);
+        const CellPosition from = positionOf(low);
+        const CellPosition to = positionOf(high);
         if (areTooMany(from, to)) return false;
         visitRange(from, to, visit);
         return true;
@@ -68,8 +69,8 @@ class BoxCells {
     /// As forEachCell(), with the number of each block of cells.
     template <typename Visit>
     bool forEachBlock(const Vec3& low, const Vec3& high, Visit&& visit) const {
-        Place from = place(low);
-        Place to = place(high);
+        CellPosition from = positionOf(low);
+        CellPosition to = positionOf(high);
         if (areTooMany(from, to)) return false;
         for (std::size_t i = 0; i < 3; ++i) {
             from[i] >>= kBlockBits;
@@ -86,24 +87,24 @@ class BoxCells {
 
     /// The one cell, of all that both boxes touch, in which the pair is tested.
     std::uint64_t cellOfPair(const Vec3& lowA, const Vec3& lowB) const {
-        const Place c = place(glm::max(lowA, lowB));
+        const CellPosition c = positionOf(glm::max(lowA, lowB));
         return numberOf(c[0], c[1], c[2]);
     }
 
   private:
-    using Place = std::array<std::uint64_t, 3>;  ///< Along each axis.
+    using CellPosition = std::array<std::uint64_t, 3>;  ///< Along each axis.
 
     static std::uint64_t numberOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
         return (x << 42U) | (y << 21U) | z;
     }
-    static bool areTooMany(const Place& from, const Place& to) {
+    static bool areTooMany(const CellPosition& from, const CellPosition& to) {
         std::uint64_t count = 1;
         for (std::size_t i = 0; i < 3; ++i)
             count *= std::min<std::uint64_t>(to[i] - from[i] + 1, 1U << 20U);
         return count > kManyCells;
     }
     template <typename Visit>
-    static void visitRange(const Place& from, const Place& to, Visit& visit) {
+    static void visitRange(const CellPosition& from, const CellPosition& to, Visit& visit) {
         for (std::uint64_t x = from[0]; x <= to[0]; ++x) {
             for (std::uint64_t y = from[1]; y <= to[1]; ++y) {
                 for (std::uint64_t z = from[2]; z <= to[2]; ++z) visit(numberOf(x, y, z));
@@ -111,9 +112,9 @@ class BoxCells {
         }
     }
 
-    Place place(const Vec3& p) const {
+    CellPosition positionOf(const Vec3& p) const {
         constexpr double kMax = (1U << 21U) - 1;
-        Place cell{};
+        CellPosition cell{};
         for (int i = 0; i < 3; ++i) {
             const double x = (p[i] - low_[i]) * perCell_;
             cell[static_cast<std::size_t>(i)] =

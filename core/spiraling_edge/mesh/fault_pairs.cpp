@@ -1,7 +1,7 @@
 /// Pairs by a grid. The boxes of the triangles, wider by the gap that a second layer may have, are
 /// put into cells of 1.5 mean sizes; a pair is tested in one of its common cells only, first by
 /// boxes, then for a second layer and exactly for an intersection. Cells are made for one block of
-/// the grid at a time, so that memory holds little more than a number for each triangle. Several
+/// the grid at a time, so that memory holds little more than the block of each triangle. Several
 /// blocks are one task; a task that may have ended later than the limits allow, since other tasks
 /// ran beside it, is repeated with the work of all tasks before it. O(t log t) for t triangles of
 /// similar size, bounded by a work limit on tangled meshes.
@@ -69,13 +69,13 @@ bool isReached(const PairLimits& limits, const PairCounts& counts) {
            workOf(counts, limits) >= limits.work;
 }
 
-/// A triangle in a block of the grid.
-struct Placed {
+/// A triangle and a block of the grid that its box touches.
+struct InBlock {
     std::uint64_t block;
     Index triangle;
 };
 
-/// What a search needs, for all of its tasks.
+/// The input of all tasks.
 struct PairInput {
     const PointSet& points;
     std::span<const Triangle> triangles;
@@ -112,9 +112,9 @@ class PairTester {
     std::span<const Fault> faults() const { return faults_; }
 
     /// Tests the pairs in the cells of each block.
-    void testBlocks(std::span<const Placed> placed) {
+    void testBlocks(std::span<const InBlock> placed) {
         while (!placed.empty() && !isOver()) {
-            const auto end = std::find_if_not(placed.begin(), placed.end(), [&](const Placed& p) {
+            const auto end = std::find_if_not(placed.begin(), placed.end(), [&](const InBlock& p) {
                 return p.block == placed.front().block;
             });
             const auto count = static_cast<std::size_t>(end - placed.begin());
@@ -143,7 +143,7 @@ class PairTester {
         Index candidate;
     };
 
-    void testBlock(std::span<const Placed> block);
+    void testBlock(std::span<const InBlock> block);
     void testPair(const Candidate& a, const Candidate& b);
     void add(FaultKind kind, Index a, Index b) {
         faults_.push_back({kind, std::min(a, b), std::max(a, b)});
@@ -157,10 +157,10 @@ class PairTester {
     std::vector<InCell> inCells_;        ///< Of one block.
 };
 
-void PairTester::testBlock(std::span<const Placed> block) {
+void PairTester::testBlock(std::span<const InBlock> block) {
     candidates_.clear();
     inCells_.clear();
-    for (const Placed& each : block) {
+    for (const InBlock& each : block) {
         const auto number = static_cast<Index>(candidates_.size());
         const Candidate& candidate = candidates_.emplace_back(input_, each.triangle);
         input_.grid.forEachCell(candidate.wide.low, candidate.wide.high, [&](std::uint64_t cell) {
@@ -241,7 +241,7 @@ class PairTasks {
     std::vector<Fault> faults_;
 };
 
-/// The grid for the boxes of all triangles; nothing if they are single points.
+/// The grid for the boxes of all triangles.
 BoxCells gridFor(const PointSet& points, std::span<const Triangle> triangles) {
     double meanSize = 0.0;
     Vec3 low = points.position[triangles.front().a];
@@ -257,12 +257,12 @@ BoxCells gridFor(const PointSet& points, std::span<const Triangle> triangles) {
 }
 
 /// The triangles of a mesh by block, and those over too many cells.
-struct PlacedTriangles {
-    std::vector<Placed> inBlocks;  ///< By block, then by triangle.
-    std::vector<Index> large;      ///< Ascending.
+struct TrianglesByBlock {
+    std::vector<InBlock> inBlocks;  ///< By block, then by triangle.
+    std::vector<Index> large;       ///< Ascending.
 };
 
-void place(const PairInput& input, Index triangle, PlacedTriangles& placed) {
+void addToBlocks(const PairInput& input, Index triangle, TrianglesByBlock& placed) {
     if (input.usable[triangle] == 0) return;
     const Triangle& t = input.triangles[triangle];
     const Box wide = boxOf(input.points, t).grown(layerReach(input.points, t));
@@ -272,19 +272,20 @@ void place(const PairInput& input, Index triangle, PlacedTriangles& placed) {
     if (!fits) placed.large.push_back(triangle);
 }
 
-PlacedTriangles placedTriangles(const PairInput& input) {
-    PlacedTriangles placed;
+TrianglesByBlock trianglesByBlock(const PairInput& input) {
+    TrianglesByBlock placed;
     placed.inBlocks.reserve(input.triangles.size() + input.triangles.size() / 2);
-    for (Index i = 0; i < input.triangles.size(); ++i) place(input, i, placed);
-    std::sort(placed.inBlocks.begin(), placed.inBlocks.end(), [](const Placed& a, const Placed& b) {
-        return std::tie(a.block, a.triangle) < std::tie(b.block, b.triangle);
-    });
+    for (Index i = 0; i < input.triangles.size(); ++i) addToBlocks(input, i, placed);
+    std::sort(placed.inBlocks.begin(), placed.inBlocks.end(),
+              [](const InBlock& a, const InBlock& b) {
+                  return std::tie(a.block, a.triangle) < std::tie(b.block, b.triangle);
+              });
     return placed;
 }
 
 /// Consecutive entries of whole blocks, enough for a task each.
-std::vector<std::span<const Placed>> tasksOf(std::span<const Placed> placed) {
-    std::vector<std::span<const Placed>> tasks;
+std::vector<std::span<const InBlock>> tasksOf(std::span<const InBlock> placed) {
+    std::vector<std::span<const InBlock>> tasks;
     std::size_t begin = 0;
     for (std::size_t end = 1; end <= placed.size(); ++end) {
         const bool isWhole = end == placed.size() || placed[end].block != placed[end - 1].block;
@@ -307,7 +308,7 @@ PairSearch searchPairs(const PointSet& points, std::span<const Triangle> triangl
                        unsigned threads) {
     if (triangles.empty()) return {};
     const PairInput input{points, triangles, usable, limits, gridFor(points, triangles)};
-    const PlacedTriangles placed = placedTriangles(input);
+    const TrianglesByBlock placed = trianglesByBlock(input);
     PairTasks tasks(input, threads);
     const auto blocks = tasksOf(placed.inBlocks);
     tasks.run(blocks.size(),

@@ -1,91 +1,74 @@
-/// Points of faults are joined by a grid whose cells are so small that all points of one are within
-/// reach; of two cells only as many pairs are tried as it takes to join them.
+/// Faults are taken in the order of severity; a grid of their points finds those near one. A point
+/// that was found is not visited again, since all of its faults are at a place then.
 #include "spiraling_edge/mesh/fault_places.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
-#include "spiraling_edge/base/disjoint_sets.h"
-#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+/// Classes that are named in the description of a place.
+constexpr std::size_t kNamedClasses = 3;
 
-/// A point of a fault; one for each fault that has it.
-struct FaultPoint {
-    Index point;
-    Index fault;  ///< Position in the list of faults.
-};
-
-/// Joins faults with points nearer than `reach`.
-class NearFaults {
+/// The points of faults, each once, with its faults.
+class FaultPoints {
   public:
-    NearFaults(const PointSet& points, double reach, std::size_t faults)
-        : points_(points), reach_(reach), joined_(faults) {}
-
-    void add(const FaultPoint& each) { cells_[cellOf(each.point)].push_back(each); }
-
-    /// The sets of joined faults, each named by its least fault.
-    DisjointSets& join() {
-        for (const auto& [cell, here] : cells_) {
-            // All within reach of one another.
-            for (const FaultPoint& each : here) joined_.unite(here.front().fault, each.fault);
-            joinAround(cell, here);
+    /// `faults`: positions in the list of failures.
+    FaultPoints(const PointSet& points, std::span<const MeshFailure> failures,
+                std::span<const std::size_t> faults, double reach)
+        : points_(points), reach_(reach) {
+        for (const std::size_t fault : faults) {
+            for (const Index p : failures[fault].points) pairs_.emplace_back(p, fault);
         }
-        return joined_;
+        std::sort(pairs_.begin(), pairs_.end());
+        std::vector<Vec3> position;
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            if (i > 0 && pairs_[i].first == pairs_[i - 1].first) continue;
+            begin_.push_back(i);
+            position.push_back(points.position[pairs_[i].first]);
+        }
+        left_.assign(begin_.size(), true);
+        if (position.empty() || !(reach > 0.0)) return;
+        const WallBox box = boxAround(position);
+        grid_.emplace(box.low, box.high, reach);
+        for (const Vec3& x : position) grid_->add(x);
+    }
+
+    /// Calls `visit` with the faults at each point within reach of `p`, and at `p` itself, but for
+    /// points that were passed to it before.
+    template <typename Visit>
+    void takeNear(Index p, Visit&& visit) {
+        const Vec3& x = points_.position[p];
+        const auto take = [&](Index i) {
+            if (!left_[i]) return;
+            const Vec3 d = points_.position[pairs_[begin_[i]].first] - x;
+            if (pairs_[begin_[i]].first != p && !(glm::dot(d, d) < reach_ * reach_)) return;
+            left_[i] = false;
+            const std::size_t end = i + 1 < begin_.size() ? begin_[i + 1] : pairs_.size();
+            for (std::size_t k = begin_[i]; k < end; ++k) visit(pairs_[k].second);
+        };
+        if (grid_) return grid_->near(x, take);
+        const auto at = std::partition_point(begin_.begin(), begin_.end(), [&](std::size_t first) {
+            return pairs_[first].first < p;
+        });
+        take(static_cast<Index>(at - begin_.begin()));
     }
 
   private:
-    /// The diagonal of a cell is the reach: points farther apart than this many cells are not near.
-    static constexpr std::int64_t kCells = 2;
-
-    /// Joins a cell with the later ones around it.
-    void joinAround(const Cell& cell, const std::vector<FaultPoint>& here) {
-        for (std::int64_t x = cell[0]; x <= cell[0] + kCells; ++x) {
-            for (std::int64_t y = cell[1] - kCells; y <= cell[1] + kCells; ++y) {
-                const Cell first = std::max(cell, Cell{x, y, cell[2] - kCells});
-                const Cell last{x, y, cell[2] + kCells};
-                for (auto other = cells_.lower_bound(first);
-                     other != cells_.end() && other->first <= last; ++other)
-                    joinCells(here, other->second);
-            }
-        }
-    }
-    Cell cellOf(Index p) const {
-        constexpr double kMost = 1e15;
-        Cell cell{};
-        for (int i = 0; i < 3; ++i) {
-            const double at = reach_ > 0.0 ? points_.position[p][i] * std::sqrt(3.0) / reach_ : 0.0;
-            cell[static_cast<std::size_t>(i)] =
-                static_cast<std::int64_t>(std::floor(std::clamp(at, -kMost, kMost)));
-        }
-        return cell;
-    }
-    void joinCells(const std::vector<FaultPoint>& a, const std::vector<FaultPoint>& b) {
-        if (joined_.find(a.front().fault) == joined_.find(b.front().fault)) return;
-        for (const FaultPoint& one : a) {
-            for (const FaultPoint& other : b) {
-                const Vec3 d = points_.position[one.point] - points_.position[other.point];
-                if (glm::dot(d, d) < reach_ * reach_) {
-                    joined_.unite(one.fault, other.fault);
-                    return;
-                }
-            }
-        }
-    }
-
     const PointSet& points_;
     double reach_;
-    DisjointSets joined_;
-    std::map<Cell, std::vector<FaultPoint>> cells_;
+    std::vector<std::pair<Index, std::size_t>> pairs_;  ///< Points and faults, in order.
+    std::vector<std::size_t> begin_;                    ///< Per point: its first pair.
+    std::vector<bool> left_;                            ///< Per point: not passed on yet.
+    std::optional<CellGrid> grid_;
 };
 
 /// True if `a` is more severe.
@@ -93,68 +76,74 @@ bool isMoreSevere(const MeshFailure& a, const MeshFailure& b) {
     return std::tuple(a.kind->severity, -a.length) < std::tuple(b.kind->severity, -b.length);
 }
 
-void enclose(const PointSet& points, std::span<const MeshFailure> failures, FaultPlace& place) {
-    Box box(points.position[failures[place.faults.front()].points.front()]);
-    for (const std::size_t i : place.faults) {
-        for (const Index p : failures[i].points) box.add(points.position[p]);
-    }
-    place.center = 0.5 * (box.low + box.high);
-    for (const std::size_t i : place.faults) {
-        for (const Index p : failures[i].points)
-            place.radius = std::max(place.radius, glm::distance(place.center, points.position[p]));
-    }
-}
-
 }  // namespace
 
 std::vector<FaultPlace> faultPlaces(const PointSet& points, std::span<const MeshFailure> failures,
                                     double meanEdge) {
-    std::vector<std::size_t> faults;
+    std::vector<std::size_t> bySeverity;
     for (std::size_t i = 0; i < failures.size(); ++i) {
         assert(!failures[i].points.empty());
-        if (failures[i].kind->fault) faults.push_back(i);
+        if (failures[i].kind->fault) bySeverity.push_back(i);
     }
-    NearFaults near(points, kPlaceReach * meanEdge, faults.size());
-    for (Index i = 0; i < faults.size(); ++i) {
-        for (const Index p : failures[faults[i]].points) near.add({p, i});
-    }
-    DisjointSets& joined = near.join();
-    std::map<Index, FaultPlace> byLeast;
-    for (Index i = 0; i < faults.size(); ++i) byLeast[joined.find(i)].faults.push_back(faults[i]);
+    const auto inOrder = [&](std::size_t a, std::size_t b) {
+        return isMoreSevere(failures[a], failures[b]);
+    };
+    std::stable_sort(bySeverity.begin(), bySeverity.end(), inOrder);
+    FaultPoints around(points, failures, bySeverity, kPlaceReach * meanEdge);
+    std::vector<bool> placed(failures.size(), false);
     std::vector<FaultPlace> places;
-    for (auto& [least, place] : byLeast) {
-        std::stable_sort(
-            place.faults.begin(), place.faults.end(),
-            [&](std::size_t a, std::size_t b) { return isMoreSevere(failures[a], failures[b]); });
-        enclose(points, failures, place);
+    for (const std::size_t worst : bySeverity) {
+        if (placed[worst]) continue;
+        FaultPlace place;
+        for (const Index p : failures[worst].points) {
+            around.takeNear(p, [&](std::size_t fault) {
+                if (!placed[fault]) place.faults.push_back(fault);
+                placed[fault] = true;
+            });
+        }
+        std::sort(place.faults.begin(), place.faults.end());
+        std::stable_sort(place.faults.begin(), place.faults.end(), inOrder);
+        place.center = failures[worst].place;
+        for (const Index p : failures[worst].points)
+            place.radius = std::max(place.radius, glm::distance(place.center, points.position[p]));
         places.push_back(std::move(place));
     }
-    std::sort(places.begin(), places.end(), [&](const FaultPlace& a, const FaultPlace& b) {
-        const MeshFailure& worst = failures[a.faults.front()];
-        const MeshFailure& other = failures[b.faults.front()];
-        if (isMoreSevere(worst, other)) return true;
-        if (isMoreSevere(other, worst)) return false;
-        if (a.faults.size() != b.faults.size()) return a.faults.size() > b.faults.size();
-        return a.faults.front() < b.faults.front();
-    });
     return places;
 }
 
 std::string describe(const FaultPlace& place, std::span<const MeshFailure> failures) {
     std::string text;
-    for (std::size_t begin = 0; begin < place.faults.size();) {
-        const FailureClass& kind = *failures[place.faults[begin]].kind;
+    std::size_t begin = 0;
+    for (std::size_t named = 0; begin < place.faults.size() && named < kNamedClasses; ++named) {
+        const MeshFailure& first = failures[place.faults[begin]];
         std::size_t end = begin;
-        while (end < place.faults.size() && failures[place.faults[end]].kind == &kind) ++end;
-        if (!text.empty()) text += ", ";
-        text += std::to_string(end - begin) + " " + nounFor(kind, end - begin);
-        // The largest is first.
-        const std::size_t edges = failures[place.faults[begin]].triangles.size();
-        if (failures[place.faults[begin]].length > 0.0)
-            text += (end - begin == 1 ? " of " : " of up to ") + std::to_string(edges) + " edges";
+        while (end < place.faults.size() && failures[place.faults[end]].kind == first.kind) ++end;
+        const std::size_t count = end - begin;
+        text +=
+            (text.empty() ? "" : ", ") + std::to_string(count) + " " + nounFor(*first.kind, count);
+        // The longest loop is first.
+        if (!first.edges.empty())
+            text += (count == 1 ? " of " : " of up to ") + std::to_string(first.edges.size()) +
+                    " edges";
         begin = end;
     }
+    const std::size_t others = place.faults.size() - begin;
+    if (others > 0) text += ", " + std::to_string(others) + (others == 1 ? " other" : " others");
     return text;
+}
+
+std::string verdictText(std::span<const ClassTotal> totals, std::size_t listed,
+                        std::size_t places) {
+    if (isSound(totals)) return "sound";
+    const std::size_t faults = faultCount(totals);
+    if (faults == 0) return "no fault found, but the search ended early";
+    const std::size_t all =
+        std::accumulate(totals.begin(), totals.end(), std::size_t{0},
+                        [](std::size_t sum, const ClassTotal& each) { return sum + each.total; });
+    const bool exact = isExact(totals);
+    return (exact ? "" : "at least ") + std::to_string(faults) +
+           (faults == 1 ? " fault at " : " faults at ") + std::to_string(places) +
+           (places == 1 ? " place" : " places") + (exact && listed == all ? "" : " or more");
 }
 
 }  // namespace se

@@ -296,11 +296,10 @@ MeshInspection inspected(const InspectedMesh& mesh) {
 
 }  // namespace
 
-MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles,
-                                 unsigned threads) {
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()));
     InspectedMesh mesh(points, triangles);
-    mesh.search = searchFaults(mesh.points, triangles, mesh.sides, threads);
+    mesh.search = searchFaults(mesh.points, triangles, mesh.sides);
     return inspected(mesh);
 }
 

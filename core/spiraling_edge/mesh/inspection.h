@@ -2,6 +2,7 @@
 /// and whether the mesh is sound.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,11 +34,12 @@ const FailureClass* findFailureClass(std::string_view name);
 /// One failure.
 struct MeshFailure {
     const FailureClass* kind = nullptr;
-    std::vector<Index> points;     ///< Of the edge, the loop, ...; ascending.
-    std::vector<Index> triangles;  ///< Involved, ascending; empty for points in none.
-    Vec3 place{};                  ///< Its center, scene units.
-    double length = 0.0;           ///< Loops: length, scene units.
-    double area = 0.0;             ///< Loops: area of the flat surface inside, scene units squared.
+    std::vector<Index> points;                ///< Of the edge, the loop, ...; ascending.
+    std::vector<Index> triangles;             ///< Involved, ascending; empty for points in none.
+    std::vector<std::array<Index, 2>> edges;  ///< Of a loop, by their points; otherwise empty.
+    Vec3 place{};                             ///< Its center, scene units.
+    double length = 0.0;                      ///< Loops: length, scene units.
+    double area = 0.0;  ///< Loops: area of the flat surface inside, scene units squared.
 };
 /// One sentence with points and numbers.
 std::string describe(const MeshFailure& failure);
@@ -93,10 +95,8 @@ bool isSound(std::span<const ClassTotal> totals);
 /// Neighbor lists are not used; points that were set aside (PointSet::setAside, fitnessOf()) may be
 /// in no triangle. Requires corners below points.size() and finite positions of used points.
 /// Self-intersections are exact; the search for pairs has the limits of searchFaults(), and the
-/// first kMaxListed are listed. About O(t log t) on `threads` threads. 0: as many as the machine
-/// has; the result is the same for any number.
-MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles,
-                                 unsigned threads = 0);
+/// first kMaxListed are listed. Deterministic, on all cores. About O(t log t).
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
 /// As inspectWithTotals(), but without the search for pairs, which takes most of the time: the
 /// totals of intersecting triangles and of second layers are not exact.
 MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles);

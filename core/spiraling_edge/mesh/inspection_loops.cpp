@@ -30,6 +30,7 @@ void ofLoops(const InspectedMesh& mesh, bool wanted, Failures& failures) {
             triangles.push_back(side.triangle);
         }
         MeshFailure failure = mesh.at(std::move(points), std::move(triangles));
+        for (const TriangleSide& side : loop.sides) failure.edges.push_back({side.low, side.high});
         failure.length = loop.shape.perimeter;
         failure.area = loop.shape.area;
         failures.push_back(std::move(failure));

@@ -79,8 +79,11 @@ TEST_CASE("fault pairs: the same with any number of threads, whichever limit is 
     const PairSearch all = search(mesh, whole, 1);
     CHECK(all.complete);
     CHECK(all.work > 3'000'000);
-    for (const unsigned threads : {2U, 3U, 7U})
-        CHECK(search(mesh, whole, threads).faults == all.faults);
+    for (const unsigned threads : {2U, 3U, 7U}) {
+        const PairSearch several = search(mesh, whole, threads);
+        CHECK(several.faults == all.faults);
+        CHECK(several.work == all.work);
+    }
     const auto sameWhenEnded = [&](const PairLimits& limits) {
         const PairSearch one = search(mesh, limits, 1);
         CHECK_FALSE(one.complete);

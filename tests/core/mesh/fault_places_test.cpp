@@ -3,10 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
-#include "spiraling_edge/base/disjoint_sets.h"
 #include "support/clouds.h"
 
 using namespace se;
@@ -32,22 +30,21 @@ using Positions = std::vector<std::size_t>;
 
 }  // namespace
 
-TEST_CASE("places: faults nearer than three mean edges, or connected, are one place") {
-    const PointSet points = alongX({0, 2.9, 6, 100, 200});
+TEST_CASE("places: a fault with all less severe ones nearer than three mean edges, or connected") {
+    const PointSet points = alongX({0, 2.9, 5.7, 100, 200, 202.9});
     const std::vector<MeshFailure> failures{
         failureAt("unused_points", {0}), failureAt("unused_points", {1}),
         failureAt("unused_points", {2}), failureAt("folded_edges", {3, 4}),
-        failureAt("flipped_triangles", {4})};
+        failureAt("flipped_triangles", {5})};
     const auto places = faultPlaces(points, failures, 1.0);
     REQUIRE(places.size() == 3);
     CHECK(places[0].faults == Positions{0, 1});
+    // Near the second fault, but not near the first one of its place.
     CHECK(places[1].faults == Positions{2});
     CHECK(places[2].faults == Positions{3, 4});
-    CHECK(places[0].center.x == doctest::Approx(1.45));
-    CHECK(places[0].radius == doctest::Approx(1.45));
-    CHECK(places[2].radius == doctest::Approx(50.0));
-    // Through a chain of near faults.
-    CHECK(faultPlaces(points, failures, 1.1).size() == 2);
+    CHECK(places[2].center == failures[3].place);
+    CHECK(faultPlaces(points, failures, 0.9).size() == 5);
+    CHECK(faultPlaces(points, failures, 2.0)[0].faults == Positions{0, 1, 2});
 }
 
 TEST_CASE("places: holes come first, the longest before the others, flipped triangles last") {
@@ -62,9 +59,9 @@ TEST_CASE("places: holes come first, the longest before the others, flipped tria
     const auto places = faultPlaces(points, failures, 1.0);
     std::vector<std::size_t> first;
     for (const FaultPlace& place : places) first.push_back(place.faults.front());
-    // Of the unused points that with more faults beside it; a sliver is no fault.
-    CHECK(first == Positions{2, 1, 4, 3, 0});
-    CHECK(describe(places[2], failures) == "1 unused point, 1 intersecting pair");
+    // A sliver is no fault.
+    CHECK(first == Positions{2, 1, 3, 4, 0});
+    CHECK(describe(places[3], failures) == "1 unused point, 1 intersecting pair");
 }
 
 TEST_CASE("places: as if all pairs of points of all faults were compared") {
@@ -80,56 +77,83 @@ TEST_CASE("places: as if all pairs of points of all faults were compared") {
             failures.push_back(failureAt("second_layers", {corners.begin(), corners.end()}));
         }
         const double meanEdge = 0.1 + 0.02 * seed;
-        DisjointSets joined(failures.size());
-        for (Index a = 0; a < failures.size(); ++a) {
-            for (Index b = 0; b < a; ++b) {
-                for (const Index p : failures[a].points) {
-                    for (const Index q : failures[b].points) {
-                        if (glm::distance(points.position[p], points.position[q]) < 3.0 * meanEdge)
-                            joined.unite(a, b);
-                    }
-                }
+        const auto areNear = [&](const MeshFailure& a, const MeshFailure& b) {
+            return std::any_of(a.points.begin(), a.points.end(), [&](Index p) {
+                return std::any_of(b.points.begin(), b.points.end(), [&](Index q) {
+                    return glm::distance(points.position[p], points.position[q]) < 3.0 * meanEdge;
+                });
+            });
+        };
+        std::vector<bool> placed(failures.size(), false);
+        std::vector<Positions> expected;
+        for (std::size_t a = 0; a < failures.size(); ++a) {
+            if (placed[a]) continue;
+            Positions place;
+            for (std::size_t b = a; b < failures.size(); ++b) {
+                if (placed[b] || !areNear(failures[a], failures[b])) continue;
+                placed[b] = true;
+                place.push_back(b);
             }
+            expected.push_back(place);
         }
-        std::set<Positions> expected;
-        for (Index least = 0; least < failures.size(); ++least) {
-            Positions set;
-            for (Index a = 0; a < failures.size(); ++a) {
-                if (joined.find(a) == least) set.push_back(a);
-            }
-            if (!set.empty()) expected.insert(set);
-        }
-        std::set<Positions> found;
-        for (FaultPlace& place : faultPlaces(points, failures, meanEdge)) {
-            std::sort(place.faults.begin(), place.faults.end());
-            found.insert(place.faults);
-        }
+        std::vector<Positions> found;
+        for (const FaultPlace& place : faultPlaces(points, failures, meanEdge))
+            found.push_back(place.faults);
         CHECK(found == expected);
         CHECK(found.size() > 1);
     }
 }
 
-TEST_CASE("places: none without faults, and one for a mesh of points in one place") {
+TEST_CASE("places: none without faults, and without edges only common points connect") {
     const PointSet points = alongX({1, 1});
     CHECK(faultPlaces(points, {}, 1.0).empty());
     const std::vector<MeshFailure> openings{failureAt("openings", {0, 1}, 4.0)};
     CHECK(faultPlaces(points, openings, 1.0).empty());
-    const std::vector<MeshFailure> two{failureAt("degenerate_triangles", {0}),
-                                       failureAt("degenerate_triangles", {1})};
-    CHECK(faultPlaces(points, two, 0.0).size() == 1);
+    const std::vector<MeshFailure> three{failureAt("degenerate_triangles", {0}),
+                                         failureAt("degenerate_triangles", {1}),
+                                         failureAt("degenerate_triangles", {0})};
+    const auto places = faultPlaces(points, three, 0.0);
+    REQUIRE(places.size() == 2);
+    CHECK(places[0].faults == Positions{0, 2});
 }
 
 TEST_CASE("places: a hole is described by its edges, several by those of the longest") {
-    PointSet points = alongX({0, 1, 2, 3});
+    const PointSet points = alongX({0, 1, 2, 3});
+    // The hole of three edges has two of them on one triangle.
     MeshFailure small = failureAt("holes", {0, 1, 2}, 3.0);
-    small.triangles = {0, 1, 2};
-    MeshFailure large = failureAt("holes", {1, 2, 3}, 9.0);
-    large.triangles = {0, 1, 2, 3, 4};
+    small.edges = {{0, 1}, {1, 2}, {0, 2}};
+    small.triangles = {0, 1};
+    MeshFailure large = failureAt("holes", {0, 1, 2, 3}, 9.0);
+    large.edges = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
     std::vector<MeshFailure> failures{small};
     CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) == "1 hole of 3 edges");
     failures.push_back(large);
     failures.push_back(failureAt("non_manifold_vertices", {0}));
     failures.push_back(failureAt("non_manifold_vertices", {1}));
     CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) ==
-          "2 holes of up to 5 edges, 2 non-manifold vertices");
+          "2 holes of up to 4 edges, 2 non-manifold vertices");
+    failures.push_back(failureAt("unused_points", {3}));
+    failures.push_back(failureAt("folded_edges", {1, 2}));
+    CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) ==
+          "2 holes of up to 4 edges, 1 unused point, 2 non-manifold vertices, 1 other");
+}
+
+TEST_CASE("places: the verdict says so if there may be more places than those of the list") {
+    const auto totalsWith = [](std::size_t listed, std::size_t total, bool exact) {
+        std::vector<ClassTotal> totals(failureClasses().size());
+        const auto place = findFailureClass("intersecting_triangles") - failureClasses().data();
+        totals[static_cast<std::size_t>(place)] = {listed, total, exact};
+        return totals;
+    };
+    CHECK(verdictText(totalsWith(0, 0, true), 0, 0) == "sound");
+    CHECK(verdictText(totalsWith(1, 1, true), 1, 1) == "1 fault at 1 place");
+    CHECK(verdictText(totalsWith(12, 12, true), 12, 3) == "12 faults at 3 places");
+    // Followed through the run or not.
+    CHECK(verdictText(totalsWith(5, 12, true), 12, 3) == "12 faults at 3 places");
+    CHECK(verdictText(totalsWith(10000, 12000, true), 10000, 9000) ==
+          "12000 faults at 9000 places or more");
+    CHECK(verdictText(totalsWith(10000, 12000, false), 10000, 9000) ==
+          "at least 12000 faults at 9000 places or more");
+    CHECK(verdictText(totalsWith(0, 0, false), 0, 0) ==
+          "no fault found, but the search ended early");
 }

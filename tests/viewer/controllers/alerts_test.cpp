@@ -191,6 +191,31 @@ TEST_CASE("Every alert of a class that is a fault is at one place, and no other 
     }
 }
 
+TEST_CASE("The alert at a point, an edge or a triangle is the most severe fault it is part of") {
+    OpenSession open("scene:uneven-density");
+    const AlertSearch& alerts = open.session.alerts().search();
+    std::size_t asked = 0;
+    for (const RunFailure& each : alerts.failures()) {
+        if (!each.failure.kind->fault) continue;
+        const std::vector<Index>& points = each.failure.points;
+        const Selection what = points.size() == 1 ? Selection::ofPoint(points[0])
+                                                  : Selection::ofEdge(points[0], points[1]);
+        const auto found = alertAt(alerts, what);
+        REQUIRE(found);
+        CHECK(alerts.failures()[*found].failure.kind->severity <= each.failure.kind->severity);
+        ++asked;
+    }
+    CHECK(asked > 100);
+    CHECK_FALSE(alertAt(alerts, Selection{}));
+    std::vector<bool> faulty(open.session.model().points.size(), false);
+    for (const MeshFailure& each : alerts.found()->all) {
+        if (!each.kind->fault) continue;
+        for (const Index p : each.points) faulty[p] = true;
+    }
+    for (Index p = 0; p < faulty.size(); ++p)
+        CHECK(alertAt(alerts, Selection::ofPoint(p)).has_value() == faulty[p]);
+}
+
 TEST_CASE(
     "A file with faults opens on its finished mesh, if no position was named, and only once") {
     const FailingFile file;
@@ -221,7 +246,8 @@ TEST_CASE(
     const std::string after = verdictText(app.session.alerts().search());
     CHECK(app.session.atEnd());
     CHECK_FALSE(canFixByRules(app.context));
-    CHECK(app.session.messages().last() == "Now " + after + "; before, " + before + ".");
+    CHECK(app.session.messages().last() ==
+          "At the end of the new run. Now " + after + "; before, " + before + ".");
 }
 
 TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 walks them") {

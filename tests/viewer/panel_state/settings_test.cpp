@@ -30,6 +30,19 @@ TEST_CASE("Settings are read back as written") {
     CHECK(read.value().layers == settings.layers);
 }
 
+TEST_CASE("A mesh style is kept if it was chosen, the default of an earlier version is not") {
+    const auto styleIn = [](std::string_view text) {
+        return settingsFromJson(text).value().meshStyle;
+    };
+    CHECK(styleIn(R"({"meshStyle": "flat"})") == MeshStyle::Faults);
+    CHECK(styleIn(R"({"meshStyle": "wire"})") == MeshStyle::Wire);
+    for (const MeshStyleRow& row : meshStyles()) {
+        ViewSettings settings;
+        settings.meshStyle = row.id;
+        CHECK(styleIn(settingsToJson(settings)) == row.id);
+    }
+}
+
 TEST_CASE("Values out of range or of another type become defaults") {
     const auto read = settingsFromJson(
         R"({"theme": 7, "uiScale": 99, "width": -3, "height": "tall", "layers": {"points": 1}, "x": 1})");

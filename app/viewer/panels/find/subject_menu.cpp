@@ -1,6 +1,7 @@
 // The context menu of a point, edge or triangle: queries, what-ifs, breakpoints, watches.
 #include <algorithm>
 
+#include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
 #include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
@@ -72,8 +73,20 @@ void drawSelectEntries(const PanelContext& context, const Selection& what) {
     }
 }
 
+/// Only where something is wrong.
+void drawWrongEntry(const PanelContext& context, const Selection& what) {
+    const auto alert = alertAt(context.session().alerts().search(), what);
+    if (!alert) return;
+    if (ImGui::MenuItem("What is wrong here?")) {
+        showAlert(context.commands, *alert, std::nullopt);
+        context.state<OpenTab>().wanted = kAlertsTab;
+    }
+    nameItem(context, "menu wrong", "The fault, when it was created, and what would prevent it");
+}
+
 void drawEntries(const PanelContext& context, const Selection& what) {
     Session& session = context.session();
+    drawWrongEntry(context, what);
     drawWhyEntry(context, "Why? Why not?", what);
     drawTogether(context, what);
     ImGui::Separator();

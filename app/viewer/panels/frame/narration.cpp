@@ -2,6 +2,7 @@
 // fits. In Compare both sentences have the same type, so that they can be compared as well.
 #include <algorithm>
 
+#include "commands/alert_actions.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
@@ -85,10 +86,16 @@ void drawNarration(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.rects.narration)) {
         // Other messages are shown in the view for a while: see drawNotices().
-        const std::string whole = sentenceOf(session);
+        const bool finished =
+            showsFinishedMesh(context.commands) && session.alerts().search().done();
+        const std::string whole =
+            finished ? verdictSentence(session.alerts()) : sentenceOf(session);
         const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;
-        if (const Event* event = session.event(); event != nullptr) {
+        if (finished) {
+            const bool faulty = !session.alerts().search().places().empty();
+            color = faulty ? context.palette.rejected : context.palette.used;
+        } else if (const Event* event = session.event(); event != nullptr) {
             color = outcomeColor(context.palette, *event).value_or(color);
             if (!session.noticedHere().empty()) color = context.palette.rejected;
         }

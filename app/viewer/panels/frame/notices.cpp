@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "commands/alert_actions.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
@@ -129,7 +130,9 @@ void drawNotices(const PanelContext& context) {
         drawMove(context);
     // At the start the caption shows the message permanently: there is no decision.
     // A dialog covers the view.
-    if (session.ready() && session.event() != nullptr && !context.ui().coversView())
+    const bool narrated = showsFinishedMesh(context.commands) && session.alerts().search().done() &&
+                          session.messages().last() == verdictSentence(session.alerts());
+    if (session.ready() && session.event() != nullptr && !context.ui().coversView() && !narrated)
         drawSaid(context);
 }
 

@@ -1,7 +1,8 @@
-// The card over the finished mesh: what is wrong with it, and what to do next.
+// The card over the finished mesh: its faults, and the next actions.
 #include <algorithm>
 #include <cctype>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "commands/alert_actions.h"
@@ -19,7 +20,7 @@ namespace se::view {
 namespace {
 
 constexpr float kCardWidth = 27.0F;
-/// In a view of less than these sizes, in em, the card has the verdict and two actions.
+/// In a view of less than these sizes, in em, the card has the verdict and the actions alone.
 constexpr float kSmallWidth = 34.0F;
 constexpr float kSmallHeight = 24.0F;
 constexpr float kSmallCardWidth = 17.0F;
@@ -62,46 +63,57 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
-void drawWhy(const PanelContext& context) {
-    if (!textButton(
-            context, "Why?", "verdict why",
-            "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why")))
-        return;
+struct CardAction {
+    const char* label;
+    const char* name;
+    std::string tip;
+    void (*run)(const PanelContext& context);
+};
+
+void askWhyShown(const PanelContext& context) {
     if (context.session().alerts().shown() == nullptr) showPlace(context.commands, 0);
     actions::askWhySelected(context.commands);
 }
 
-void drawActions(const PanelContext& context, const AlertSearch& alerts) {
+std::vector<CardAction> actionsOf(const PanelContext& context, const AlertSearch& alerts) {
+    std::vector<CardAction> list;
     if (!alerts.places().empty()) {
-        if (textButton(context, "Worst first", "verdict worst",
-                       "Show the places one by one: " + context.key("step.alert.next")))
-            showPlace(context.commands, 0);
-        ImGui::SameLine();
-        if (!isSmall(context)) {
-            drawWhy(context);
-            ImGui::SameLine();
-        }
-        if (canFixByRules(context.commands)) {
-            if (textButton(context, "Fix", "verdict fix",
-                           "Run again with the rules of robust, to the end"))
-                fixByRules(context.commands);
-            ImGui::SameLine();
-        }
-        if (isSmall(context)) return ImGui::NewLine();
+        list.push_back({"Worst first", "verdict worst",
+                        "Show the places one by one: " + context.key("step.alert.next"),
+                        [](const PanelContext& c) { showPlace(c.commands, 0); }});
+        list.push_back(
+            {"Why?", "verdict why",
+             "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why"),
+             askWhyShown});
+        if (canFixByRules(context.commands))
+            list.push_back({"Fix", "verdict fix", "Run again with the rules of robust, to the end",
+                            [](const PanelContext& c) { fixByRules(c.commands); }});
     }
-    if (textButton(context, "Save mesh...", "verdict save", context.key("file.savemesh")))
-        context.run("file.savemesh");
-    if (isSmall(context)) return;
-    ImGui::SameLine();
-    if (textButton(context, "Step through", "verdict steps", "Go to the start of the run")) {
-        context.state<VerdictCard>().closed = true;
-        context.run("run.start");
+    list.push_back({"Save mesh...", "verdict save", context.key("file.savemesh"),
+                    [](const PanelContext& c) { c.run("file.savemesh"); }});
+    list.push_back({"Step through", "verdict steps",
+                    "Go to the start of the run: " + context.key("run.start"),
+                    [](const PanelContext& c) { c.run("run.start"); }});
+    return list;
+}
+
+/// Buttons side by side, in as many rows as the width needs.
+void drawActions(const PanelContext& context, const AlertSearch& alerts) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    bool first = true;
+    for (const CardAction& each : actionsOf(context, alerts)) {
+        const float width = textWidth(each.label) + 2.0F * style.FramePadding.x;
+        const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + width;
+        if (!std::exchange(first, false) && end <= right) ImGui::SameLine();
+        if (textButton(context, each.label, each.name, each.tip)) each.run(context);
     }
 }
 
 void drawClose(const PanelContext& context) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 1.2F * context.em);
-    if (smallButton(context, "\xC3\x97", "verdict close", "Close, until another input is opened"))
+    if (smallButton(context, "\xC3\x97", "verdict close",
+                    "Close until another input is opened; View, Verdict shows it again"))
         context.state<VerdictCard>().closed = true;
 }
 

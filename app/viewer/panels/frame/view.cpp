@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "commands/alert_actions.h"
 #include "commands/break_commands.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
@@ -240,9 +241,8 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
-    // The finished mesh has none of the marks of a decision.
-    const bool finished = context.session().ready() && context.session().atEnd();
-    if (context.settings().legend && !compared && !finished) note(drawLegend(context, taken));
+    const bool decision = !showsFinishedMesh(context.commands);
+    if (context.settings().legend && !compared && decision) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }
