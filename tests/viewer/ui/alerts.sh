@@ -40,10 +40,10 @@ reach "alert unavoidable"; click_on "alert unavoidable"; says address 54.sphere.
 reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
 # The place of the alert is the only one; the first of a run is shown on the finished mesh, framed,
 # with its most severe fault selected.
-press F8; says message "This is the last place."
+press F8; says message "Place 2 of 2: .*"; press F8; says message "This is the last place."
 press Escape; says alert ""
 picture before
-press F8; says place 1; says at_end true; says message "Place 1 of 1: .*"
+press F8; says place 1; says at_end true; says message "Place 1 of 2: .*"
 picture after
 [ "$(differing before after)" -gt 500 ] || fail "the place is not framed"
 says selection "triangle|edge|point"
