@@ -262,12 +262,10 @@ std::string faultSentence(const RunOutcome& outcome) {
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
     const std::size_t count = faultCount(totals);
     if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
-    if (count == 0)
-        return verdictText(totals, outcome.inspection->failures.size(), outcome.places.size());
-    std::string text = "the mesh has ";
-    text += outcome.pairs
-                ? verdictText(totals, outcome.inspection->failures.size(), outcome.places.size())
-                : counted(count, "fault");
+    const std::string verdict =
+        verdictText(totals, outcome.inspection->failures.size(), outcome.places.size());
+    if (count == 0) return verdict;
+    std::string text = "the mesh has " + (outcome.pairs ? verdict : counted(count, "fault"));
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";

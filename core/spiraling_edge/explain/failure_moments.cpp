@@ -96,10 +96,6 @@ class Finders {
     FreedRings rings_;
 };
 
-bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
-    return rankOf(*a.kind) < rankOf(*b.kind);
-}
-
 /// Positions in run.failures of those that can be followed within the work `left`, ascending;
 /// lowers the numbers listed in run.totals to them. The work of following a failure is the number
 /// of events of the run at its points, `eventsAt` each point. The first ones of each class are

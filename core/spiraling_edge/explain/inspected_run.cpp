@@ -62,10 +62,7 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         ++total.total;
         found.failures.push_back(std::move(each));
     }
-    std::stable_sort(found.failures.begin(), found.failures.end(),
-                     [](const MeshFailure& a, const MeshFailure& b) {
-                         return rankOf(*a.kind) < rankOf(*b.kind);
-                     });
+    std::stable_sort(found.failures.begin(), found.failures.end(), isOfEarlierClass);
     return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals),
                         found.meanEdge};
 }

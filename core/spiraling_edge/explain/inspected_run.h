@@ -36,6 +36,11 @@ inline std::size_t rankOf(const FailureClass& kind) {
     return static_cast<std::size_t>(&kind - failureClasses().data());
 }
 
+/// True if `a` is of a class before that of `b`.
+inline bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
+    return rankOf(*a.kind) < rankOf(*b.kind);
+}
+
 struct InspectedRun {
     State end;
     /// The failures that inspectWithTotals() finds, then rings left over, in the order of

@@ -11,7 +11,7 @@ namespace se {
 
 /// Limits of a search: it ends at the first that is reached.
 struct PairLimits {
-    /// Those of faults.h, for a mesh of so many triangles.
+    /// Those of faults.h, for a mesh of this many triangles.
     static PairLimits ofMesh(std::size_t triangles);
 
     std::uint64_t work;   ///< In pairs visited.

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <tuple>
 
+#include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 #include "support/oracles.h"
@@ -152,4 +154,41 @@ TEST_CASE("mesh: sides are sorted by edge and then by triangle, whatever the ord
         CHECK(((u == a && v == b) || (u == b && v == c) || (u == c && v == a)));
     }
     CHECK(sortedSides({}).empty());
+}
+
+TEST_CASE(
+    "mesh: sides, and the faults of shapes and edges, are the same on any number of threads") {
+    // A bent sheet, large enough for every thread to have a part of it. Every second triangle faces
+    // down, so that every edge inside has a fault, and one edge has twenty more triangles.
+    constexpr Index kSide = 260;
+    PointSet points;
+    for (Index i = 0; i < kSide * kSide; ++i) {
+        const double x = i % kSide;
+        points.position.emplace_back(x, static_cast<double>(i / kSide), 0.01 * x * x);
+    }
+    points.normal.assign(points.size(), Vec3(0, 0, 1));
+    Triangles triangles;
+    for (Index y = 0; y + 1 < kSide; ++y) {
+        for (Index x = 0; x + 1 < kSide; ++x) {
+            const Index p = y * kSide + x;
+            triangles.push_back({p, p + 1, p + kSide + 1});
+            triangles.push_back({p, p + kSide, p + kSide + 1});
+        }
+    }
+    const Index middle = kSide * kSide / 2;
+    for (Index i = 0; i < 20; ++i) triangles.push_back({middle, middle + 1, 3 * i});
+    const std::vector<TriangleSide> one = sortedSides(triangles, 1);
+    const FaultSearch faults = searchFaults(points, triangles, one, 1);
+    CHECK(faults.faults.size() > 200000);
+    for (const unsigned threads : {2U, 3U, 7U}) {
+        CAPTURE(threads);
+        const std::vector<TriangleSide> several = sortedSides(triangles, threads);
+        const auto areSame = [](const TriangleSide& a, const TriangleSide& b) {
+            return a.sameEdge(b) && a.triangle == b.triangle && a.ascending == b.ascending;
+        };
+        CHECK(std::equal(one.begin(), one.end(), several.begin(), several.end(), areSame));
+        const FaultSearch found = searchFaults(points, triangles, one, threads);
+        CHECK(found.faults == faults.faults);
+        CHECK(found.work == faults.work);
+    }
 }
