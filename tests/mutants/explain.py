@@ -115,10 +115,12 @@ TABLE = {
          "hasCorner(other, t.c)) last = each;",
          "hasCorner(other, t.c)) if (!MUT || last == kNone) last = each;"),
     ],
-    "explain/failure_moments.cpp": [
+    "explain/inspected_run.h": [
         ("failures.order-of-classes",
          "return rankOf(*a.kind) < rankOf(*b.kind);",
          "return MUT ? rankOf(*a.kind) > rankOf(*b.kind) : rankOf(*a.kind) < rankOf(*b.kind);"),
+    ],
+    "explain/failure_moments.cpp": [
         ("failures.first-created", "return isBefore(a.moments.created", "return MUT != isBefore(a.moments.created"),
         ("failures.not-of-this-run", "--total.total;", "if (!MUT) OLD"),
         ("failures.moves-over-pivots", "moves_.clear();", "if (!MUT) OLD"),
