@@ -12,7 +12,7 @@ namespace {
 /// Places with a number in the view: those that a user walks to first.
 constexpr std::size_t kMaxNumbered = 20;
 /// Marks and filled triangles: of a tangled mesh more would not be told apart.
-constexpr std::size_t kMaxMarks = 20'000;
+constexpr std::size_t kMaxFaultMarks = 20'000;
 
 void addFilled(const LayerInput& in, std::span<const Index> numbers, DrawList& out) {
     const std::span<const Triangle> mesh =
@@ -31,7 +31,7 @@ void addLoop(const LayerInput& in, const MeshFailure& loop, DrawList& out) {
 }  // namespace
 
 void addFaults(const LayerInput& in, DrawList& out) {
-    std::size_t left = kMaxMarks;
+    std::size_t left = kMaxFaultMarks;
     for (const MeshFailure& each : in.faults->all) {
         if (left == 0) break;
         if (isLoop(each)) {

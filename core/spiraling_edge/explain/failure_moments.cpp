@@ -217,6 +217,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     const std::vector<std::size_t> chosen =
         affordableOf(points, params, eventsAt, affordable, *run);
     std::vector<MeshFailure> followed;
+    followed.reserve(chosen.size());
     for (const std::size_t i : chosen) followed.push_back(run->failures[i]);
     const auto moments = momentsOfAll(points, params, followed, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
@@ -237,6 +238,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
         }
         if (its != nullptr) {
             std::vector<Triangle> corners;
+            corners.reserve(failure.triangles.size());
             for (const Index number : failure.triangles) corners.push_back(mesh[number]);
             found.failures.push_back({failure, found.all.size(), std::move(corners), **its});
         }

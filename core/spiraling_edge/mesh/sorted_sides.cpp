@@ -12,7 +12,7 @@ namespace se {
 namespace {
 
 /// Fewer are not worth a thread.
-constexpr std::size_t kPointsPerThread = 16384;
+constexpr std::size_t kLeastPoints = 16384;
 
 bool precedes(const TriangleSide& x, const TriangleSide& y) {
     return std::tie(x.high, x.triangle) < std::tie(y.high, y.triangle);
@@ -36,7 +36,7 @@ std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles, unsig
     const std::size_t points = std::size_t{last} + 1;
     // Every thread passes over all sides, but takes only those of its points.
     const auto forEachPiece = [&](auto&& work) {
-        forRanges(points, threads, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+        forRanges(points, threads, kLeastPoints, [&](std::size_t from, std::size_t to) {
             work([from, to](const TriangleSide& side) { return side.low >= from && side.low < to; },
                  from, to);
         });
