@@ -62,12 +62,14 @@ void AlertController::reportChange() {
     const AlertSearch& alerts = c_.session.alerts().search();
     if (!alerts.done()) return;
     const std::string before = std::exchange(verdict_, verdictText(alerts));
-    if (before.empty()) return;
-    // What was said about the place in the new run stays.
-    const std::string notice = c_.session.messages().notice();
+    const RuleSet rules = rulesOf(c_.session.input().spec());
+    const bool sameRules = std::exchange(rules_, rules) == rules;
+    if (before.empty() || (before == verdict_ && sameRules)) return;
+    // The message about the position in the new run stays.
+    const std::string said = c_.session.messages().last();
     const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
                                                   : "Now " + verdict_ + "; before, " + before + ".";
-    c_.session.messages().say(notice + (notice.empty() ? "" : " ") + change);
+    c_.session.messages().say(said + (said.empty() ? "" : " ") + change);
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
