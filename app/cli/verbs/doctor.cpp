@@ -84,7 +84,7 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
 /// Points found by the checks whose findings are to be dropped.
 std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
     std::vector<Index> points;
-    for (const Finding& finding : findings) {
+    for (const Finding& finding : findings.findings) {
         if (std::find(names.begin(), names.end(), finding.check->name) != names.end())
             points.insert(points.end(), finding.points.begin(), finding.points.end());
     }
@@ -116,16 +116,25 @@ std::string findingText(const Finding& finding, const std::string& input) {
     return text;
 }
 
+/// ", 0.42 between points, 213 x 140 x 90", in the file's units; empty without two points.
+std::string sizeText(const Diagnosis& diagnosis) {
+    if (diagnosis.spacing == 0.0) return {};
+    const Vec3& extent = diagnosis.extent;
+    return fmt::format(", {:.3g} between points, {:.3g} x {:.3g} x {:.3g}", diagnosis.spacing,
+                       extent.x, extent.y, extent.z);
+}
+
 std::string visitText(const Visit& visit) {
+    const std::vector<Finding>& findings = visit.findings.findings;
     std::string text = fmt::format(
-        "{}: {}, {}\n", visit.input, counted(visit.points, "point"),
-        visit.findings.empty() ? "nothing found" : counted(visit.findings.size(), "finding"));
-    for (const Finding& finding : visit.findings) text += findingText(finding, visit.input);
+        "{}: {}{}, {}\n", visit.input, counted(visit.points, "point"), sizeText(visit.findings),
+        findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
+    for (const Finding& finding : findings) text += findingText(finding, visit.input);
     if (visit.output.empty()) return text;
     text += fmt::format("{}: written, {}\n", visit.output,
                         counted(visit.fixed.file.position.size(), "point"));
     for (const AppliedFix& fix : visit.fixed.fixes) text += "  fixed    " + fix.text + "\n";
-    for (const Finding& finding : visit.left) {
+    for (const Finding& finding : visit.left.findings) {
         if (finding.isProblem())
             text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
     }
@@ -151,7 +160,7 @@ Json findingJson(const Finding& finding, const std::string& input) {
 
 Json findingsJson(const Diagnosis& diagnosis, const std::string& input) {
     Json list = Json::array();
-    for (const Finding& finding : diagnosis) list.push_back(findingJson(finding, input));
+    for (const Finding& finding : diagnosis.findings) list.push_back(findingJson(finding, input));
     return list;
 }
 
@@ -159,6 +168,9 @@ std::string visitJson(const Visit& visit) {
     Json json;
     json["input"] = visit.input;
     json["points"] = visit.points;
+    json["spacing"] = visit.findings.spacing;
+    const Vec3& extent = visit.findings.extent;
+    json["extent"] = {extent.x, extent.y, extent.z};
     json["accused"] = hasProblem(visit.findings);
     json["findings"] = findingsJson(visit.findings, visit.input);
     json["fixed"] = Json();

@@ -20,7 +20,7 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
     bool done() const { return answer() != nullptr; }
     /// Empty before the examination is done.
     std::span<const Finding> findings() const {
-        return done() ? std::span<const Finding>(*answer()) : std::span<const Finding>{};
+        return done() ? std::span<const Finding>(answer()->findings) : std::span<const Finding>{};
     }
 
   private:

@@ -25,7 +25,7 @@ Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& ch
                                     const Progress& progress) {
     const Result<Diagnosis> found = examine(file, progress);
     if (!found) return found.error();
-    for (const Finding& finding : found.value()) {
+    for (const Finding& finding : found.value().findings) {
         if (finding.check == &check) return finding.points;
     }
     return std::vector<Index>{};

@@ -17,6 +17,14 @@ struct Sides {
     std::vector<bool> flipped;     ///< Against the rest of the component.
 };
 
+/// Heights about a point over the surface that fits its surroundings, in its spacings
+/// (surface_checks.cpp). Negative: too few points for a fit.
+struct Roughness {
+    double narrow = -1.0;   ///< Root mean square, about a fit to its list.
+    double wide = -1.0;     ///< About a fit to its list and the lists of that.
+    double kurtosis = 3.0;  ///< FitHeights::kurtosis of the latter.
+};
+
 /// A file under examination. Everything except `file` is derived from it.
 struct ExaminedFile {
     explicit ExaminedFile(const PointFile& points) : file(points) {}
@@ -33,6 +41,7 @@ struct ExaminedFile {
     std::vector<double> spacing;
     double middleSpacing = 0.0;  ///< Median over the present points.
     Sides sides;
+    std::vector<Roughness> roughness;
 
     Index size() const { return static_cast<Index>(file.position.size()); }
     /// True if the point is present and has a normal. Requires a file with normals.
@@ -47,6 +56,8 @@ struct ExaminedFile {
 
 /// The sides of a file whose other members are filled in.
 Sides sidesOf(const ExaminedFile& examined);
+/// One per point; of a file whose other members are filled in.
+std::vector<Roughness> roughnessOf(const ExaminedFile& examined);
 
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
@@ -84,6 +95,10 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined);
 std::optional<Finding> findInLine(const ExaminedFile& examined);
 std::optional<Finding> findUnevenSpacing(const ExaminedFile& examined);
 std::optional<Finding> findTies(const ExaminedFile& examined);
+
+// surface_checks.cpp
+std::optional<Finding> findNoise(const ExaminedFile& examined);
+std::optional<Finding> findTwoLayers(const ExaminedFile& examined);
 
 // normal_checks.cpp
 std::optional<Finding> findNoNormals(const ExaminedFile& examined);

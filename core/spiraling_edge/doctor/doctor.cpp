@@ -43,6 +43,14 @@ constexpr std::array kChecks{
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
                 "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", Fix::None,
                 findUnevenSpacing},
+    DoctorCheck{"noise", "6.1",
+                "Each point becomes a corner, so the mesh follows the noise: smooth the points "
+                "first, or use a method that approximates.",
+                "spiraling-edge run IN --rules robust -o OUT.ply", Fix::None, findNoise},
+    DoctorCheck{"two_layers", "6.1",
+                "Triangles jump from one layer to the other: register the scans first, or keep one "
+                "of them.",
+                "", Fix::None, findTwoLayers},
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",
@@ -146,7 +154,7 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
 }
 
 bool hasProblem(const Diagnosis& diagnosis) {
-    return std::any_of(diagnosis.begin(), diagnosis.end(),
+    return std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(),
                        [](const Finding& finding) { return finding.isProblem(); });
 }
 
@@ -179,6 +187,7 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
     }
     examined.middleSpacing = medianAboveZero(examined.spacing);
     examined.sides = sidesOf(examined);
+    examined.roughness = roughnessOf(examined);
     return examined;
 }
 
@@ -210,7 +219,8 @@ std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
     const Result<ExaminedFile> examined = examineFile(file, partOf(progress, 0.0, kSearchShare));
     if (!examined) return examined.error();
-    Diagnosis diagnosis;
+    const WallBox box = boxAround(file.position);
+    Diagnosis diagnosis{{}, examined.value().middleSpacing, box.high - box.low};
     for (std::size_t i = 0; i < kChecks.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(kChecks.size());
         if (progress && !progress(kSearchShare + (1.0 - kSearchShare) * done))
@@ -218,9 +228,9 @@ Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
         std::optional<Finding> finding = kChecks[i].find(examined.value());
         if (!finding) continue;
         finding->check = &kChecks[i];
-        diagnosis.push_back(std::move(*finding));
+        diagnosis.findings.push_back(std::move(*finding));
     }
-    std::stable_sort(diagnosis.begin(), diagnosis.end(),
+    std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
     if (progress) progress(1.0);
     return diagnosis;

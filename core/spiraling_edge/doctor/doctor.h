@@ -76,8 +76,13 @@ struct Finding {
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 
-/// The findings: errors, then warnings, then notes; equals in the order of doctorChecks().
-using Diagnosis = std::vector<Finding>;
+/// The result of examine().
+struct Diagnosis {
+    /// Errors, then warnings, then notes; equals in the order of doctorChecks().
+    std::vector<Finding> findings;
+    double spacing = 0.0;  ///< Median distance to the sixth nearest point; 0 without others.
+    Vec3 extent{0.0};      ///< Lengths of the box around the finite points.
+};
 /// True if some finding is a problem.
 bool hasProblem(const Diagnosis& diagnosis);
 

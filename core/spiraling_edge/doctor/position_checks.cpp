@@ -86,6 +86,41 @@ std::vector<bool> farPoints(const ExaminedFile& examined) {
 
 }  // namespace
 
+namespace {
+
+/// Points that are scattered off the surface, as outliers that lie near enough to each other to
+/// have neighbors: sparse, in no list of a point where the spacing is usual, and either all alone
+/// beside a dense part or amid points in no surface.
+std::vector<bool> scatteredPoints(const ExaminedFile& examined) {
+    // In spacings of the middle; sparse parts of clean sets have lists within a surface.
+    constexpr double kSparse = 3.0;
+    constexpr double kUsual = 2.0;
+    constexpr double kOffSurface = 0.35;  // Heights, in spacings.
+    const double middle = examined.middleSpacing;
+    std::vector<bool> wanted(examined.size(), false);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.spacing[p] >= kUsual * middle) continue;
+        for (const Index q : examined.nearest[p]) wanted[q] = true;
+    }
+    std::vector<bool> scattered(examined.size(), false);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (wanted[p] || examined.spacing[p] <= kSparse * middle) continue;
+        const Index nearest = examined.nearest[p].front();
+        scattered[p] = examined.roughness[p].narrow > kOffSurface ||
+                       examined.distance(p, nearest) > kSparse * examined.spacing[nearest];
+    }
+    // Clean sets have up to one in five thousand, and corners of coarse models are sparse.
+    constexpr std::size_t kOneIn = 2000;
+    constexpr std::size_t kLeast = 5;
+    const auto count =
+        static_cast<std::size_t>(std::count(scattered.begin(), scattered.end(), true));
+    if (count < kLeast || count * kOneIn < examined.presentCount)
+        scattered.assign(examined.size(), false);
+    return scattered;
+}
+
+}  // namespace
+
 std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
     const std::vector<bool> far = farPoints(examined);
     std::vector<bool> wanted(examined.size(), false);
@@ -93,10 +128,12 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
         if (far[p]) continue;
         for (const Index q : examined.nearest[p]) wanted[q] = true;
     }
-    auto points = pointsWhere(examined.size(), [&](Index p) { return far[p] && !wanted[p]; });
+    const std::vector<bool> scattered = scatteredPoints(examined);
+    auto points = pointsWhere(examined.size(),
+                              [&](Index p) { return (far[p] && !wanted[p]) || scattered[p]; });
     return findingAt(std::move(points), Severity::Warning,
-                     "more than eight spacings from the others, and in no list of the 12 nearest "
-                     "but each other's");
+                     "off the surface: far from the others, and in no list of the 12 nearest but "
+                     "each other's");
 }
 
 // ---- collinear points ---------------------------------------------------------------------------

@@ -84,6 +84,10 @@ Vec3 planeNormal(Matrix m) {
 
 }  // namespace
 
+Vec3 planeNormalAt(std::span<const Vec3> position, Index p, std::span<const Index> list) {
+    return list.size() >= 2 ? planeNormal(scatter(position, p, list)) : Vec3(0.0);
+}
+
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
                                           const NeighborLists& neighbors, unsigned threads,
                                           const Progress& progress) {
@@ -91,8 +95,7 @@ Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
     std::vector<Vec3> normal(position.size(), Vec3(0.0));
     const auto estimate = [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
-        const auto list = neighbors[p];
-        if (list.size() >= 2) normal[p] = planeNormal(scatter(position, p, list));
+        normal[p] = planeNormalAt(position, p, neighbors[p]);
     };
     if (!forEachWithProgress(normal.size(), threads, kPlanesPerThread, progress, estimate))
         return Error{"the work on normals was cancelled"};

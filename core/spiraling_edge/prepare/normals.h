@@ -10,6 +10,10 @@
 
 namespace se {
 
+/// Unit normal of the plane nearest to a point and its listed neighbors, on either side; zero where
+/// no plane fits best, as below.
+Vec3 planeNormalAt(std::span<const Vec3> position, Index p, std::span<const Index> list);
+
 /// Unit normals of the planes nearest to each point and its listed neighbors (principal components
 /// of their positions; Hoppe et al. 1992, section 3.1), on either side. Zero where no plane fits
 /// best: fewer than two neighbors, or all collinear. `neighbors` has a list per position; those of

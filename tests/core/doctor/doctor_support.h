@@ -21,7 +21,7 @@ inline Diagnosis examined(const PointFile& file) {
 /// The names of the problems found, each followed by a blank.
 inline std::string problemNames(const Diagnosis& diagnosis) {
     std::string names;
-    for (const Finding& finding : diagnosis) {
+    for (const Finding& finding : diagnosis.findings) {
         if (finding.isProblem()) names += std::string(finding.check->name) + " ";
     }
     return names;
@@ -29,7 +29,7 @@ inline std::string problemNames(const Diagnosis& diagnosis) {
 inline std::string problemNames(const PointFile& file) { return problemNames(examined(file)); }
 
 inline const Finding* findingOf(const Diagnosis& diagnosis, const std::string& name) {
-    for (const Finding& finding : diagnosis) {
+    for (const Finding& finding : diagnosis.findings) {
         if (finding.check->name == name) return &finding;
     }
     return nullptr;

@@ -102,7 +102,7 @@ TEST_CASE("gallery: what helps, helps") {
     const auto dropCopies = [](PointFile& file) {
         const auto diagnosis = examine(file);
         REQUIRE(diagnosis.ok());
-        for (const Finding& finding : diagnosis.value()) {
+        for (const Finding& finding : diagnosis.value().findings) {
             if (finding.check->name == "near_duplicates")
                 file = applyFixes(file, finding.points).file;
         }

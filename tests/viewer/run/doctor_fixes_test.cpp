@@ -34,7 +34,7 @@ PointFile flawed() {
 
 std::vector<std::string> names(const Diagnosis& diagnosis) {
     std::vector<std::string> list;
-    for (const Finding& finding : diagnosis) list.emplace_back(finding.check->name);
+    for (const Finding& finding : diagnosis.findings) list.emplace_back(finding.check->name);
     return list;
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("Each doctor check that has a fix here has a command as well") {
 TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") {
     const Result<Diagnosis> found = examine(flawed());
     REQUIRE(found);
-    const Fixes fixes = safeFixes(found.value());
+    const Fixes fixes = safeFixes(found.value().findings);
     REQUIRE(fixes.size() == 2);
     CHECK(findDoctorCheck(fixes[0])->fix == Fix::Repair);
     CHECK(findDoctorCheck(fixes[1])->fix == Fix::Orient);

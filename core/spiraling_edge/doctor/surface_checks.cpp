@@ -1,0 +1,195 @@
+/// Checks of the points as a surface: noise, and two layers of one surface, as two scans that were
+/// not well registered leave. Each point's list, and the lists of that list, are fitted by a
+/// quadric (surface_fit.h). The heights over the small patch are the noise. Those over the wide one
+/// are spread as noise is, or stand in two heaps: their kurtosis tells, averaged by the median over
+/// the patch. Thresholds are measured: docs/doctor.md. O(points times patch).
+#include <algorithm>
+#include <cmath>
+
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/doctor/surface_fit.h"
+
+namespace se {
+namespace {
+
+constexpr std::size_t kPointsPerThread = 1024;
+
+/// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
+bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
+    if (!examined.file.hasNormals() || !examined.hasSide(p) || !examined.hasSide(q)) return true;
+    return !normalsOppose(examined.side(p), examined.side(q));
+}
+
+/// The point and its list.
+void smallPatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch) {
+    patch.assign(1, p);
+    for (const Index q : examined.nearest[p]) {
+        if (onSameSide(examined, p, q)) patch.push_back(q);
+    }
+}
+
+/// The small patch, and the lists of its points.
+void widePatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch) {
+    smallPatch(examined, p, patch);
+    const std::size_t small = patch.size();
+    for (std::size_t i = 1; i < small; ++i) {
+        for (const Index q : examined.nearest[patch[i]]) {
+            if (onSameSide(examined, p, q)) patch.push_back(q);
+        }
+    }
+    std::sort(patch.begin() + 1, patch.end());
+    patch.erase(std::unique(patch.begin() + 1, patch.end()), patch.end());
+    // The frame of the fit stands at the first point: p once, in front.
+    const auto again = std::lower_bound(patch.begin() + 1, patch.end(), p);
+    if (again != patch.end() && *again == p) patch.erase(again);
+}
+
+/// Heights so low, in spacings, are those of a surface that bends.
+constexpr double kFlat = 0.05;
+
+/// Median of the kurtosis over the wide patch of p; heights that are low are left out.
+double kurtosisAround(const ExaminedFile& examined, const std::vector<Index>& patch,
+                      std::vector<double>& values) {
+    values.clear();
+    for (const Index q : patch) {
+        if (examined.roughness[q].wide > kFlat) values.push_back(examined.roughness[q].kurtosis);
+    }
+    return values.empty() ? Roughness{}.kurtosis : medianOf(values);
+}
+
+/// The two layers, in spacings.
+struct Layers {
+    std::vector<Index> points;  ///< Where there are two.
+    double apart = 0.0;
+    double noise = 0.0;  ///< Of each.
+};
+
+/// Half the distance of two layers, squared, in units of the mean square of the heights about both:
+/// the heights of two layers +-a with noise s have the moments m2 = a^2 + s^2 and m4 = 3 m2^2 -
+/// 2 a^4. The kurtosis is first stretched from the range that a fit leaves to that of the formula.
+double shareOfLayers(double kurtosis) {
+    constexpr double kNoise = 2.75;  // See FitHeights.
+    constexpr double kLayers = 1.5;
+    const double stretched =
+        std::clamp(3.0 - 2.0 * (kNoise - kurtosis) / (kNoise - kLayers), 1.0, 3.0);
+    return std::sqrt((3.0 - stretched) / 2.0);
+}
+
+/// Kurtosis about each point, where heights are not low.
+std::vector<double> kurtosisAroundAll(const ExaminedFile& examined) {
+    std::vector<double> around(examined.size(), Roughness{}.kurtosis);
+    forRanges(examined.size(), 0, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+        std::vector<Index> patch;
+        std::vector<double> values;
+        for (std::size_t i = from; i < to; ++i) {
+            const auto p = static_cast<Index>(i);
+            if (examined.roughness[p].wide <= kFlat) continue;
+            widePatch(examined, p, patch);
+            around[i] = kurtosisAround(examined, patch, values);
+        }
+    });
+    return around;
+}
+
+/// Medians over points with two heaps of heights.
+struct Heaps {
+    double narrow = 0.0;
+    double wide = 0.0;
+    double kurtosis = 0.0;
+};
+
+Heaps heapsAt(const ExaminedFile& examined, const std::vector<Index>& points,
+              const std::vector<double>& around) {
+    std::vector<double> narrow;
+    std::vector<double> wide;
+    std::vector<double> kurtosis;
+    for (const Index p : points) {
+        narrow.push_back(examined.roughness[p].narrow);
+        wide.push_back(examined.roughness[p].wide);
+        kurtosis.push_back(around[p]);
+    }
+    return {medianOf(narrow), medianOf(wide), medianOf(kurtosis)};
+}
+
+std::optional<Layers> layersOf(const ExaminedFile& examined) {
+    // Single surfaces with noise of any kind, and clean sets, stay above 1.95 nearly everywhere.
+    constexpr double kTwoHeaps = 1.95;
+    constexpr std::size_t kLeastShare = 10;  // One in ten.
+    constexpr double kDrawn = 2.2;
+    const std::vector<double> around = kurtosisAroundAll(examined);
+    const auto certain = std::count_if(around.begin(), around.end(),
+                                       [](double kurtosis) { return kurtosis < kTwoHeaps; });
+    if (static_cast<std::size_t>(certain) * kLeastShare <
+        std::max<std::size_t>(examined.presentCount, 1))
+        return std::nullopt;
+    Layers layers;
+    layers.points = pointsWhere(examined.size(), [&](Index p) { return around[p] < kDrawn; });
+    const Heaps heaps = heapsAt(examined, layers.points, around);
+    // Layers stand over each other everywhere, thin parts and creases only in wide patches.
+    constexpr double kEverywhere = 0.75;
+    if (heaps.narrow < kEverywhere * heaps.wide) return std::nullopt;
+    const double share = shareOfLayers(heaps.kurtosis);
+    layers.apart = 2.0 * heaps.wide * std::sqrt(share);
+    layers.noise = heaps.wide * std::sqrt(1.0 - share);
+    return layers;
+}
+
+/// "0.26 spacings (0.0114)": also in the file's units.
+std::string spacingsText(const ExaminedFile& examined, double spacings) {
+    return shortNumber(spacings) + " spacings (" + shortNumber(spacings * examined.middleSpacing) +
+           ")";
+}
+
+}  // namespace
+
+std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
+    std::vector<Roughness> result(examined.size());
+    forRanges(examined.size(), 0, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+        std::vector<Index> patch;
+        for (std::size_t i = from; i < to; ++i) {
+            const auto p = static_cast<Index>(i);
+            if (!examined.present[p] || examined.spacing[p] == 0.0) continue;
+            smallPatch(examined, p, patch);
+            if (const auto small = fitQuadric(examined.file.position, patch))
+                result[p].narrow = small->deviation / examined.spacing[p];
+            widePatch(examined, p, patch);
+            const auto wide = fitQuadric(examined.file.position, patch);
+            if (!wide) continue;
+            result[p].wide = wide->deviation / examined.spacing[p];
+            result[p].kurtosis = wide->kurtosis;
+        }
+    });
+    return result;
+}
+
+std::optional<Finding> findTwoLayers(const ExaminedFile& examined) {
+    std::optional<Layers> layers = layersOf(examined);
+    if (!layers) return std::nullopt;
+    return findingAt(std::move(layers->points), Severity::Warning,
+                     "in two layers, about " + spacingsText(examined, layers->apart) + " apart");
+}
+
+std::optional<Finding> findNoise(const ExaminedFile& examined) {
+    // Finely sampled surfaces stay below 0.08 spacings, coarse ones with creases below 0.11.
+    constexpr double kNoticed = 0.12;
+    // From here on triangles slope so much that the order of points about a point is chance.
+    constexpr double kStrong = 0.3;
+    std::vector<double> heights;
+    for (const Roughness& each : examined.roughness) {
+        if (each.narrow >= 0.0) heights.push_back(each.narrow);
+    }
+    if (heights.empty()) return std::nullopt;
+    const std::optional<Layers> layers = layersOf(examined);
+    const double noise = layers ? layers->noise : medianOf(heights);
+    if (noise < kNoticed) return std::nullopt;
+    auto points = pointsWhere(examined.size(),
+                              [&](Index p) { return examined.roughness[p].narrow >= kNoticed; });
+    const std::size_t count = points.size();
+    return Finding{nullptr, noise < kStrong ? Severity::Note : Severity::Warning, count,
+                   std::move(points),
+                   "noise of " + spacingsText(examined, noise) + " along the normals, at " +
+                       countText(count, "point")};
+}
+
+}  // namespace se

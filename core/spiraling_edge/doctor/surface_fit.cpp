@@ -1,0 +1,116 @@
+/// Least squares by the normal equations, with lengths in units of the patch, so that six digits of
+/// the heights remain; Gaussian elimination with + - * / alone. O(points of the patch).
+#include "spiraling_edge/doctor/surface_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "spiraling_edge/prepare/normals.h"
+
+namespace se {
+namespace {
+
+constexpr std::size_t kCoefficients = 6;
+constexpr std::size_t kLeastPoints = kCoefficients + 3;
+
+/// 1, x, y, x^2, x y, y^2 of a point, and its height.
+using FitRow = std::array<double, kCoefficients + 1>;
+using Equations = std::array<FitRow, kCoefficients>;
+
+/// Axes of a patch: its normal and two in its plane, about its first point.
+struct PatchFrame {
+    Vec3 origin;
+    Vec3 x;
+    Vec3 y;
+    Vec3 normal;
+    double length = 1.0;
+
+    FitRow rowOf(const Vec3& place) const {
+        const Vec3 offset = (place - origin) / length;
+        const double u = glm::dot(offset, x);
+        const double v = glm::dot(offset, y);
+        return {1.0, u, v, u * u, u * v, v * v, glm::dot(offset, normal)};
+    }
+};
+
+std::optional<PatchFrame> frameOf(std::span<const Vec3> position, std::span<const Index> patch) {
+    PatchFrame frame;
+    frame.normal = planeNormalAt(position, patch.front(), patch.subspan(1));
+    if (frame.normal == Vec3(0.0)) return std::nullopt;
+    frame.origin = position[patch.front()];
+    const Vec3 axis = std::abs(frame.normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    frame.x = glm::cross(frame.normal, axis);
+    frame.x /= std::sqrt(glm::dot(frame.x, frame.x));
+    frame.y = glm::cross(frame.normal, frame.x);
+    double reachSq = 0.0;
+    for (const Index q : patch) {
+        const Vec3 offset = position[q] - frame.origin;
+        reachSq = std::max(reachSq, glm::dot(offset, offset));
+    }
+    frame.length = std::sqrt(reachSq);
+    return frame;
+}
+
+/// Solves the equations in place, so that the last column holds the solution. False if they are
+/// singular.
+bool solve(Equations& equations) {
+    constexpr double kSingular = 1e-9;
+    for (std::size_t i = 0; i < kCoefficients; ++i) {
+        std::size_t pivot = i;
+        for (std::size_t r = i + 1; r < kCoefficients; ++r) {
+            if (std::abs(equations[r][i]) > std::abs(equations[pivot][i])) pivot = r;
+        }
+        if (!(std::abs(equations[pivot][i]) > kSingular)) return false;
+        std::swap(equations[i], equations[pivot]);
+        for (std::size_t r = 0; r < kCoefficients; ++r) {
+            if (r == i) continue;
+            const double factor = equations[r][i] / equations[i][i];
+            for (std::size_t c = i; c <= kCoefficients; ++c)
+                equations[r][c] -= factor * equations[i][c];
+        }
+    }
+    for (std::size_t i = 0; i < kCoefficients; ++i) equations[i][kCoefficients] /= equations[i][i];
+    return true;
+}
+
+Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
+                      std::span<const Index> patch) {
+    Equations equations{};
+    for (const Index q : patch) {
+        const FitRow row = frame.rowOf(position[q]);
+        for (std::size_t i = 0; i < kCoefficients; ++i) {
+            for (std::size_t j = 0; j <= kCoefficients; ++j) equations[i][j] += row[i] * row[j];
+        }
+    }
+    return equations;
+}
+
+}  // namespace
+
+std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch) {
+    if (patch.size() < kLeastPoints) return std::nullopt;
+    const std::optional<PatchFrame> frame = frameOf(position, patch);
+    if (!frame) return std::nullopt;
+    Equations equations = equationsOf(*frame, position, patch);
+    if (!solve(equations)) return std::nullopt;
+    double second = 0.0;
+    double fourth = 0.0;
+    for (const Index q : patch) {
+        const FitRow row = frame->rowOf(position[q]);
+        double height = row[kCoefficients];
+        for (std::size_t i = 0; i < kCoefficients; ++i)
+            height -= equations[i][kCoefficients] * row[i];
+        second += height * height;
+        fourth += height * height * height * height;
+    }
+    const auto count = static_cast<double>(patch.size());
+    FitHeights heights;
+    heights.deviation =
+        frame->length * std::sqrt(second / (count - static_cast<double>(kCoefficients)));
+    if (second > 0.0) heights.kurtosis = count * fourth / (second * second);
+    return heights;
+}
+
+}  // namespace se
