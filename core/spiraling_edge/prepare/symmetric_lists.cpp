@@ -11,7 +11,7 @@ namespace se {
 namespace {
 
 /// The rows of points from .. to, one list after the other.
-struct Piece {
+struct ListBlock {
     std::vector<Index> ids;
     std::vector<std::uint32_t> length;
 };
@@ -41,12 +41,12 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "choose a smaller k or radius"};
     }
     const NeighborLists listedBy = listersOf(lists);
-    constexpr std::size_t kPerPiece = 4096;
-    std::vector<Piece> piece((n + kPerPiece - 1) / kPerPiece);
-    const bool all = forEachWithProgress(piece.size(), threads, 2, progress, [&](std::size_t i) {
+    constexpr std::size_t kPerBlock = 4096;
+    std::vector<ListBlock> blocks((n + kPerBlock - 1) / kPerBlock);
+    const bool all = forEachWithProgress(blocks.size(), threads, 2, progress, [&](std::size_t i) {
         std::vector<Neighbor> row;
-        const auto end = static_cast<Index>(std::min((i + 1) * kPerPiece, n));
-        for (auto p = static_cast<Index>(i * kPerPiece); p < end; ++p) {
+        const auto end = static_cast<Index>(std::min((i + 1) * kPerBlock, n));
+        for (auto p = static_cast<Index>(i * kPerBlock); p < end; ++p) {
             row.clear();
             for (const auto list : {lists[p], listedBy[p]}) {
                 for (const Index q : list)
@@ -54,17 +54,17 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             }
             std::sort(row.begin(), row.end());
             row.erase(std::unique(row.begin(), row.end()), row.end());
-            for (const Neighbor& neighbor : row) piece[i].ids.push_back(neighbor.id);
-            piece[i].length.push_back(static_cast<std::uint32_t>(row.size()));
+            for (const Neighbor& neighbor : row) blocks[i].ids.push_back(neighbor.id);
+            blocks[i].length.push_back(static_cast<std::uint32_t>(row.size()));
         }
     });
     if (!all) return Error{"making neighbor lists symmetric was cancelled"};
     NeighborLists both;
     both.offset.reserve(n + 1);
     std::size_t entries = 0;
-    for (const Piece& each : piece) entries += each.ids.size();
+    for (const ListBlock& each : blocks) entries += each.ids.size();
     both.ids.reserve(entries);
-    for (const Piece& each : piece) {
+    for (const ListBlock& each : blocks) {
         both.ids.insert(both.ids.end(), each.ids.begin(), each.ids.end());
         for (const std::uint32_t length : each.length)
             both.offset.push_back(both.offset.back() + length);
