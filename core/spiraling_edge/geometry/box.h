@@ -10,10 +10,12 @@
 
 namespace se {
 
+/// An axis-aligned box, bounds included.
 struct Box {
     Vec3 low, high;
 
     explicit Box(const Vec3& p) : low(p), high(p) {}
+    /// Grows the box so that it holds `p`.
     void add(const Vec3& p) {
         low = glm::min(low, p);
         high = glm::max(high, p);

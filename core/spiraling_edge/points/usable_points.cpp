@@ -115,21 +115,6 @@ void keepRows(std::vector<T>& column, const std::vector<bool>& keep) {
     column.resize(kept);
 }
 
-/// The lists of the points that have a number, in their order, renumbered.
-NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number) {
-    NeighborLists kept;
-    std::vector<Index> list;
-    for (Index p = 0; p < number.size(); ++p) {
-        if (number[p] == kNone) continue;
-        list.clear();
-        for (const Index q : lists[p]) {
-            if (q < number.size() && number[q] != kNone) list.push_back(number[q]);
-        }
-        kept.append(list);
-    }
-    return kept;
-}
-
 }  // namespace
 
 std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
@@ -153,6 +138,20 @@ std::vector<Index> keptNumbers(const std::vector<bool>& keep) {
         if (keep[p]) number[p] = next++;
     }
     return number;
+}
+
+NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number) {
+    NeighborLists kept;
+    std::vector<Index> list;
+    for (Index p = 0; p < number.size(); ++p) {
+        if (number[p] == kNone) continue;
+        list.clear();
+        for (const Index q : lists[p]) {
+            if (q < number.size() && number[q] != kNone) list.push_back(number[q]);
+        }
+        kept.append(list);
+    }
+    return kept;
 }
 
 PointFile withUsedPoints(const PointFile& points, std::span<const Triangle> triangles) {

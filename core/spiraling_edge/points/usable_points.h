@@ -46,5 +46,8 @@ std::size_t countUsedPoints(std::size_t points, std::span<const Triangle> triang
 void keepColumns(PointFile& file, const std::vector<bool>& keep);
 /// The index of each kept point among those kept, kNone for the others.
 std::vector<Index> keptNumbers(const std::vector<bool>& keep);
+/// The lists of the kept points, in their order, without the entries that are not kept. `number` is
+/// the result of keptNumbers().
+NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number);
 
 }  // namespace se

@@ -1,0 +1,167 @@
+/// Thinning goes through the points once and keeps each that no kept point is near. Kept points are
+/// found by the cells of a grid twice as wide as the spacing, in a hash table: a ball around a
+/// point meets eight cells, and in a cell there are never more than some twenty kept points.
+/// Memory: some 20 bytes per kept point.
+#include "spiraling_edge/prepare/piece.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "spiraling_edge/points/usable_points.h"
+
+namespace se {
+namespace {
+
+/// Points of which no two are nearer to each other than a spacing.
+class SpacedPoints {
+  public:
+    SpacedPoints(std::span<const Vec3> position, double spacing)
+        : position_(position), spacing_(spacing), first_(kLeastBuckets, kNone) {}
+
+    /// Adds point p, unless it is nearer than the spacing to one that was added before. True if it
+    /// was added. Requires a finite position.
+    bool add(Index p) {
+        const Vec3& x = position_[p];
+        const Cell home = cellOf(x);
+        if (isCrowded(x, home)) return false;
+        const Cell from = cellOf(x - spacing_);
+        const Cell to = cellOf(x + spacing_);
+        Cell cell = from;
+        for (cell.z = from.z; cell.z <= to.z; ++cell.z) {
+            for (cell.y = from.y; cell.y <= to.y; ++cell.y) {
+                for (cell.x = from.x; cell.x <= to.x; ++cell.x) {
+                    if (cell != home && isCrowded(x, cell)) return false;
+                }
+            }
+        }
+        if (entries_.size() == first_.size()) widen();
+        entries_.push_back({p, kNone});
+        link(entries_.size() - 1);
+        return true;
+    }
+
+  private:
+    using Cell = glm::i64vec3;
+    struct Entry {
+        Index point;
+        Index next;  ///< Another entry of the same bucket, or kNone.
+    };
+    static constexpr std::size_t kLeastBuckets = 1024;
+
+    /// Rounding is monotonic: what is within the spacing of x is in a cell from that of x - spacing
+    /// to that of x + spacing, however far from the origin. Beyond 2^53 cells the numbers would
+    /// have gaps; what is there shares the last cell.
+    Cell cellOf(const Vec3& x) const {
+        constexpr double kLast = 9007199254740992.0;
+        return Cell(glm::clamp(glm::floor(x / (2.0 * spacing_)), -kLast, kLast));
+    }
+    std::size_t bucketOf(const Cell& cell) const {
+        std::uint64_t h = 0;
+        for (int i = 0; i < 3; ++i) {
+            h = (h ^ static_cast<std::uint64_t>(cell[i])) * 0x9e3779b97f4a7c15U;
+            h ^= h >> 32U;
+        }
+        return static_cast<std::size_t>(h) & (first_.size() - 1);
+    }
+    /// True if a point of the cell, or another one of its bucket, is nearer than the spacing.
+    bool isCrowded(const Vec3& x, const Cell& cell) const {
+        for (Index i = first_[bucketOf(cell)]; i != kNone; i = entries_[i].next) {
+            // Divided first: the squares of very long or short differences would be no numbers.
+            const Vec3 difference = (position_[entries_[i].point] - x) / spacing_;
+            if (glm::dot(difference, difference) < 1.0) return true;
+        }
+        return false;
+    }
+    void link(std::size_t i) {
+        Index& first = first_[bucketOf(cellOf(position_[entries_[i].point]))];
+        entries_[i].next = first;
+        first = static_cast<Index>(i);
+    }
+    void widen() {
+        first_.assign(2 * first_.size(), kNone);
+        for (std::size_t i = 0; i < entries_.size(); ++i) link(i);
+    }
+
+    std::span<const Vec3> position_;
+    double spacing_;
+    std::vector<Index> first_;  ///< First entry of each bucket, or kNone.
+    std::vector<Entry> entries_;
+};
+
+/// True if x is finite and in the box.
+bool holds(const Box& box, const Vec3& x) {
+    return isFinite(x) && glm::clamp(x, box.low, box.high) == x;
+}
+
+void thin(std::span<const Vec3> position, double spacing, std::vector<bool>& keep) {
+    SpacedPoints kept(position, spacing);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (keep[p] && isFinite(position[p])) keep[p] = kept.add(p);
+    }
+}
+
+/// The triangles whose corners all have a number, renumbered.
+std::vector<Triangle> keptFaces(std::span<const Triangle> faces, const std::vector<Index>& number) {
+    std::vector<Triangle> kept;
+    for (const Triangle& t : faces) {
+        const Triangle made{number[t.a], number[t.b], number[t.c]};
+        if (made.a != kNone && made.b != kNone && made.c != kNone) kept.push_back(made);
+    }
+    return kept;
+}
+
+/// Adds the index of each kept point, unless the file has such a column.
+void addIndices(const std::vector<bool>& keep, PointFile& file) {
+    const auto isThere = [](const Attribute& each) { return each.name == kIndexColumn; };
+    if (std::any_of(file.attributes.begin(), file.attributes.end(), isThere)) return;
+    Attribute index{std::string(kIndexColumn), ScalarType::UInt32, {}};
+    index.values.reserve(file.position.size());
+    for (std::size_t p = 0; p < keep.size(); ++p) {
+        if (keep[p]) index.values.push_back(static_cast<double>(p));
+    }
+    file.attributes.push_back(std::move(index));
+}
+
+/// Frees what the columns do not need any more: a piece is a small part of a large file.
+void freeUnused(PointFile& file) {
+    file.position.shrink_to_fit();
+    file.normal.shrink_to_fit();
+    file.type.shrink_to_fit();
+    for (Attribute& attribute : file.attributes) attribute.values.shrink_to_fit();
+}
+
+}  // namespace
+
+std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
+    assert(piece.thin >= 0.0 && std::isfinite(piece.thin));
+    std::vector<bool> keep(position.size(), true);
+    if (piece.crop) {
+        assert(isFinite(piece.crop->low) && isFinite(piece.crop->high));
+        assert(glm::min(piece.crop->low, piece.crop->high) == piece.crop->low);
+        for (std::size_t p = 0; p < position.size(); ++p) keep[p] = holds(*piece.crop, position[p]);
+    }
+    if (piece.thin > 0.0) thin(position, piece.thin, keep);
+    return keep;
+}
+
+PointFile pieceOf(PointFile file, const Piece& piece) {
+    assert(checkColumns(file).ok());
+    if (piece.isWhole()) return file;
+    const std::vector<bool> keep = pointsIn(file.position, piece);
+    if (file.hasNeighbors() || !file.faces.empty()) {
+        const std::vector<Index> number = keptNumbers(keep);
+        if (file.hasNeighbors()) file.neighbors = keptLists(file.neighbors, number);
+        file.faces = keptFaces(file.faces, number);
+    }
+    keepColumns(file, keep);
+    addIndices(keep, file);
+    freeUnused(file);
+    return file;
+}
+
+}  // namespace se

@@ -1,0 +1,41 @@
+/// A piece of a scan that is too large as a whole: the points in a box, thinned to a spacing.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/points/point_file.h"
+
+namespace se {
+
+/// The choice of a piece, in the units of the file.
+struct Piece {
+    /// Only the points within this box, bounds included; points that are not finite are outside.
+    std::optional<Box> crop;
+    /// Above 0: of the points in the box, in their order, each that is not nearer than this to one
+    /// kept before. Points that are not finite are all kept. 0: all points.
+    double thin = 0.0;
+
+    /// True if it is the whole file.
+    bool isWhole() const { return !crop && thin == 0.0; }
+};
+
+/// Name of the column in which a piece holds the index of each point in its file.
+inline constexpr std::string_view kIndexColumn = "index";
+
+/// For each point: true if it is in the piece. Requires finite and ordered corners of the box, and
+/// a finite spacing that is not negative. Depends on nothing but the arguments. Expected O(points),
+/// but for points farther than 2^54 spacings from the origin.
+std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece);
+
+/// The points of `file` in the piece, in their order, with their normals, types, attributes and
+/// neighbor lists; entries of other points leave the lists, and only triangles whose corners are
+/// all in the piece remain. A column `index` holds the index of each point in `file`, unless there
+/// is one already. The whole file is returned as it is. Requires columns of equal length, triangles
+/// that name existing points, and what pointsIn() requires.
+PointFile pieceOf(PointFile file, const Piece& piece);
+
+}  // namespace se
