@@ -48,6 +48,16 @@ bool overrides(const GivenOption& mine, const GivenOption& theirs) {
     });
 }
 
+/// Throws Failure if one of the options after --with changes the points.
+void requireSamePoints(const InputArguments& change) {
+    for (const GivenOption& option : change.given()) {
+        if (option.name != "crop" && option.name != "thin") continue;
+        throw Failure(ExitCode::Usage,
+                      "--" + option.name +
+                          ": two runs are compared on the same points; give it before --with");
+    }
+}
+
 }  // namespace
 
 ComparedWords splitAtWith(const Arguments& words) {
@@ -80,6 +90,7 @@ Arguments optionsOfB(const InputArguments& a, const Arguments& with) {
     Arguments words{a.input()};
     words.insert(words.end(), with.begin(), with.end());
     const ParsedInput change(words);
+    requireSamePoints(change.input());
     words = {a.input()};
     for (const GivenOption& theirs : a.given()) {
         const std::vector<GivenOption> mine = change.input().given();

@@ -99,25 +99,32 @@ void DerivedArguments::addTo(CLI::App& app) {
                  "boundary points");
 }
 
-WallBox boxFromText(const std::string& text) {
-    WallBox box;
+std::optional<SixNumbers> sixNumbersFromText(const std::string& text) {
+    SixNumbers numbers;
     std::istringstream stream(text);
     stream.imbue(std::locale::classic());
     for (int i = 0; i < 6; ++i) {
-        double& value = i < 3 ? box.low[i] : box.high[i - 3];
+        double& value = i < 3 ? numbers.first[i] : numbers.second[i - 3];
         char comma = ',';
         if (i > 0) stream >> comma;
-        if (!(stream >> value) || comma != ',' || !std::isfinite(value)) {
-            throw Failure(
-                ExitCode::Usage,
-                fmt::format("--box {}: expected auto, or six numbers separated by commas: "
-                            "X0,Y0,Z0,X1,Y1,Z1",
-                            text));
-        }
+        if (!(stream >> value) || comma != ',' || !std::isfinite(value)) return std::nullopt;
     }
     stream >> std::ws;
-    const bool ordered = box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z;
-    if (!stream.eof() || !ordered) {
+    return stream.eof() ? std::optional(numbers) : std::nullopt;
+}
+
+WallBox boxFromText(const std::string& text) {
+    const std::optional<SixNumbers> numbers = sixNumbersFromText(text);
+    if (!numbers) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--box {}: expected auto, or six numbers separated by commas: "
+                                  "X0,Y0,Z0,X1,Y1,Z1",
+                                  text));
+    }
+    WallBox box;
+    box.low = numbers->first;
+    box.high = numbers->second;
+    if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z)) {
         throw Failure(ExitCode::Usage,
                       fmt::format("--box {}: expected six numbers, the lower corner first", text));
     }

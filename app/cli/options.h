@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exit_code.h"
@@ -20,6 +21,11 @@ inline constexpr long long kMaxNeighbors = 1'000'000;
 /// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
 /// to exit with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
+
+/// Two corners.
+using SixNumbers = std::pair<Vec3, Vec3>;
+/// Finite numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1; nothing if the text is anything else.
+std::optional<SixNumbers> sixNumbersFromText(const std::string& text);
 
 /// A box from six numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1. Throws Failure otherwise.
 WallBox boxFromText(const std::string& text);

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/doctor/doctor.h"
 
@@ -12,6 +11,7 @@ namespace se::cli {
 
 void InputArguments::addTo(CLI::App& app) {
     app.add_option("IN", input_, "File with points, - or scene:ID")->required();
+    piece_.addTo(app);
     rules_.addTo(app);
     neighbors_.addTo(app);
     derived_.addTo(app);
@@ -53,9 +53,9 @@ PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
     return prepareOptionsFrom(params(), neighbors_, derived_, file);
 }
 
-PreparedInput InputArguments::prepare(ProgressLine& line) const {
-    return prepare(readInput(input_), line);
-}
+PointFile InputArguments::read() const { return readPiece(input_, piece_.piece()).file; }
+
+PreparedInput InputArguments::prepare(ProgressLine& line) const { return prepare(read(), line); }
 
 PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
     const PrepareOptions options = prepareOptions(file);

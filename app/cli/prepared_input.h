@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options.h"
+#include "piece_input.h"
 #include "progress.h"
 
 namespace se::cli {
@@ -34,15 +35,18 @@ class InputArguments {
     /// Words of the given options, each option followed by its value.
     std::vector<std::string> options() const;
     PrepareOptions prepareOptions(const PointFile& file) const;
+    /// Reads input(), or the piece of it that the options choose. Throws Failure.
+    PointFile read() const;
     /// Reads and prepares, with the line of progress. Throws Failure.
     PreparedInput prepare(ProgressLine& line) const;
-    /// Prepares what was read from input() already. Throws Failure.
+    /// Prepares what read() has returned. Throws Failure.
     PreparedInput prepare(PointFile file, ProgressLine& line) const;
 
   private:
     Params params() const;
 
     std::string input_;
+    PieceArguments piece_;
     RuleArguments rules_;
     NeighborArguments neighbors_;
     DerivedArguments derived_;

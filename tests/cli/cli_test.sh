@@ -40,6 +40,14 @@ icosahedron() {
     done
 }
 
+# A grid of 5 by 5 points a unit apart, as XYZ with normals.
+square() {
+    local x y
+    for x in 0 1 2 3 4; do
+        for y in 0 1 2 3 4; do echo "$x $y 0 0 0 1"; done
+    done
+}
+
 # Even points of a sphere, as XYZ with normals; written to `file`.
 sphere_points() {
     expect 0 run scene:sphere -q -o sphere.obj
@@ -71,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron sphere_points | sort >helpers
+    printf '%s\n' ball expect fail fields icosahedron sphere_points square | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -591,6 +599,82 @@ used_points_alone_are_written() {
     expect 0 check used.ply
     expect 2 run far.xyz --used-points
     says err "--output"
+}
+
+crop_keeps_the_points_in_a_box() {
+    square >square.xyz
+    expect 0 run square.xyz --crop -1,1,0,2,3,0 -o piece.ply --report report.json
+    is "$(header_count vertex piece.ply)" 9 "points in the box"
+    head -c 2000 piece.ply | grep -aqx "property uint index" || fail "no column index"
+    is "$(number kept report.json)" 9 "points kept"
+    is "$(number points_in_file report.json)" 25 "points in the file"
+    says report.json '"thin": null'
+    expect 0 run square.xyz --crop -1,1,0,2,3,0
+    says err "kept       9 of 25 points: crop"
+    expect 0 run square.xyz --report report.json
+    says report.json '"piece": null'
+    # A piece of a piece has the numbers of the whole file: at last that of (2, 3).
+    expect 0 run square.xyz --crop -1,1,0,2,3,0 --max-pivots 0 -q -o piece.ply
+    expect 1 doctor piece.ply --crop 1,0,0,9,9,0 --fix last.ply
+    says out "kept     6 of 9 points: crop"
+    is "$(tail -c 12 last.ply | od -An -tu4 | awk '{ print $NF }')" 13 "last index"
+}
+
+thin_keeps_a_spacing() {
+    square >square.xyz
+    expect 0 info square.xyz --crop 0,1,0,4,4,0 --thin 1.5
+    says out "square.xyz: 6 points"
+    says out "kept       6 of 25 points: crop, thin 1.5"
+    expect 0 info square.xyz --thin 2 --json
+    is "$(number kept out)" 9 "points kept"
+    is "$(number thin out)" 2.0 "spacing"
+    expect 0 info square.xyz --thin 2 --json
+    cp out first
+    expect 0 info square.xyz --thin 2 --json
+    cmp -s out first || fail "another piece of the same file"
+}
+
+pieces_go_through_all_verbs() {
+    expect 0 run scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 -q -o mesh.ply
+    expect 3 check mesh.ply --points scene:torus --crop -9,-9,-9,9,9,0
+    expect 1 check mesh.ply --points scene:sphere --json
+    [ "$(number isolated_points out)" -gt 0 ] || fail "points outside of the box should be missed"
+    "$program" check mesh.ply --points scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 --json >out
+    is "$(number isolated_points out)" 0 "isolated points of the piece"
+    expect 2 check mesh.ply --crop -9,-9,-9,9,9,0
+    says err "--points"
+    expect 0 compare scene:sphere --crop -9,-9,-9,9,9,0 --with --rules paper
+    says out "--crop -9,-9,-9,9,9,0"
+    local last
+    last=$(($(header_count vertex mesh.ply) - 1))
+    expect 0 why scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 --point $last
+    expect 3 why scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 --point $((last + 1))
+    expect 0 reduce scene:four-edge-hole --crop -9,-9,-9,9,9,9 --failure non_manifold_edges -q -o small.ply
+    grep -q -- --crop small.sh && fail "reduced points are cut again: $(cat small.sh)"
+    expect 2 compare scene:sphere --with --thin 0.1
+    says err "give it before --with"
+}
+
+pieces_check_their_arguments() {
+    square >square.xyz
+    local box
+    for box in 1,2,3 0,0,0,1,1,1,1 0,0,0,1,1,nan 0,0,0,inf,1,1 "0 0 0 1 1 1" auto 0,0,0,1,1,1x; do
+        expect 2 run square.xyz --crop "$box"
+        says err "--crop $box: expected six numbers separated by commas"
+    done
+    expect 2 run square.xyz --crop 0,3,0,4,-1,0
+    says err "Y0 = 3 is above Y1 = -1"
+    for box in 0 -1 nan inf; do
+        expect 2 run square.xyz --thin $box
+        says err "--thin: must be greater than 0"
+    done
+    # Before the file is read.
+    for verb in info doctor; do expect 2 $verb missing.xyz --thin 0; done
+    expect 2 why missing.xyz --charts --crop 1
+    expect 2 run square.xyz --crop 0.2,0,0,0.8,4,0 -o piece.ply
+    says err "holds 0 of the 25 points of square.xyz"
+    says err "between (0, 0, 0) and (4, 4, 0)"
+    absent piece.ply
 }
 
 quiet_says_nothing() {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "failure_totals.h"
+#include "piece_text.h"
 #include "rule_json.h"
 #include "sentences.h"
 #include "spiraling_edge/explain/what_if_check.h"
@@ -279,6 +280,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["input"] = outcome.input;
     json["output"] = outcome.output.empty() ? Json() : Json(outcome.output);
     json["columns"] = outcome.columns.names.empty() ? Json() : Json(outcome.columns.names);
+    json["piece"] = keptJson(outcome.points);
     json["shift"] = Json();
     if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
     json["stop_reason"] = endingName(outcome.ending);
@@ -320,6 +322,7 @@ std::string summaryText(const RunOutcome& outcome) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
     if (!outcome.columns.reason.empty()) addLine("columns", columnsSentence(outcome.columns));
+    addLine("kept", keptSentence(outcome.points));
     addLine("set aside", setAsideSentence(outcome.prepared));
     addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "piece_input.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/mesh/fidelity.h"
 #include "spiraling_edge/mesh/mesh_report.h"
@@ -30,6 +31,7 @@ struct RunOutcome {
     std::string input;
     std::string output;  ///< Empty if no mesh was written.
     ColumnReading columns;
+    KeptPoints points;
     /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;
     std::string ruleSet;

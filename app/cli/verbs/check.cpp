@@ -13,6 +13,7 @@
 #include "output/failure_totals.h"
 #include "output/output.h"
 #include "output/sentences.h"
+#include "piece_input.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/prepare/prepare.h"
@@ -26,10 +27,11 @@ using Json = nlohmann::ordered_json;
 struct CheckArguments {
     std::string mesh;
     std::string cloud;
+    PieceArguments piece;
     RuleArguments rules;
     NeighborArguments neighbors;
     DerivedArguments derived;
-    std::vector<const CLI::Option*> preparing;  ///< Those of the three.
+    std::vector<const CLI::Option*> preparing;  ///< Those of the four.
     std::vector<std::string> allowed;
     bool json = false;
     bool quiet = false;
@@ -48,6 +50,7 @@ struct CheckArguments {
                "it set aside are not listed")
             ->type_name("CLOUD");
         const std::size_t before = app.get_options().size();
+        piece.addTo(app);
         rules.addSetTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
@@ -238,6 +241,7 @@ ExitCode checkVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
+    const Piece piece = arguments.piece.piece();
     const PointFile mesh = readInput(arguments.mesh);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
@@ -248,7 +252,7 @@ ExitCode checkVerb(const Arguments& words) {
                         "goes wrong in the run",
                         arguments.mesh));
     const bool alone = arguments.cloud.empty();
-    const PointFile cloud = alone ? PointFile{} : readInput(arguments.cloud);
+    const PointFile cloud = alone ? PointFile{} : readPiece(arguments.cloud, piece).file;
     const PointFile& file = alone ? mesh : cloud;
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);

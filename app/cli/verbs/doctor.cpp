@@ -9,7 +9,9 @@
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
+#include "output/piece_text.h"
 #include "output/sentences.h"
+#include "piece_input.h"
 #include "progress.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
@@ -21,6 +23,7 @@ using Json = nlohmann::ordered_json;
 
 struct DoctorArguments {
     std::string input;
+    PieceArguments piece;
     std::string fixed;
     std::vector<std::string> drop;
     bool json = false;
@@ -28,6 +31,7 @@ struct DoctorArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
+        piece.addTo(app);
         auto* fix =
             addOutputOption(
                 app, "--fix", fixed,
@@ -69,7 +73,7 @@ struct DoctorArguments {
 /// Result of the examination and of the fixes.
 struct Visit {
     std::string input;
-    std::size_t points = 0;
+    KeptPoints points;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
     FixedFile fixed;
@@ -126,9 +130,12 @@ std::string sizeText(const Diagnosis& diagnosis) {
 
 std::string visitText(const Visit& visit) {
     const std::vector<Finding>& findings = visit.findings.findings;
-    std::string text = fmt::format(
-        "{}: {}{}, {}\n", visit.input, counted(visit.points, "point"), sizeText(visit.findings),
-        findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
+    std::string text =
+        fmt::format("{}: {}{}, {}\n", visit.input, counted(visit.points.kept, "point"),
+                    sizeText(visit.findings),
+                    findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
+    const std::string kept = keptSentence(visit.points);
+    if (!kept.empty()) text += "  kept     " + kept + "\n";
     for (const Finding& finding : findings) text += findingText(finding, visit.input);
     if (visit.output.empty()) return text;
     text += fmt::format("{}: written, {}\n", visit.output,
@@ -167,7 +174,8 @@ Json findingsJson(const Diagnosis& diagnosis, const std::string& input) {
 std::string visitJson(const Visit& visit) {
     Json json;
     json["input"] = visit.input;
-    json["points"] = visit.points;
+    json["points"] = visit.points.kept;
+    json["piece"] = keptJson(visit.points);
     json["spacing"] = visit.findings.spacing;
     const Vec3& extent = visit.findings.extent;
     json["extent"] = {extent.x, extent.y, extent.z};
@@ -203,15 +211,13 @@ ExitCode doctorVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
+    const Piece piece = arguments.piece.piece();
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
-    const PointFile file = readInput(arguments.input);
-    Visit visit{arguments.input,
-                file.position.size(),
-                examineInput(file, arguments.input, line),
-                arguments.fixed,
-                {},
-                {}};
+    const InputPiece read = readPiece(arguments.input, piece);
+    const PointFile& file = read.file;
+    Visit visit{arguments.input, read.points, examineInput(file, arguments.input, line),
+                arguments.fixed, {},          {}};
     if (!arguments.fixed.empty()) {
         visit.fixed = applyFixes(file, pointsToDrop(visit.findings, arguments.drop));
         const PointFile& fixed = visit.fixed.file;

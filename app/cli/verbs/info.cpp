@@ -10,8 +10,11 @@
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
+#include "output/piece_text.h"
 #include "output/sentences.h"
+#include "piece_input.h"
 #include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/points/wall_types.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -27,15 +30,11 @@ struct Spacing {
     double mean = 0.0;
 };
 
-struct Box {
-    Vec3 low{0.0};
-    Vec3 high{0.0};
-};
-
 /// Everything that is reported about a file.
 struct Facts {
     PointFile file;
-    Box box;
+    KeptPoints points;
+    WallBox box;
     Spacing spacing;
     std::size_t wallPoints = 0;
     std::size_t cornerPoints = 0;
@@ -43,22 +42,6 @@ struct Facts {
     PrepareReport prepared;
     MeshReport mesh;
 };
-
-bool isFinite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-Box boxOf(const std::vector<Vec3>& positions) {
-    Box box;
-    bool first = true;
-    for (const Vec3& p : positions) {
-        if (!isFinite(p)) continue;
-        box.low = first ? p : glm::min(box.low, p);
-        box.high = first ? p : glm::max(box.high, p);
-        first = false;
-    }
-    return box;
-}
 
 Spacing spacingOf(const PointSet& points, const NeighborLists& nearest) {
     Spacing spacing;
@@ -84,10 +67,12 @@ PointSet withSomeNormals(const PointFile& file) {
     return points;
 }
 
-Facts gather(const std::string& input) {
+Facts gather(const std::string& input, const Piece& piece) {
     Facts facts;
-    facts.file = readInput(input);
-    facts.box = boxOf(facts.file.position);
+    InputPiece read = readPiece(input, piece);
+    facts.file = std::move(read.file);
+    facts.points = read.points;
+    facts.box = boxAround(facts.file.position);
     for (const std::uint8_t type : facts.file.type) {
         facts.wallPoints += isOnWall(type) ? 1U : 0U;
         facts.rimPoints += isRimPoint(type) ? 1U : 0U;
@@ -120,6 +105,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     Json json;
     json["input"] = input;
     json["points"] = file.position.size();
+    json["piece"] = keptJson(facts.points);
     json["columns"] = file.columns.names.empty() ? Json() : Json(file.columns.names);
     json["columns_reason"] = file.columns.reason.empty() ? Json() : Json(file.columns.reason);
     json["normals"] = file.hasNormals();
@@ -172,7 +158,8 @@ std::string factsText(const std::string& input, const Facts& facts) {
     const auto addLine = [&](const char* label, const std::string& sentence) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
-    const Box& box = facts.box;
+    addLine("kept", keptSentence(facts.points));
+    const WallBox& box = facts.box;
     addLine("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
                                box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z,
                                boxDigits(facts)));
@@ -209,11 +196,13 @@ std::string factsText(const std::string& input, const Facts& facts) {
 ExitCode infoVerb(const Arguments& words) {
     CLI::App app("Prints the content of a file.", "spiraling-edge info");
     std::string input;
+    PieceArguments piece;
     bool json = false;
     app.add_option("IN", input, "File with points, - or scene:ID")->required();
+    piece.addTo(app);
     app.add_flag("--json", json, "As JSON");
     if (const auto code = parseArguments(app, words)) return *code;
-    const Facts facts = gather(input);
+    const Facts facts = gather(input, piece.piece());
     writeOutput("-", json ? factsJson(input, facts) : factsText(input, facts));
     return ExitCode::Good;
 }

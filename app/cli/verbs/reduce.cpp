@@ -79,10 +79,12 @@ std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
     return places;
 }
 
-/// The options as shell words, as the user would type them.
+/// The options as shell words, as the user would type them. Those of a piece are left out: the
+/// reduced points are from the piece.
 std::string optionText(const InputArguments& input) {
     std::string text;
     for (const GivenOption& each : input.given()) {
+        if (each.name == "crop" || each.name == "thin") continue;
         for (const std::string& word : each.words) text += " " + shellQuoted(word);
     }
     return text;

@@ -11,6 +11,7 @@
 #include "output/report.h"
 #include "output/sentences.h"
 #include "output/trace.h"
+#include "piece_input.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -38,6 +39,7 @@ struct RunArguments {
     bool check = false;
     bool quiet = false;
     WriteOptions writing;
+    PieceArguments piece;
     RuleArguments rules;
     NeighborArguments neighbors;
     DerivedArguments derived;
@@ -59,6 +61,7 @@ struct RunArguments {
                      "Write only the points that are in a triangle (default: all, in their "
                      "order)")
             ->needs(out);
+        piece.addTo(app);
         rules.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
@@ -227,12 +230,15 @@ ExitCode runVerb(const Arguments& words) {
     outcome.input = arguments.input;
     outcome.ruleSet = arguments.rules.setName();
     outcome.params = paramsFrom(arguments.rules, arguments.neighbors);
+    const Piece piece = arguments.piece.piece();
 
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     TraceWriter trace(arguments.trace);
     StopWatch watch;
-    PointFile file = readInput(arguments.input);
+    InputPiece read = readPiece(arguments.input, piece);
+    PointFile& file = read.file;
+    outcome.points = read.points;
     outcome.seconds.read = watch.lap();
     if (file.position.empty())
         throw Failure(ExitCode::Input,
