@@ -786,14 +786,15 @@ info_counts_what_is_wrong() {
 doctor_says_what_is_wrong() {
     sphere_points good.xyz
     expect 0 doctor good.xyz
-    is "$(cat out)" "good.xyz: 600 points, nothing found" "a clean set"
+    is "$(cat out)" "good.xyz: 600 points, 0.196 between points, 2 x 2 x 2, nothing found" "a clean set"
     expect 0 doctor good.xyz --json
     says out '"accused": false'
     says out '"findings": []'
+    is "$(number spacing out | cut -c1-5)" 0.196 "spacing"
     awk 'NR == 8 { $4 = $5 = $6 = 0 } NR == 30 { $1 = "nan" } { print } NR == 50' good.xyz >odd.xyz
     expect 1 doctor odd.xyz
     empty err
-    says out "odd.xyz: 601 points, 3 findings"
+    says out "odd.xyz: 601 points, 0.196 between points, 2 x 2 x 2, 3 findings"
     says out "error    zero_normals: 1 point with a zero normal"
     says out "at point 7"
     says out "try: spiraling-edge doctor odd.xyz --fix OUT.ply"
