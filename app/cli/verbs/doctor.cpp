@@ -38,7 +38,7 @@ struct DoctorArguments {
                 "Fix what needs no guessing and write it to this file; - : to standard output")
                 ->type_name("OUT.ply");
         app.add_option("--drop", drop,
-                       "With --fix: also drop the points that this check finds; may be repeated")
+                       "With --fix: also drop what this check proposes; may be repeated")
             ->type_name("CHECK")
             ->allow_extra_args(false)
             ->needs(fix);
@@ -90,7 +90,7 @@ std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std
     std::vector<Index> points;
     for (const Finding& finding : findings.findings) {
         if (std::find(names.begin(), names.end(), finding.check->name) != names.end())
-            points.insert(points.end(), finding.points.begin(), finding.points.end());
+            points.insert(points.end(), finding.toDrop().begin(), finding.toDrop().end());
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -20,13 +20,13 @@ bool has(const Fixes& fixes, Fix kind) {
     });
 }
 
-/// Points found by a check, ascending.
+/// Points that a check proposes to drop, ascending.
 Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& check,
                                     const Progress& progress) {
     const Result<Diagnosis> found = examine(file, progress);
     if (!found) return found.error();
     for (const Finding& finding : found.value().findings) {
-        if (finding.check == &check) return finding.points;
+        if (finding.check == &check) return finding.toDrop();
     }
     return std::vector<Index>{};
 }
@@ -47,7 +47,7 @@ std::string_view fixText(Fix fix) {
     constexpr std::string_view kTexts[] = {
         "",
         "Repairs all that needs no guessing, and runs the result.",
-        "Drops these points, and repairs all that needs no guessing.",
+        "Drops the points that are too many, and repairs all that needs no guessing.",
         "Flips normals so that they agree, outward on closed parts.",
         "Replaces the neighbor lists of the file by the 12 nearest points.",
         "Makes neighbor lists symmetric.",

@@ -45,12 +45,13 @@ constexpr std::array kChecks{
                 findUnevenSpacing},
     DoctorCheck{"noise", "6.1",
                 "Each point becomes a corner, so the mesh follows the noise: smooth the points "
-                "first, or use a method that approximates.",
-                "spiraling-edge run IN --rules robust -o OUT.ply", Fix::None, findNoise},
+                "first, thin them, or use a method that approximates.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop noise", Fix::Drop, findNoise},
     DoctorCheck{"two_layers", "6.1",
-                "Triangles jump from one layer to the other: register the scans first, or keep one "
-                "of them.",
-                "", Fix::None, findTwoLayers},
+                "Triangles jump from one layer to the other: register the scans first, keep one of "
+                "them, or thin them.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop two_layers", Fix::Drop,
+                findTwoLayers},
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",

@@ -67,7 +67,12 @@ struct Finding {
     /// The points concerned, ascending; empty if it is the file as a whole.
     std::vector<Index> points;
     std::string text;  ///< One sentence with the numbers.
+    /// The points to drop, ascending, if they are others than `points`: of points in layers or
+    /// noise, those that leave the rest far enough apart.
+    std::optional<std::vector<Index>> surplus{};
 
+    /// The points that Fix::Drop leaves out.
+    const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
     bool isProblem() const { return severity != Severity::Note; }
 };
 

@@ -9,6 +9,7 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/doctor/surface_fit.h"
+#include "spiraling_edge/prepare/piece.h"
 
 namespace se {
 namespace {
@@ -63,6 +64,9 @@ struct Layers {
     std::vector<Index> points;  ///< Where there are two.
     double apart = 0.0;
     double noise = 0.0;  ///< Of each.
+
+    /// Root mean square of the heights over the middle of both.
+    double height() const { return std::sqrt(0.25 * apart * apart + noise * noise); }
 };
 
 /// Half the distance of two layers, squared, in units of the mean square of the heights about both:
@@ -141,6 +145,35 @@ std::string spacingsText(const ExaminedFile& examined, double spacings) {
            ")";
 }
 
+/// Of these points those to leave out, so that the rest are 4.5 times as far apart as the surface
+/// is thick: above that the rules find its triangles (docs/doctor.md).
+std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Index>& points,
+                             double height) {
+    constexpr double kApart = 4.5;
+    std::vector<Vec3> position;
+    for (const Index p : points) position.push_back(examined.file.position[p]);
+    const Piece piece{{}, kApart * height * examined.middleSpacing};
+    const std::vector<bool> kept = pointsIn(position, piece);
+    std::vector<Index> surplus;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!kept[i]) surplus.push_back(points[i]);
+    }
+    return surplus;
+}
+
+/// The points of a region in which these lie: all, if they are more than half; else they and their
+/// lists.
+std::vector<Index> regionOf(const ExaminedFile& examined, const std::vector<Index>& points) {
+    if (2 * points.size() > examined.presentCount)
+        return pointsWhere(examined.size(), [&](Index p) { return examined.present[p]; });
+    std::vector<bool> within(examined.size(), false);
+    for (const Index p : points) {
+        within[p] = true;
+        for (const Index q : examined.nearest[p]) within[q] = true;
+    }
+    return pointsWhere(examined.size(), [&](Index p) { return within[p]; });
+}
+
 }  // namespace
 
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
@@ -166,8 +199,13 @@ std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
 std::optional<Finding> findTwoLayers(const ExaminedFile& examined) {
     std::optional<Layers> layers = layersOf(examined);
     if (!layers) return std::nullopt;
-    return findingAt(std::move(layers->points), Severity::Warning,
-                     "in two layers, about " + spacingsText(examined, layers->apart) + " apart");
+    std::vector<Index> surplus =
+        surplusOf(examined, regionOf(examined, layers->points), layers->height());
+    std::optional<Finding> finding =
+        findingAt(std::move(layers->points), Severity::Warning,
+                  "in two layers, about " + spacingsText(examined, layers->apart) + " apart");
+    if (finding) finding->surplus = std::move(surplus);
+    return finding;
 }
 
 std::optional<Finding> findNoise(const ExaminedFile& examined) {
@@ -186,10 +224,15 @@ std::optional<Finding> findNoise(const ExaminedFile& examined) {
     auto points = pointsWhere(examined.size(),
                               [&](Index p) { return examined.roughness[p].narrow >= kNoticed; });
     const std::size_t count = points.size();
-    return Finding{nullptr, noise < kStrong ? Severity::Note : Severity::Warning, count,
+    auto surplus = surplusOf(examined, regionOf(examined, layers ? layers->points : points),
+                             layers ? layers->height() : noise);
+    return Finding{nullptr,
+                   noise < kStrong ? Severity::Note : Severity::Warning,
+                   count,
                    std::move(points),
                    "noise of " + spacingsText(examined, noise) + " along the normals, at " +
-                       countText(count, "point")};
+                       countText(count, "point"),
+                   std::move(surplus)};
 }
 
 }  // namespace se

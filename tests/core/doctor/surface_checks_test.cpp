@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "doctor_support.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;
@@ -129,6 +131,24 @@ TEST_CASE("doctor: the distance of two layers and the noise are those planted") 
     const Diagnosis coarse = examined(planted({1, 0.0, 0.45, 0.0}));
     REQUIRE(findingOf(coarse, "noise") != nullptr);
     CHECK(findingOf(coarse, "noise")->severity == Severity::Warning);
+}
+
+TEST_CASE("doctor: two layers are dropped down to one surface, and a sound mesh follows") {
+    const PointFile layered = planted({1, 0.5, 0.0, 0.0});
+    const Diagnosis before = examined(layered);
+    const Finding* finding = findingOf(before, "two_layers");
+    REQUIRE(finding != nullptr);
+    CHECK(finding->toDrop().size() < finding->points.size());
+    const PointFile single = applyFixes(layered, finding->toDrop()).file;
+    CHECK(findingOf(examined(single), "two_layers") == nullptr);
+    const auto faultsOf = [](const PointFile& file) {
+        PrepareOptions options;
+        options.setNoiseAside = true;
+        const PointSet points = prepare(file, options).value().points;
+        return inspectMesh(points, runAll(points, robust()).state.mesh()).size();
+    };
+    CHECK(faultsOf(layered) > 100);
+    CHECK(faultsOf(single) <= 2);
 }
 
 TEST_CASE("doctor: thin parts with normals are no second layer") {
