@@ -120,19 +120,12 @@ std::string findingText(const Finding& finding, const std::string& input) {
     return text;
 }
 
-/// ", 0.42 between points, 213 x 140 x 90", in the file's units; empty without two points.
-std::string sizeText(const Diagnosis& diagnosis) {
-    if (diagnosis.spacing == 0.0) return {};
-    const Vec3& extent = diagnosis.extent;
-    return fmt::format(", {:.3g} between points, {:.3g} x {:.3g} x {:.3g}", diagnosis.spacing,
-                       extent.x, extent.y, extent.z);
-}
-
 std::string visitText(const Visit& visit) {
     const std::vector<Finding>& findings = visit.findings.findings;
+    const std::string size = sizeText(visit.findings);
     std::string text =
-        fmt::format("{}: {}{}, {}\n", visit.input, counted(visit.points.kept, "point"),
-                    sizeText(visit.findings),
+        fmt::format("{}: {}{}{}, {}\n", visit.input, counted(visit.points.kept, "point"),
+                    size.empty() ? "" : ", ", size,
                     findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
     const std::string kept = keptSentence(visit.points);
     if (!kept.empty()) text += "  kept     " + kept + "\n";

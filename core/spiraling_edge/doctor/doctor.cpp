@@ -154,6 +154,13 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
     return command;
 }
 
+std::string sizeText(const Diagnosis& diagnosis) {
+    if (diagnosis.spacing == 0.0) return {};
+    const Vec3& extent = diagnosis.extent;
+    return shortNumber(diagnosis.spacing) + " between points, " + shortNumber(extent.x) + " x " +
+           shortNumber(extent.y) + " x " + shortNumber(extent.z);
+}
+
 bool hasProblem(const Diagnosis& diagnosis) {
     return std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(),
                        [](const Finding& finding) { return finding.isProblem(); });

@@ -88,6 +88,8 @@ struct Diagnosis {
     double spacing = 0.0;  ///< Median distance to the sixth nearest point; 0 without others.
     Vec3 extent{0.0};      ///< Lengths of the box around the finite points.
 };
+/// "0.42 between points, 213 x 140 x 90", in the unit of the file; empty without two points.
+std::string sizeText(const Diagnosis& diagnosis);
 /// True if some finding is a problem.
 bool hasProblem(const Diagnosis& diagnosis);
 

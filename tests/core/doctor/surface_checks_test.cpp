@@ -172,4 +172,6 @@ TEST_CASE("doctor: the spacing and the extent are in the units of the file") {
     const Diagnosis diagnosis = examined(file);
     CHECK(diagnosis.extent == Vec3(2.25, 2.25, 0.0));
     CHECK(diagnosis.spacing == doctest::Approx(0.25 * std::sqrt(2.0)));
+    CHECK(sizeText(diagnosis) == "0.354 between points, 2.25 x 2.25 x 0");
+    CHECK(sizeText(Diagnosis{}).empty());
 }

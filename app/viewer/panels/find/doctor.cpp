@@ -169,6 +169,7 @@ void drawDoctor(const PanelContext& context) {
             ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
+    if (const std::string size = doctorJob.sizeText(); !size.empty()) dimText(size + ".");
     if (count == 0)
         return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
                        " checks passed.");
