@@ -14,7 +14,7 @@
 namespace se {
 namespace {
 
-constexpr std::size_t kPointsPerThread = 1024;
+constexpr std::size_t kFitsPerThread = 1024;
 
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
 bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
@@ -47,14 +47,14 @@ void widePatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch)
 }
 
 /// Heights so low, in spacings, are those of a surface that bends.
-constexpr double kFlat = 0.05;
+constexpr double kBends = 0.05;
 
 /// Median of the kurtosis over the wide patch of p; heights that are low are left out.
 double kurtosisAround(const ExaminedFile& examined, const std::vector<Index>& patch,
                       std::vector<double>& values) {
     values.clear();
     for (const Index q : patch) {
-        if (examined.roughness[q].wide > kFlat) values.push_back(examined.roughness[q].kurtosis);
+        if (examined.roughness[q].wide > kBends) values.push_back(examined.roughness[q].kurtosis);
     }
     return values.empty() ? Roughness{}.kurtosis : medianOf(values);
 }
@@ -83,12 +83,12 @@ double shareOfLayers(double kurtosis) {
 /// Kurtosis about each point, where heights are not low.
 std::vector<double> kurtosisAroundAll(const ExaminedFile& examined) {
     std::vector<double> around(examined.size(), Roughness{}.kurtosis);
-    forRanges(examined.size(), 0, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+    forRanges(examined.size(), 0, kFitsPerThread, [&](std::size_t from, std::size_t to) {
         std::vector<Index> patch;
         std::vector<double> values;
         for (std::size_t i = from; i < to; ++i) {
             const auto p = static_cast<Index>(i);
-            if (examined.roughness[p].wide <= kFlat) continue;
+            if (examined.roughness[p].wide <= kBends) continue;
             widePatch(examined, p, patch);
             around[i] = kurtosisAround(examined, patch, values);
         }
@@ -151,6 +151,7 @@ std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Ind
                              double height) {
     constexpr double kApart = 4.5;
     std::vector<Vec3> position;
+    position.reserve(points.size());
     for (const Index p : points) position.push_back(examined.file.position[p]);
     const Piece piece{{}, kApart * height * examined.middleSpacing};
     const std::vector<bool> kept = pointsIn(position, piece);
@@ -178,7 +179,7 @@ std::vector<Index> regionOf(const ExaminedFile& examined, const std::vector<Inde
 
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
     std::vector<Roughness> result(examined.size());
-    forRanges(examined.size(), 0, kPointsPerThread, [&](std::size_t from, std::size_t to) {
+    forRanges(examined.size(), 0, kFitsPerThread, [&](std::size_t from, std::size_t to) {
         std::vector<Index> patch;
         for (std::size_t i = from; i < to; ++i) {
             const auto p = static_cast<Index>(i);

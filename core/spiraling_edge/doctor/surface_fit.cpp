@@ -12,12 +12,12 @@
 namespace se {
 namespace {
 
-constexpr std::size_t kCoefficients = 6;
-constexpr std::size_t kLeastPoints = kCoefficients + 3;
+constexpr std::size_t kFitCoefficients = 6;
+constexpr std::size_t kLeastFitted = kFitCoefficients + 3;
 
 /// 1, x, y, x^2, x y, y^2 of a point, and its height.
-using FitRow = std::array<double, kCoefficients + 1>;
-using Equations = std::array<FitRow, kCoefficients>;
+using FitRow = std::array<double, kFitCoefficients + 1>;
+using Equations = std::array<FitRow, kFitCoefficients>;
 
 /// Axes of a patch: its normal and two in its plane, about its first point.
 struct PatchFrame {
@@ -57,21 +57,22 @@ std::optional<PatchFrame> frameOf(std::span<const Vec3> position, std::span<cons
 /// singular.
 bool solve(Equations& equations) {
     constexpr double kSingular = 1e-9;
-    for (std::size_t i = 0; i < kCoefficients; ++i) {
+    for (std::size_t i = 0; i < kFitCoefficients; ++i) {
         std::size_t pivot = i;
-        for (std::size_t r = i + 1; r < kCoefficients; ++r) {
+        for (std::size_t r = i + 1; r < kFitCoefficients; ++r) {
             if (std::abs(equations[r][i]) > std::abs(equations[pivot][i])) pivot = r;
         }
         if (!(std::abs(equations[pivot][i]) > kSingular)) return false;
         std::swap(equations[i], equations[pivot]);
-        for (std::size_t r = 0; r < kCoefficients; ++r) {
+        for (std::size_t r = 0; r < kFitCoefficients; ++r) {
             if (r == i) continue;
             const double factor = equations[r][i] / equations[i][i];
-            for (std::size_t c = i; c <= kCoefficients; ++c)
+            for (std::size_t c = i; c <= kFitCoefficients; ++c)
                 equations[r][c] -= factor * equations[i][c];
         }
     }
-    for (std::size_t i = 0; i < kCoefficients; ++i) equations[i][kCoefficients] /= equations[i][i];
+    for (std::size_t i = 0; i < kFitCoefficients; ++i)
+        equations[i][kFitCoefficients] /= equations[i][i];
     return true;
 }
 
@@ -80,8 +81,8 @@ Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
     Equations equations{};
     for (const Index q : patch) {
         const FitRow row = frame.rowOf(position[q]);
-        for (std::size_t i = 0; i < kCoefficients; ++i) {
-            for (std::size_t j = 0; j <= kCoefficients; ++j) equations[i][j] += row[i] * row[j];
+        for (std::size_t i = 0; i < kFitCoefficients; ++i) {
+            for (std::size_t j = 0; j <= kFitCoefficients; ++j) equations[i][j] += row[i] * row[j];
         }
     }
     return equations;
@@ -90,7 +91,7 @@ Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
 }  // namespace
 
 std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<const Index> patch) {
-    if (patch.size() < kLeastPoints) return std::nullopt;
+    if (patch.size() < kLeastFitted) return std::nullopt;
     const std::optional<PatchFrame> frame = frameOf(position, patch);
     if (!frame) return std::nullopt;
     Equations equations = equationsOf(*frame, position, patch);
@@ -99,16 +100,16 @@ std::optional<FitHeights> fitQuadric(std::span<const Vec3> position, std::span<c
     double fourth = 0.0;
     for (const Index q : patch) {
         const FitRow row = frame->rowOf(position[q]);
-        double height = row[kCoefficients];
-        for (std::size_t i = 0; i < kCoefficients; ++i)
-            height -= equations[i][kCoefficients] * row[i];
+        double height = row[kFitCoefficients];
+        for (std::size_t i = 0; i < kFitCoefficients; ++i)
+            height -= equations[i][kFitCoefficients] * row[i];
         second += height * height;
         fourth += height * height * height * height;
     }
     const auto count = static_cast<double>(patch.size());
     FitHeights heights;
     heights.deviation =
-        frame->length * std::sqrt(second / (count - static_cast<double>(kCoefficients)));
+        frame->length * std::sqrt(second / (count - static_cast<double>(kFitCoefficients)));
     if (second > 0.0) heights.kurtosis = count * fourth / (second * second);
     return heights;
 }
