@@ -166,6 +166,42 @@ TEST_CASE("doctor: thin parts with normals are no second layer") {
     CHECK(findingOf(examined(plate), "two_layers") != nullptr);
 }
 
+TEST_CASE("doctor: layers are said from one point in ten on") {
+    const auto withSecondLayer = [](std::size_t points) {
+        PointFile sheet = flatLattice(60, 0.4, 1);
+        const PointFile above = flatLattice(60, 0.4, 2);
+        for (std::size_t p = 0; p < points; ++p) {
+            sheet.position.push_back(above.position[p] + Vec3(0.0, 0.0, 0.5));
+            sheet.normal.push_back(above.normal[p]);
+        }
+        return sheet;
+    };
+    CHECK(findingOf(examined(withSecondLayer(1200)), "two_layers") != nullptr);
+    CHECK(findingOf(examined(withSecondLayer(90)), "two_layers") == nullptr);
+}
+
+TEST_CASE("doctor: scattered points are said from five on, and only if no usual point lists them") {
+    const auto withPointsAbove = [](int count) {
+        PointFile sheet = flatLattice(60, 0.3);
+        sheet.normal.clear();
+        for (int i = 0; i < count; ++i) sheet.position.emplace_back(5.0 + 8.0 * i, 30.0, 5.0);
+        return sheet;
+    };
+    CHECK(findingOf(examined(withPointsAbove(4)), "isolated_points") == nullptr);
+    const Diagnosis six = examined(withPointsAbove(6));
+    REQUIRE(findingOf(six, "isolated_points") != nullptr);
+    CHECK(findingOf(six, "isolated_points")->points ==
+          std::vector<Index>{3600, 3601, 3602, 3603, 3604, 3605});
+    // Beside small parts, whose lists hold them.
+    PointFile parts = flatLattice(60, 0.3);
+    parts.normal.clear();
+    for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < 10; ++k) parts.position.emplace_back(k % 5, 40.0 * i + k / 5, 60.0);
+        parts.position.emplace_back(14.5, 40.0 * i + 0.5, 60.0);
+    }
+    CHECK(findingOf(examined(parts), "isolated_points") == nullptr);
+}
+
 TEST_CASE("doctor: the spacing and the extent are in the units of the file") {
     PointFile file = flatLattice(10, 0.0);
     for (Vec3& x : file.position) x *= 0.25;
