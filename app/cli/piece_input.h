@@ -28,7 +28,7 @@ struct KeptPoints {
     std::size_t inFile = 0;
 };
 
-/// What was read of an input.
+/// The points read from an input, and their number.
 struct InputPiece {
     PointFile file;
     KeptPoints points;

@@ -1,4 +1,4 @@
-/// What was kept of an input, as text and in JSON.
+/// The points kept of an input, as text and in JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

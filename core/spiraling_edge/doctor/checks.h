@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
 #include <string>
 
 #include "spiraling_edge/doctor/doctor.h"
@@ -25,6 +26,16 @@ struct Roughness {
     double kurtosis = 3.0;  ///< FitHeights::kurtosis of the latter.
 };
 
+/// Two layers of one surface (surface_checks.cpp). Lengths in spacings.
+struct Layers {
+    std::vector<Index> points;  ///< Where there are two.
+    double apart = 0.0;
+    double noise = 0.0;  ///< Of each.
+
+    /// Root mean square of the heights over the middle of both.
+    double height() const { return std::sqrt(0.25 * apart * apart + noise * noise); }
+};
+
 /// A file under examination. Everything except `file` is derived from it.
 struct ExaminedFile {
     explicit ExaminedFile(const PointFile& points) : file(points) {}
@@ -42,6 +53,7 @@ struct ExaminedFile {
     double middleSpacing = 0.0;  ///< Median over the present points.
     Sides sides;
     std::vector<Roughness> roughness;
+    std::optional<Layers> layers;  ///< Nothing: one layer.
 
     Index size() const { return static_cast<Index>(file.position.size()); }
     /// True if the point is present and has a normal. Requires a file with normals.
@@ -58,6 +70,8 @@ struct ExaminedFile {
 Sides sidesOf(const ExaminedFile& examined);
 /// One per point; of a file whose other members are filled in.
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined);
+/// The layers of a file whose other members are filled in, `roughness` too.
+std::optional<Layers> layersOf(const ExaminedFile& examined);
 
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);

@@ -196,6 +196,7 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
     examined.middleSpacing = medianAboveZero(examined.spacing);
     examined.sides = sidesOf(examined);
     examined.roughness = roughnessOf(examined);
+    examined.layers = layersOf(examined);
     return examined;
 }
 

@@ -59,16 +59,6 @@ double kurtosisAround(const ExaminedFile& examined, const std::vector<Index>& pa
     return values.empty() ? Roughness{}.kurtosis : medianOf(values);
 }
 
-/// The two layers, in spacings.
-struct Layers {
-    std::vector<Index> points;  ///< Where there are two.
-    double apart = 0.0;
-    double noise = 0.0;  ///< Of each.
-
-    /// Root mean square of the heights over the middle of both.
-    double height() const { return std::sqrt(0.25 * apart * apart + noise * noise); }
-};
-
 /// Half the distance of two layers, squared, in units of the mean square of the heights about both:
 /// the heights of two layers +-a with noise s have the moments m2 = a^2 + s^2 and m4 = 3 m2^2 -
 /// 2 a^4. The kurtosis is first stretched from the range that a fit leaves to that of the formula.
@@ -114,29 +104,6 @@ Heaps heapsAt(const ExaminedFile& examined, const std::vector<Index>& points,
         kurtosis.push_back(around[p]);
     }
     return {medianOf(narrow), medianOf(wide), medianOf(kurtosis)};
-}
-
-std::optional<Layers> layersOf(const ExaminedFile& examined) {
-    // Single surfaces with noise of any kind, and clean sets, stay above 1.95 nearly everywhere.
-    constexpr double kTwoHeaps = 1.95;
-    constexpr std::size_t kLeastShare = 10;  // One in ten.
-    constexpr double kDrawn = 2.2;
-    const std::vector<double> around = kurtosisAroundAll(examined);
-    const auto certain = std::count_if(around.begin(), around.end(),
-                                       [](double kurtosis) { return kurtosis < kTwoHeaps; });
-    if (static_cast<std::size_t>(certain) * kLeastShare <
-        std::max<std::size_t>(examined.presentCount, 1))
-        return std::nullopt;
-    Layers layers;
-    layers.points = pointsWhere(examined.size(), [&](Index p) { return around[p] < kDrawn; });
-    const Heaps heaps = heapsAt(examined, layers.points, around);
-    // Layers stand over each other everywhere, thin parts and creases only in wide patches.
-    constexpr double kEverywhere = 0.75;
-    if (heaps.narrow < kEverywhere * heaps.wide) return std::nullopt;
-    const double share = shareOfLayers(heaps.kurtosis);
-    layers.apart = 2.0 * heaps.wide * std::sqrt(share);
-    layers.noise = heaps.wide * std::sqrt(1.0 - share);
-    return layers;
 }
 
 /// "0.26 spacings (0.0114)": also in the file's units.
@@ -197,13 +164,36 @@ std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
     return result;
 }
 
+std::optional<Layers> layersOf(const ExaminedFile& examined) {
+    // Single surfaces with noise of any kind, and clean sets, stay above 1.95 nearly everywhere.
+    constexpr double kTwoHeaps = 1.95;
+    constexpr std::size_t kLeastShare = 10;  // One in ten.
+    constexpr double kDrawn = 2.2;
+    const std::vector<double> around = kurtosisAroundAll(examined);
+    const auto certain = std::count_if(around.begin(), around.end(),
+                                       [](double kurtosis) { return kurtosis < kTwoHeaps; });
+    if (static_cast<std::size_t>(certain) * kLeastShare <
+        std::max<std::size_t>(examined.presentCount, 1))
+        return std::nullopt;
+    Layers layers;
+    layers.points = pointsWhere(examined.size(), [&](Index p) { return around[p] < kDrawn; });
+    const Heaps heaps = heapsAt(examined, layers.points, around);
+    // Layers stand over each other everywhere, thin parts and creases only in wide patches.
+    constexpr double kEverywhere = 0.75;
+    if (heaps.narrow < kEverywhere * heaps.wide) return std::nullopt;
+    const double share = shareOfLayers(heaps.kurtosis);
+    layers.apart = 2.0 * heaps.wide * std::sqrt(share);
+    layers.noise = heaps.wide * std::sqrt(1.0 - share);
+    return layers;
+}
+
 std::optional<Finding> findTwoLayers(const ExaminedFile& examined) {
-    std::optional<Layers> layers = layersOf(examined);
+    const std::optional<Layers>& layers = examined.layers;
     if (!layers) return std::nullopt;
     std::vector<Index> surplus =
         surplusOf(examined, regionOf(examined, layers->points), layers->height());
     std::optional<Finding> finding =
-        findingAt(std::move(layers->points), Severity::Warning,
+        findingAt(layers->points, Severity::Warning,
                   "in two layers, about " + spacingsText(examined, layers->apart) + " apart");
     if (finding) finding->surplus = std::move(surplus);
     return finding;
@@ -219,7 +209,7 @@ std::optional<Finding> findNoise(const ExaminedFile& examined) {
         if (each.narrow >= 0.0) heights.push_back(each.narrow);
     }
     if (heights.empty()) return std::nullopt;
-    const std::optional<Layers> layers = layersOf(examined);
+    const std::optional<Layers>& layers = examined.layers;
     const double noise = layers ? layers->noise : medianOf(heights);
     if (noise < kNoticed) return std::nullopt;
     auto points = pointsWhere(examined.size(),
