@@ -2,6 +2,7 @@
 #include "layer.h"
 #include "run/number_format.h"
 #include "run/repair_diff.h"
+#include "run/strings.h"
 #include "scene/selection_measures.h"
 
 namespace se::view {
