@@ -12,8 +12,8 @@
 namespace se::cli {
 namespace {
 
-/// Sets one rule from NAME=VALUE.
-void applyRule(const std::string& text, Params& params) {
+/// One rule from NAME=VALUE.
+RuleValue ruleFrom(const std::string& text) {
     if (findRuleSetting(text.substr(0, text.find('='))) == nullptr) {
         std::vector<std::string_view> names;
         for (const RuleSetting& each : ruleSettings()) names.push_back(each.name);
@@ -24,7 +24,7 @@ void applyRule(const std::string& text, Params& params) {
     if (!value) {
         throw Failure(ExitCode::Usage, fmt::format("--rule {}: {}", text, value.error().message));
     }
-    applyRuleValues({&value.value(), 1}, params);
+    return value.value();
 }
 
 }  // namespace
@@ -180,7 +180,7 @@ Params RuleArguments::params() const {
         throw Failure(ExitCode::Usage, fmt::format("--rules {}: no such set; the sets are {}",
                                                    setName_, fmt::join(paramSetNames(), ", ")));
     }
-    for (const std::string& text : switches_) applyRule(text, *params);
+    for (const RuleValue& each : choices()) applyRuleValues({&each, 1}, *params);
     for (const std::string& text : whatIfs_) {
         const Result<WhatIf> what = whatIfFromText(text);
         if (!what) throw Failure(ExitCode::Usage, "--what-if: " + what.error().message);
@@ -189,9 +189,27 @@ Params RuleArguments::params() const {
     return *params;
 }
 
+std::vector<RuleValue> RuleArguments::choices() const {
+    std::vector<RuleValue> values;
+    for (const std::string& text : switches_) values.push_back(ruleFrom(text));
+    return values;
+}
+
 void requirePossible(const PointSet& points, const Params& params) {
     const Status possible = requireWhatIfs(points, params);
     if (!possible) throw Failure(ExitCode::Usage, "--what-if " + possible.error().message);
+}
+
+RunSettings settingsFrom(const RuleArguments& rules, const NeighborArguments& neighbors,
+                         const DerivedArguments& derived, const PointFile& file) {
+    RunSettings settings;
+    settings.rules = rules.setName();
+    settings.choices = rules.choices();
+    settings.whatIf = rules.params().whatIf;
+    settings.keepOpposing = neighbors.keepOpposing();
+    settings.keepNoise = neighbors.keepNoise();
+    settings.prepare = derived.options(neighbors.options(), file);
+    return settings;
 }
 
 Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors) {

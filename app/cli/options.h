@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exit_code.h"
+#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/rule_settings.h"
@@ -74,6 +75,8 @@ class RuleArguments {
     /// Throws Failure if there is no such set or rule.
     Params params() const;
     const std::string& setName() const { return setName_; }
+    /// The values of --rule. Throws Failure if there is no such rule.
+    std::vector<RuleValue> choices() const;
 
   private:
     std::string setName_ = "paper";
@@ -84,6 +87,9 @@ class RuleArguments {
 /// Throws Failure with the reason if a what-if of `params` has no effect, or is refused.
 void requirePossible(const PointSet& points, const Params& params);
 
+/// All options together, for points of `file`.
+RunSettings settingsFrom(const RuleArguments& rules, const NeighborArguments& neighbors,
+                         const DerivedArguments& derived, const PointFile& file);
 /// Params from all options together.
 Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors);
 PrepareOptions prepareOptionsFrom(const Params& params, const NeighborArguments& neighbors,

@@ -12,6 +12,7 @@
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "trials_text.h"
 
 namespace se::cli {
 namespace {
@@ -149,7 +150,8 @@ void addPreparation(const PrepareReport& report, Json& json) {
     json["set_aside"] = {{"non_finite", report.nonFinitePoints},
                          {"zero_normals", report.zeroNormals},
                          {"duplicates", report.duplicatePoints},
-                         {"noise", report.noisyPoints}};
+                         {"noise", report.noisyPoints},
+                         {"dropped", report.leftOut}};
     json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
@@ -270,7 +272,7 @@ std::string faultSentence(const RunOutcome& outcome) {
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
-    if (outcome.ruleSet != "robust") text += "; --rules robust may avoid them";
+    if (!outcome.trials) text += "; --best may avoid them";
     return text;
 }
 
@@ -293,6 +295,7 @@ std::string reportJson(const RunOutcome& outcome) {
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);
     addRules(outcome, json);
+    json["best"] = outcome.trials ? trialsJson(*outcome.trials) : Json();
     json["what_if"] = Json::array();
     for (const WhatIf& each : outcome.params.whatIf) json["what_if"].push_back(lineOf(each));
     json["run_hash"] = fmt::format("{:016x}", runHash(outcome.state, outcome.params));
@@ -321,6 +324,7 @@ std::string summaryText(const RunOutcome& outcome) {
     const auto addLine = [&](const char* label, const std::string& sentence) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
+    if (outcome.trials) text += trialsText(*outcome.trials);
     if (!outcome.columns.reason.empty()) addLine("columns", columnsSentence(outcome.columns));
     addLine("kept", keptSentence(outcome.points));
     addLine("set aside", setAsideSentence(outcome.prepared));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "piece_input.h"
+#include "spiraling_edge/explain/trial.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/mesh/fidelity.h"
 #include "spiraling_edge/mesh/mesh_report.h"
@@ -35,6 +36,7 @@ struct RunOutcome {
     /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;
     std::string ruleSet;
+    std::optional<Trials> trials;  ///< Of --best.
     Params params;
     PrepareReport prepared;
     MeshReport mesh;
@@ -48,7 +50,7 @@ struct RunOutcome {
     Ending ending = Ending::Finished;
 };
 
-/// "the mesh has 3 faults at 2 places: 2 holes, 1 folded; --rules robust may avoid them", "no fault
+/// "the mesh has 3 faults at 2 places: 2 holes, 1 folded; --best may avoid them", "no fault
 /// found, but the search ended early"; empty if the mesh is sound, or faults were not searched.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, ending in a newline.

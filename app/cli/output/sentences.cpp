@@ -47,6 +47,7 @@ std::string setAsideSentence(const PrepareReport& report) {
     add(report.zeroNormals, "without a normal direction");
     add(report.duplicatePoints, "copies of another point");
     add(report.noisyPoints, "above or below others, where noise is as wide as the spacing");
+    add(report.leftOut, "that the doctor proposes to drop");
     return text;
 }
 

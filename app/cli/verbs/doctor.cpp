@@ -85,18 +85,6 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
                            [&](const Progress& progress) { return examine(file, progress); });
 }
 
-/// Points found by the checks whose findings are to be dropped.
-std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
-    std::vector<Index> points;
-    for (const Finding& finding : findings.findings) {
-        if (std::find(names.begin(), names.end(), finding.check->name) != names.end())
-            points.insert(points.end(), finding.toDrop().begin(), finding.toDrop().end());
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
-}
-
 // ---- text ---------------------------------------------------------------------------------------
 
 std::string placesText(const std::vector<Index>& points) {

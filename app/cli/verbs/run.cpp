@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "best_settings.h"
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
@@ -36,6 +37,7 @@ struct RunArguments {
     std::string report;
     std::string trace;
     std::optional<std::uint32_t> maxPivots;
+    bool best = false;
     bool check = false;
     bool quiet = false;
     WriteOptions writing;
@@ -65,6 +67,11 @@ struct RunArguments {
         rules.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
+        app.add_flag("--best", best,
+                     "Run with other settings too (rules, neighbors, normals, rims, points that "
+                     "the doctor would drop) and keep the best mesh: that with the fewest faults "
+                     "of those that lose no points and close no opening; at most 20 runs")
+            ->excludes(app.get_option("--what-if"));
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")
             ->check(CLI::Range(0LL, kMaxPivots));
@@ -195,6 +202,20 @@ std::string emptinessSentence(const RunOutcome& outcome) {
                        outcome.mesh.usedPoints);
 }
 
+/// The settings of the run: those of the options, with --best the best change of them.
+RunSettings chooseSettings(const RunArguments& arguments, const PointFile& file, ProgressLine& line,
+                           RunOutcome& outcome) {
+    RunSettings settings =
+        settingsFrom(arguments.rules, arguments.neighbors, arguments.derived, file);
+    if (arguments.best) {
+        outcome.trials = tryOthers(file, settings, arguments.input, line);
+        settings = bestOf(*outcome.trials, settings);
+    }
+    outcome.ruleSet = settings.rules;
+    outcome.params = paramsOf(settings).value();
+    return settings;
+}
+
 /// Prints the summary and determines the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
@@ -228,8 +249,8 @@ ExitCode runVerb(const Arguments& words) {
     arguments.validate();
     RunOutcome outcome;
     outcome.input = arguments.input;
-    outcome.ruleSet = arguments.rules.setName();
-    outcome.params = paramsFrom(arguments.rules, arguments.neighbors);
+    // Wrong rules are reported before the input is read.
+    static_cast<void>(arguments.rules.params());
     const Piece piece = arguments.piece.piece();
 
     catchInterrupts();
@@ -243,8 +264,9 @@ ExitCode runVerb(const Arguments& words) {
     if (file.position.empty())
         throw Failure(ExitCode::Input,
                       nameOfInput(arguments.input) + ": holds no points to triangulate");
-    const PrepareOptions prepareOptions =
-        prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
+    const RunSettings settings = chooseSettings(arguments, file, line, outcome);
+    watch.lap();
+    const PrepareOptions prepareOptions = prepareOptionsOf(settings, outcome.params);
     Prepared prepared = runWithProgress(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });

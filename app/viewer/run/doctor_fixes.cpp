@@ -20,17 +20,6 @@ bool has(const Fixes& fixes, Fix kind) {
     });
 }
 
-/// Points that a check proposes to drop, ascending.
-Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& check,
-                                    const Progress& progress) {
-    const Result<Diagnosis> found = examine(file, progress);
-    if (!found) return found.error();
-    for (const Finding& finding : found.value().findings) {
-        if (finding.check == &check) return finding.toDrop();
-    }
-    return std::vector<Index>{};
-}
-
 /// The file as read back after the doctor's command wrote it, with all numbers rounded to the types
 /// they have there, so that the run equals that of the command.
 PointFile asWritten(PointFile file) {
@@ -82,9 +71,9 @@ Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
             return Error{"The doctor has no fix called \"" + name + "\"."};
         if (check->fix == Fix::Repair) repair({});
         if (check->fix != Fix::Drop) continue;
-        const Result<std::vector<Index>> points = pointsOf(file, *check, progress);
-        if (!points) return points.error();
-        repair(points.value());
+        const Result<Diagnosis> found = examine(file, progress);
+        if (!found) return found.error();
+        repair(pointsToDrop(found.value(), {&name, 1}));
     }
     if (has(fixes, Fix::Orient)) options.normals = NormalSource::Oriented;
     if (has(fixes, Fix::NewLists)) {

@@ -49,4 +49,11 @@ inline std::string sixDigits(double value) {
     return out.data();
 }
 
+/// `value` with three significant digits; the same on every machine.
+inline std::string shortNumber(double value) {
+    std::array<char, 32> out;
+    std::snprintf(out.data(), out.size(), "%.3g", value == 0.0 ? 0.0 : value);
+    return out.data();
+}
+
 }  // namespace se

@@ -166,6 +166,17 @@ bool hasProblem(const Diagnosis& diagnosis) {
                        [](const Finding& finding) { return finding.isProblem(); });
 }
 
+std::vector<Index> pointsToDrop(const Diagnosis& diagnosis, std::span<const std::string> checks) {
+    std::vector<Index> points;
+    for (const Finding& finding : diagnosis.findings) {
+        if (std::find(checks.begin(), checks.end(), finding.check->name) == checks.end()) continue;
+        points.insert(points.end(), finding.toDrop().begin(), finding.toDrop().end());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
 double ExaminedFile::distance(Index p, Index q) const {
     return std::sqrt(distanceSquared(file.position[p], file.position[q]));
 }
@@ -209,12 +220,6 @@ double medianOf(std::vector<double>& values) {
 
 std::string countText(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string shortNumber(double value) {
-    std::string text(32, '\0');
-    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
-    return text;
 }
 
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,

@@ -12,13 +12,13 @@ namespace se {
 namespace {
 
 /// A rule or a set to try, with all params as they would be.
-struct Trial {
+struct RuleTrial {
     Remedy remedy;
     Params params;
 };
 
-std::vector<Trial> trialsFor(const Params& params) {
-    std::vector<Trial> trials;
+std::vector<RuleTrial> trialsFor(const Params& params) {
+    std::vector<RuleTrial> trials;
     const Params robust = *paramsByName("robust");
     for (const RuleSetting& each : ruleSwitches()) {
         if (!each.isOn(robust) || each.isOn(params)) continue;
@@ -26,7 +26,7 @@ std::vector<Trial> trialsFor(const Params& params) {
         each.turnOn(trials.back().params);
     }
     for (const std::string_view set : {"corrected", "robust"}) {
-        Trial trial{{nullptr, set, false, 0, 0}, params};
+        RuleTrial trial{{nullptr, set, false, 0, 0}, params};
         trial.params.readings = paramsByName(set)->readings;
         trial.params.robust = paramsByName(set)->robust;
         if (!(trial.params == params)) trials.push_back(trial);
@@ -69,7 +69,7 @@ bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& fa
 
 Result<Remedies> findRemedies(const PointSet& points, const Params& params,
                               const MeshFailure& failure, const Progress& progress) {
-    std::vector<Trial> trials = trialsFor(params);
+    std::vector<RuleTrial> trials = trialsFor(params);
     const double steps = static_cast<double>(trials.size() + 1);
     double begun = 0.0;
     const auto part = [&](double share) { return !progress || progress((begun + share) / steps); };
@@ -78,7 +78,7 @@ Result<Remedies> findRemedies(const PointSet& points, const Params& params,
     if (!present) return Error{"Cancelled."};
     remedies.ofClass = present->totalOf(*failure.kind).total;
     remedies.all = countOf(*present);
-    for (Trial& trial : trials) {
+    for (RuleTrial& trial : trials) {
         begun += 1.0;
         const auto run = inspectRun(points, trial.params, part);
         if (!run) return Error{"Cancelled."};

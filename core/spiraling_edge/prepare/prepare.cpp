@@ -28,7 +28,7 @@ class Preparation {
         if (Status status = checkColumns(file_); !status) return status.error();
         set_.position = file_.position;
         takeTypes();
-        setAsideCopies();
+        setAsideUnusable();
         if (Status status = makeNormals(); !status) return status.error();
         Result<NeighborLists> lists = makeLists();
         if (!lists) return lists.error();
@@ -90,8 +90,8 @@ class Preparation {
         return success();
     }
 
-    /// Sets aside copies, from which nothing can be derived.
-    void setAsideCopies() {
+    /// Sets aside points from which nothing can be derived, and those to leave out.
+    void setAsideUnusable() {
         const std::vector<Fitness> fitness =
             fitnessOf(set_.position, derivesNormals() ? std::span<const Vec3>{} : file_.normal);
         usable_.resize(fitness.size());
@@ -100,6 +100,11 @@ class Preparation {
             if (fitness[p] == Fitness::NonFinite) ++report_.nonFinitePoints;
             if (fitness[p] == Fitness::NoDirection) ++report_.zeroNormals;
             if (fitness[p] == Fitness::Copy) ++report_.duplicatePoints;
+        }
+        for (const Index p : options_.leaveOut) {
+            assert(p < usable_.size());
+            if (usable_[p]) ++report_.leftOut;
+            usable_[p] = false;
         }
     }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/base/result.h"
@@ -66,6 +67,8 @@ struct PrepareOptions {
     /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
     /// and normals averaged (setNoiseAside(), noise.h) until it does not.
     bool setNoiseAside = false;
+    /// Points to set aside at the user's request, ascending.
+    std::vector<Index> leaveOut = {};
 };
 
 /// The derived pieces and their costs: the answer to "quantify the costs" of the paper's last
@@ -93,6 +96,7 @@ struct PrepareReport {
     std::size_t nonFinitePoints = 0;
     std::size_t zeroNormals = 0;      ///< Or not finite: without a direction.
     std::size_t duplicatePoints = 0;  ///< Exact copies of a usable point with a lower index.
+    std::size_t leftOut = 0;          ///< At the user's request: PrepareOptions::leaveOut.
     /// Normals whose length was off by more than 1e-3. Smaller errors, as of rounded numbers in a
     /// file, are corrected without mention.
     std::size_t unscaledNormals = 0;
@@ -112,7 +116,8 @@ struct Prepared {
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
 /// are put in order and cleaned. Fails if k is 0 or the radius not positive, if a list names a
 /// point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties by
-/// index: the result does not depend on the search method.
+/// index: the result does not depend on the search method. Requires `leaveOut` to name existing
+/// points.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress = {});
 /// Stores in `file` the normals and types that prepare() has derived, so that a mesh is written

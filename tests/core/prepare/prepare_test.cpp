@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "neighbor_oracle.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "support/shared_data.h"
 
 using namespace se;
@@ -401,5 +403,33 @@ TEST_CASE("prepare: the shared files with hazards pass, and the report counts wh
     for (const char* name : {"empty.ply", "one_point.ply", "two_points.ply", "collinear.ply",
                              "two_close_sheets.ply", "stray_points.ply"}) {
         (void)report(name);
+    }
+}
+
+TEST_CASE("prepare: points to leave out are set aside, and the rest is as in a file without them") {
+    const PointFile whole = findScene("torus")->build();
+    PrepareOptions options;
+    options.neighbors.recompute = true;
+    options.leaveOut = {3, 10, 11};
+    const Prepared left = prepare(whole, options).value();
+    CHECK(left.report.leftOut == 3);
+    std::vector<bool> keep(whole.position.size(), true);
+    for (const Index p : options.leaveOut) keep[p] = false;
+    const std::vector<Index> number = keptNumbers(keep);
+    PointFile rest = whole;
+    rest.neighbors = {};
+    keepColumns(rest, keep);
+    options.leaveOut.clear();
+    const Prepared without = prepare(rest, options).value();
+    for (Index p = 0; p < whole.position.size(); ++p) {
+        CHECK(left.points.setAside[p] == !keep[p]);
+        if (!keep[p]) {
+            CHECK(left.points.neighbors[p].empty());
+            continue;
+        }
+        const auto list = without.points.neighbors[number[p]];
+        const auto same = left.points.neighbors[p];
+        CHECK(std::equal(same.begin(), same.end(), list.begin(), list.end(),
+                         [&](Index a, Index b) { return number[a] == b; }));
     }
 }
