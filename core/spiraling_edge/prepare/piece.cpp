@@ -150,9 +150,14 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
 }
 
 PointFile pieceOf(PointFile file, const Piece& piece) {
-    assert(checkColumns(file).ok());
     if (piece.isWhole()) return file;
     const std::vector<bool> keep = pointsIn(file.position, piece);
+    return keptPoints(std::move(file), keep);
+}
+
+PointFile keptPoints(PointFile file, const std::vector<bool>& keep) {
+    assert(checkColumns(file).ok());
+    assert(keep.size() == file.position.size());
     if (file.hasNeighbors() || !file.faces.empty()) {
         const std::vector<Index> number = keptNumbers(keep);
         if (file.hasNeighbors()) file.neighbors = keptLists(file.neighbors, number);

@@ -37,5 +37,7 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece);
 /// is one already. The whole file is returned as it is. Requires columns of equal length, triangles
 /// that name existing points, and what pointsIn() requires.
 PointFile pieceOf(PointFile file, const Piece& piece);
+/// The marked points of `file`, with all that follows them as above. `keep` has a value for each.
+PointFile keptPoints(PointFile file, const std::vector<bool>& keep);
 
 }  // namespace se

@@ -110,6 +110,15 @@ TEST_CASE(
     CHECK(twice.attributes[1].values == std::vector<double>{1, 3, 5});
 }
 
+TEST_CASE("piece: marked points are kept like those of a box") {
+    const PointFile marked = keptPoints(rowOfSix(), {false, false, true, true, true, false});
+    const PointFile box = pieceOf(rowOfSix(), inBox({2, 0, 0}, {4, 0, 0}));
+    CHECK(marked.position == box.position);
+    CHECK(marked.faces == box.faces);
+    REQUIRE(marked.attributes.size() == 2);
+    CHECK(marked.attributes[1].values == std::vector<double>{2, 3, 4});
+}
+
 TEST_CASE("piece: the whole file is as it was") {
     const PointFile whole = pieceOf(rowOfSix(), {});
     CHECK(whole.position == rowOfSix().position);
