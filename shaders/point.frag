@@ -46,6 +46,10 @@ void main() {
         d = min(segment(p, vec2(-e, -e), vec2(e, e)), segment(p, vec2(-e, e), vec2(e, -e))) -
             max(0.8, r * 0.20);
     }
+    else if (vShape == 12) {
+        d = min(segment(p, vec2(-r, 0.0), vec2(r, 0.0)), segment(p, vec2(0.0, -r), vec2(0.0, r))) -
+            max(0.7, r * 0.16);
+    }
     float alpha = clamp(0.5 - d, 0.0, 1.0);
 #ifdef HALO
     float halo = clamp(1.6 - d, 0.0, 1.0) * 0.75;

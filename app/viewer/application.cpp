@@ -315,9 +315,8 @@ void Application::observeEdits() {
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
         const InputSpec& spec = session_.input().spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
-        const bool fixed = std::exchange(undoFixes_, spec.fixes) != spec.fixes;
-        const bool ruled = std::exchange(undoRules_, now.rules) != now.rules;
-        if (!same || (!fixed && !ruled)) return undo_.begin(now);
+        const bool changed = !isSameRun(std::exchange(undoRun_, now), now);
+        if (!same || !changed) return undo_.begin(now);
     }
     const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
     const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
@@ -339,7 +338,10 @@ void Application::undoOrRedo() {
     applyEdits(step->edits, commands_);
     Edits made = captureEdits(commands_);
     // An input that was opened again has no selection.
-    if (std::exchange(made.fixes, step->edits.fixes) != step->edits.fixes) made.selected = {};
+    const bool samePoints = made.fixes == step->edits.fixes && made.leftOut == step->edits.leftOut;
+    if (!samePoints) made.selected = {};
+    made.fixes = step->edits.fixes;
+    made.leftOut = step->edits.leftOut;
     made.rules = step->edits.rules;
     undo_.accept(made);
     session_.messages().say((undo ? "Undone: " : "Redone: ") + step->change + ".");

@@ -4,6 +4,7 @@
 
 #include "application.h"
 #include "commands/commands.h"
+#include "commands/piece_actions.h"
 #include "input/key_routing.h"
 #include "session/view_position.h"
 
@@ -70,6 +71,8 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ImGui::ActivateItem(ImGui::GetFocusID());
         return true;
     }
+    const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
+    if (!over && !repeated && runOnPieceTool(chord, commands_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
     const Command* command = ui_.settings.keys.commandFor(chord);
     // A question comes first.

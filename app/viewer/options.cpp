@@ -350,6 +350,7 @@ Status adoptSession(Options& o) {
     const bool symmetric = o.input.neighbors.symmetric || kept.neighbors.symmetric;
     if (!o.reachGiven) o.input.neighbors = kept.neighbors;
     o.input.fixes = kept.fixes;
+    o.input.leftOut = kept.leftOut;
     o.input.neighbors.symmetric = symmetric;
     if (!o.normalsGiven) o.input.normals = kept.normals;
     if (!o.wallsGiven) o.input.walls = kept.walls;

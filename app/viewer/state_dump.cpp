@@ -112,6 +112,8 @@ void dumpRun(json& out, const Session& session) {
     out["what_if"] = json::array();
     for (const WhatIf& each : session.input().spec().whatIf) out["what_if"].push_back(lineOf(each));
     out["mended"] = session.model().fixesDone;
+    out["aside"] = json::object();
+    for (const AsidePoints& each : session.model().aside) out["aside"][nameOf(each)] = each.count;
     out["marked"] = session.highlights().marked().size();
     const AlertSearch& alerts = session.alerts().search();
     out["alert_search"] = alerts.done()                 ? "done"
@@ -292,6 +294,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"moving", painter_.moving()},
              {"motions", painter_.motions()}};
     out["prepare"] = ui_.prepare.open;
+    out["piece_tool"] = ui_.piece.on;
+    out["piece_inside"] = ui_.piece.inside.size();
     dumpGrowth(out, ui_.growth);
     dumpMeshForm(out, ui_);
     dumpComparison(out, session_, ui_.compare);

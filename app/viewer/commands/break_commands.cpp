@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "panel_state/ui_state.h"
+#include "run/index_ranges.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/reading.h"
@@ -84,17 +85,7 @@ std::optional<std::string> lineHere(const BreakSubject& subject) {
 }
 
 std::string amongLine(std::span<const Index> points) {
-    std::string line = "among=";
-    for (std::size_t i = 0; i < points.size();) {
-        std::size_t end = i + 1;
-        while (end < points.size() && points[end] == points[end - 1] + 1) ++end;
-        if (i > 0) line += ',';
-        line += std::to_string(points[i]);
-        if (end - i > 2) line += ".." + std::to_string(points[end - 1]);
-        if (end - i == 2) line += ',' + std::to_string(points[end - 1]);
-        i = end;
-    }
-    return line;
+    return "among=" + rangesText(rangesOf(points));
 }
 
 BreakSubject breakSubject(const CommandContext& context) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "piece_actions.h"
+
 namespace se::view {
 
 namespace actions {
@@ -47,6 +49,7 @@ void escape(C& c) {
         ui.growth.asked = GrowthAsk::Leave;
         return;
     }
+    if (ui.piece.on) return endPieceTool(c);
     if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
     const bool picked = c.session.selection().kind != SelectionKind::None ||
                         !c.session.highlights().marked().empty() ||
@@ -73,6 +76,12 @@ void home(C& c) {
     if (!c.session.ready()) return;
     const Model& model = c.session.model();
     c.camera.home(model.beginning, model.sample, c.ui.viewAspect);
+}
+
+void frameAll(C& c) {
+    const bool run = c.session.ready() && !c.ui.growth.open;
+    c.camera.frame(run ? c.session.model().middle : glm::vec3(0.0F),
+                   run ? c.session.model().radius : 1.0F);
 }
 
 void oppositeView(C& c) {
@@ -350,7 +359,7 @@ void frameFocus(CommandContext& context) {
     Index focus = session.selected();
     if (focus == kNone) focus = picture.pivot;
     if (focus == kNone) focus = picture.underTest;
-    if (focus == kNone) return context.camera.frame(glm::vec3(0.0F), 1.0F);
+    if (focus == kNone) return actions::frameAll(context);
     framePoint(context, focus);
 }
 

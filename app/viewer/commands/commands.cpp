@@ -8,6 +8,7 @@
 #include "break_commands.h"
 #include "command_actions.h"
 #include "panel_state/side_panels.h"
+#include "piece_actions.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -62,10 +63,14 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.quit = true; }, "exit close leave"},
 
     {"edit.undo", "Edit", "Undo", "Ctrl+Z",
-     "Undo a change of layers, camera, selection, bookmarks, breakpoints, notes or looks.",
+     "Undo a change of points, layers, camera, selection, bookmarks, breakpoints, notes or looks.",
      [](C& c) { c.ui.requests.undo = true; }, "revert back", kRepeats},
     {"edit.redo", "Edit", "Redo", "Ctrl+Y Ctrl+Shift+Z", "Redo the last undone change.",
      [](C& c) { c.ui.requests.redo = true; }, "repeat again", kRepeats},
+
+    {"edit.piece", "Edit", "Keep or leave out points...", "X",
+     "Draw a box or a lasso around points: run with these alone, or without them.", togglePieceTool,
+     "crop cut select lasso box region piece part scan remove delete outliers"},
 
     {"edit.rules.reset", "Edit", "Reset all rules", "",
      "Reset all rules to the values of their set.", resetRules, "default settings"},
@@ -171,8 +176,8 @@ const auto kCommands = std::to_array<Command>({
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the pivot and its neighbors.", frameFocus, "zoom focus center"},
     {"view.pivot", "View", "Frame pivot", "", "Show the pivot and its neighbors.", framePivot},
-    {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.",
-     [](C& c) { c.camera.frame(glm::vec3(0.0F), 1.0F); }, "zoom fit whole center"},
+    {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", frameAll,
+     "zoom fit whole center"},
     {"view.home", "View", "Camera home", "Enter", "Show everything from the first direction.", home,
      "reset zoom fit"},
     {"view.front", "View", "Front", "1", "Look from the front.",

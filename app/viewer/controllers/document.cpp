@@ -60,6 +60,7 @@ Edits captureEdits(const CommandContext& context) {
             context.session.selection(),
             annotationsOf(ui),
             context.session.input().spec().fixes,
+            context.session.input().spec().leftOut,
             rulesOf(context.session.input().spec())};
 }
 
@@ -72,13 +73,12 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.layoutPreset = edits.layout;
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
     putBack(edits.annotations, ui);
-    if (edits.rules != rulesOf(context.session.input().spec())) ui.requests.rules = edits.rules;
-    if (edits.fixes != context.session.input().spec().fixes) {
-        // The point numbers may refer to other points there.
-        ui.requests.fixes = edits.fixes;
-    } else {
-        context.session.select(edits.selected);
-    }
+    const InputSpec& spec = context.session.input().spec();
+    if (edits.rules != rulesOf(spec)) ui.requests.rules = edits.rules;
+    if (edits.fixes != spec.fixes) ui.requests.fixes = edits.fixes;
+    if (edits.leftOut != spec.leftOut) ui.requests.leftOut = edits.leftOut;
+    // With other points the numbers may refer to others.
+    if (!ui.requests.fixes && !ui.requests.leftOut) context.session.select(edits.selected);
 }
 
 void DocumentController::begin(const Options& options) {
@@ -157,6 +157,7 @@ void DocumentController::open(const std::string& path) {
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
+    spec.leftOut.clear();
     if (std::exchange(spec.source, path) != path) {
         // These options were chosen for another input.
         spec.normals = NormalSource::AsGiven;
@@ -246,6 +247,10 @@ void DocumentController::arrive() {
     if (std::all_of(corners.begin(), corners.end(), [&](Index p) { return p < count; })) {
         c_.session.select(arrival_.selected);
     }
+    if (arrival_.toEnd) {
+        sayLater(changesText(c_.session.model()));
+        return c_.session.moves().toEnd();
+    }
     const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
     if (atStart) return;
     focus_ = arrival_.focus;
@@ -259,6 +264,7 @@ void DocumentController::warnLater(const std::string& warning) {
 }
 
 void DocumentController::sayLater(const std::string& sentence) {
+    if (sentence.empty()) return;
     said_ += (said_.empty() ? "" : " ") + sentence;
 }
 
@@ -276,7 +282,7 @@ void DocumentController::carryOut(UiRequests& requests) {
         if (unsaved().empty()) go(to);
     }
     if (!requests.open.empty()) leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
-    if (requests.fixes) takeFixes(*std::exchange(requests.fixes, std::nullopt));
+    if (requests.fixes || requests.leftOut) takeChanges(requests);
     const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
@@ -320,12 +326,20 @@ void DocumentController::reload() {
     if (!spec.source.empty()) c_.session.open(spec);
 }
 
-/// Opens the input again, with or without fixes; bookmarks and notes stay.
-void DocumentController::takeFixes(Fixes fixes) {
+void DocumentController::takeChanges(UiRequests& requests) {
+    const auto fixes = std::exchange(requests.fixes, std::nullopt);
+    const auto leftOut = std::exchange(requests.leftOut, std::nullopt);
+    const auto rules = std::exchange(requests.rules, std::nullopt);
     if (!c_.session.ready() || c_.session.input().phase() == SessionPhase::Loading) return;
     c_.playback.pause();
     InputSpec spec = c_.session.input().spec();
-    spec.fixes = std::move(fixes);
+    if (rules) spec = withRules(std::move(spec), *rules);
+    if (fixes) spec.fixes = *fixes;
+    if (leftOut) spec.leftOut = *leftOut;
+    expectArrival({});
+    arrival_.toEnd = true;
+    const std::string said = c_.session.messages().notice();
+    if (said.starts_with("Undone:") || said.starts_with("Redone:")) arrival_.notice = said;
     openInput(std::move(spec));
 }
 

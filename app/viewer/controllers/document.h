@@ -77,6 +77,7 @@ class DocumentController {
         std::string expectedHash;
         std::string file;  ///< For the list of recent files.
         bool focus = false;
+        bool toEnd = false;  ///< Of the run: of an input that was changed.
         bool ofSession = false;
     };
     /// The user's annotations of an input, and the session file that they belong to.
@@ -91,7 +92,9 @@ class DocumentController {
     void leave(Leave to);
     void go(const Leave& to);
     void reload();
-    void takeFixes(Fixes fixes);
+    /// Opens the input again with other fixes, points and rules, as far as they are requested, and
+    /// goes to the end of its run; bookmarks and notes stay.
+    void takeChanges(UiRequests& requests);
     void takeRules(const RuleSet& rules, Resume resume);
     /// Waits for another input; `file` goes to the list of recent files.
     void expectArrival(const std::string& file);

@@ -68,6 +68,7 @@ struct LayerInput {
 };
 
 void addPoints(const LayerInput& in, DrawList& out);
+void addAside(const LayerInput& in, DrawList& out);
 void addTriangles(const LayerInput& in, DrawList& out);
 void addFaults(const LayerInput& in, DrawList& out);
 void addMeshEdges(const LayerInput& in, DrawList& out);
@@ -132,6 +133,7 @@ enum class LayerId : std::uint8_t {
     Guard,
     HoleFill,
     Repairs,
+    Aside,
     Alerts,
 };
 inline constexpr std::size_t kLayerCount = static_cast<std::size_t>(LayerId::Alerts) + 1;

@@ -40,7 +40,7 @@ CloudStyles stylesFor(const LayerInput& in) {
     s.styles[6] = {c.done, 0.26F, Shape::Dot};
     s.styles[7] = {c.done, 0.30F, Shape::Square};
     s.styles[8] = {c.done, 0.36F, Shape::Diamond};
-    s.styles[kHiddenStyle].shape = Shape::Hidden;
+    s.styles[kHiddenStyle].shape = s.styles[CloudStyles::kAside].shape = Shape::Hidden;
     if (in.leastMargin.empty()) return s;
     for (std::size_t step = 0; step < kMarginSteps; ++step) {
         for (std::size_t i = 0; i < kShapes; ++i) {
@@ -61,6 +61,10 @@ std::uint8_t styleOf(const LayerInput& in, PointStatus status, std::size_t point
     return step ? static_cast<std::uint8_t>(kTinted + *step * kShapes + plain) : plain;
 }
 
+bool isAside(const Model& model, std::size_t point) {
+    return !model.points.setAside.empty() && model.points.setAside[point];
+}
+
 /// Computes the styles of the points in blocks that have changed.
 void fillStyles(const LayerInput& in, DrawList& out) {
     const BlockList<PointStatus>& status = in.picture.status.blocks();
@@ -73,7 +77,9 @@ void fillStyles(const LayerInput& in, DrawList& out) {
         const auto block = status.block(b);
         for (std::size_t i = 0; i < block.size(); ++i) {
             const std::size_t p = b * BlockList<PointStatus>::kBlock + i;
-            styles[i] = in.model.drawable[p] ? styleOf(in, block[i], p) : kHiddenStyle;
+            styles[i] = !in.model.drawable[p]  ? kHiddenStyle
+                        : isAside(in.model, p) ? CloudStyles::kAside
+                                               : styleOf(in, block[i], p);
         }
         out.cloudStyleOf.setBlock(b, std::span(styles).first(block.size()));
     }

@@ -7,6 +7,8 @@ namespace {
 
 /// Strength of the tint on a selected triangle.
 constexpr float kSelectionTint = 0.42F;
+/// Number of highlighted points whose marks are large enough to find each.
+constexpr std::size_t kLargeMarks = 500;
 
 }  // namespace
 
@@ -30,9 +32,10 @@ void addSelection(const LayerInput& in, DrawList& out) {
 
 /// Highlighted points, such as those of a finding: a ring around each, over everything else.
 void addMarked(const LayerInput& in, DrawList& out) {
+    const float size = in.marked.size() > kLargeMarks ? 0.32F : 0.95F;
     for (const Index p : in.marked) {
         if (!in.model.drawable[p]) continue;
-        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
+        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, size);
     }
 }
 

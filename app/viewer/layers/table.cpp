@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Points, "points", "Points", kEveryStage, addPoints},
+    {LayerId::Aside, "aside", "Points set aside", kEveryStage, addAside},
     {LayerId::Triangles, "triangles", "Triangles", kEveryStage, addTriangles},
     {LayerId::MeshEdges, "edges", "Mesh edges", kEveryStage, addMeshEdges},
     {LayerId::EdgeRing, "ring", "Active edge ring", kEveryStage, addEdgeRing},
@@ -46,7 +47,7 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Links, "links", "Neighbor links", kNoStage, addLinks},
     {LayerId::Labels, "labels", "Labels", kEveryStage, addLabels},
     {LayerId::Selection, "selection", "Selected edge or triangle", kEveryStage, addSelection},
-    {LayerId::Marked, "marked", "Points that the doctor found", kEveryStage, addMarked},
+    {LayerId::Marked, "marked", "Marked points", kEveryStage, addMarked},
     {LayerId::Alerts, "alerts", "Alerts", kEveryStage, addAlerts},
 }};
 

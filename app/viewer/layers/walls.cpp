@@ -31,7 +31,7 @@ struct Wall {
 
 /// The face that goes through `at`; points that lie in a plane have no box, so it gets some height.
 Wall wallAt(const LayerInput& in, const glm::vec3& at, int face) {
-    Wall wall;
+    Wall wall{in.model.middle, {}};
     wall.middle[face % 3] = at[face % 3];
     for (std::size_t side = 0; side < 2; ++side) {
         const int axis = (face + 1 + static_cast<int>(side)) % 3;

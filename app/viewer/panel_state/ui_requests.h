@@ -33,6 +33,8 @@ struct UiRequests {
     bool undo = false;
     bool redo = false;
     std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.
+    /// Points of the file to open the input without, by their indices; empty: all of them.
+    std::optional<IndexRanges> leftOut;
     std::optional<RuleSet> rules;          ///< Rules to re-run with; see withRule().
     Resume resume = Resume::SamePosition;  ///< With `rules`.
     std::string open;                      ///< A path or `scene:ID`; empty: nothing.

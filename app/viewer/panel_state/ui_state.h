@@ -14,6 +14,7 @@
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
+#include "piece_tool.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
 #include "session/selection_facts.h"
@@ -63,6 +64,7 @@ struct UiState {
     FileBrowsing browsing;
     CommandPalette palette;
     PrepareForm prepare;
+    PieceTool piece;
     GrowthPage growth;
     MeshForm mesh;
     ComparePage compare;

@@ -22,8 +22,8 @@ State& PanelContext::state() const {
     return std::get<State&>(std::tie(
         ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing, ui.click,
         ui.compare, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
-        ui.navigation, ui.palette, ui.prepare, ui.query, ui.startPage, ui.subjectMenu, ui.typing,
-        ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+        ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.startPage, ui.subjectMenu,
+        ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
@@ -46,6 +46,7 @@ template LedgerPanel& PanelContext::state() const;
 template LookBack& PanelContext::state() const;
 template MeshForm& PanelContext::state() const;
 template Navigation& PanelContext::state() const;
+template PieceTool& PanelContext::state() const;
 template PrepareForm& PanelContext::state() const;
 template QueryPanel& PanelContext::state() const;
 template StartPage& PanelContext::state() const;
@@ -285,7 +286,8 @@ void drawPanels(const PanelContext& context) {
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
-    if (!growth) drawVerdict(context);
+    if (!growth && !context.state<PieceTool>().on) drawVerdict(context);
+    if (!growth && !startPage) drawPieceStrip(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);

@@ -89,6 +89,8 @@ void drawPrepareDialog(const PanelContext& context);
 void drawLeaveQuestion(const PanelContext& context);
 /// The card that sums up the finished mesh, with what to do next.
 void drawVerdict(const PanelContext& context);
+/// The strip of the tool for a piece of a scan, while it is on.
+void drawPieceStrip(const PanelContext& context);
 /// Notices: loading, failed, or a long move in progress.
 void drawNotices(const PanelContext& context);
 
@@ -105,6 +107,8 @@ void drawNotes(const PanelContext& context);
 void drawBreakpoints(const PanelContext& context);
 /// Watched numbers of the run, and their plots.
 void drawWatch(const PanelContext& context);
+/// Points that take no part in the run, by reason; nothing if there are none. Requires an open run.
+void drawAside(const PanelContext& context);
 /// Findings of the doctor.
 void drawDoctor(const PanelContext& context);
 /// Failures of the run.

@@ -2,6 +2,8 @@
 #include "strings.h"
 
 #include <algorithm>
+#include <cassert>
+#include <numeric>
 #include <utility>
 
 #include "spiraling_edge/io/write_mesh.h"
@@ -25,6 +27,45 @@ bool has(const Fixes& fixes, Fix kind) {
 PointFile asWritten(PointFile file) {
     Result<PointFile> read = readPoints(meshPlyBytes(file, file.faces), "mended.ply");
     return read ? std::move(read.value()) : std::move(file);
+}
+
+/// A column that follows the points through a repair, which keeps all columns.
+constexpr std::string_view kNumberColumn = "spiraling_edge_number";
+
+void numberPoints(PointFile& file) {
+    Attribute numbers{std::string(kNumberColumn), ScalarType::UInt32, {}};
+    numbers.values.resize(file.position.size());
+    for (std::size_t p = 0; p < numbers.values.size(); ++p)
+        numbers.values[p] = static_cast<double>(p);
+    file.attributes.push_back(std::move(numbers));
+}
+
+/// The numbers of the points that are left, without their column.
+std::vector<Index> takeNumbers(PointFile& file) {
+    std::vector<Index> numbers;
+    const auto at = std::find_if(file.attributes.begin(), file.attributes.end(),
+                                 [](const Attribute& each) { return each.name == kNumberColumn; });
+    assert(at != file.attributes.end());
+    for (const double value : at->values) numbers.push_back(static_cast<Index>(value));
+    file.attributes.erase(at);
+    return numbers;
+}
+
+/// Repairs the file as the doctor does, and drops the points `drop`, for the fix `name`.
+void repair(const std::string& name, std::span<const Index> drop, PointFile& file,
+            FixesDone& done) {
+    PointFile before = std::move(file);
+    numberPoints(before);
+    FixedFile fixed = applyFixes(before, drop);
+    file = asWritten(std::move(fixed.file));
+    const std::vector<Index> left = takeNumbers(file);
+    std::vector<bool> keep(before.position.size(), false);
+    for (const Index p : left) keep[p] = true;
+    AsidePoints dropped = asideOf(before, keep, AsideReason::Fixed, name);
+    if (dropped.count > 0) done.dropped.push_back(std::move(dropped));
+    for (std::size_t i = 0; i < left.size(); ++i) done.kept[i] = done.kept[left[i]];
+    done.kept.resize(left.size());
+    for (const AppliedFix& fix : fixed.fixes) done.texts.push_back(fix.text);
 }
 
 }  // namespace
@@ -57,23 +98,20 @@ Fixes safeFixes(std::span<const Finding> findings) {
     return fixes;
 }
 
-Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
-                                          PrepareOptions& options, const Progress& progress) {
-    std::vector<std::string> done;
-    const auto repair = [&](std::span<const Index> drop) {
-        FixedFile fixed = applyFixes(file, drop);
-        file = asWritten(std::move(fixed.file));
-        for (const AppliedFix& fix : fixed.fixes) done.push_back(fix.text);
-    };
+Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& options,
+                           const Progress& progress) {
+    FixesDone done;
+    done.kept.resize(file.position.size());
+    std::iota(done.kept.begin(), done.kept.end(), Index{0});
     for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr || !canFix(*check))
             return Error{"The doctor has no fix called \"" + name + "\"."};
-        if (check->fix == Fix::Repair) repair({});
+        if (check->fix == Fix::Repair) repair(name, {}, file, done);
         if (check->fix != Fix::Drop) continue;
         const Result<Diagnosis> found = examine(file, progress);
         if (!found) return found.error();
-        repair(pointsToDrop(found.value(), {&name, 1}));
+        repair(name, pointsToDrop(found.value(), {&name, 1}), file, done);
     }
     if (has(fixes, Fix::Orient)) options.normals = NormalSource::Oriented;
     if (has(fixes, Fix::NewLists)) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "aside.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -21,11 +22,17 @@ std::string_view fixText(Fix fix);
 /// flipped. Each kind once.
 Fixes safeFixes(std::span<const Finding> findings);
 
-/// Applies the fixes: repairs `file`, and sets in `options` what preparing is to do. Returns one
-/// sentence for each change of the file. Fails if there is no such check, if it has no
-/// fix, or if cancelled. Deterministic.
-Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
-                                          PrepareOptions& options, const Progress& progress = {});
+/// The effects of the fixes of a file.
+struct FixesDone {
+    std::vector<std::string> texts;    ///< One sentence for each change of the file.
+    std::vector<AsidePoints> dropped;  ///< The points that each fix dropped.
+    std::vector<Index> kept;           ///< Index before, of each point that is left.
+};
+
+/// Applies the fixes: repairs `file`, and sets in `options` what preparing is to do. Fails if there
+/// is no such check, if it has no fix, or if cancelled. Deterministic.
+Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& options,
+                           const Progress& progress = {});
 /// Copies derived data back into the file after preparing, so that the doctor examines the input
 /// of the run. Returns one sentence for each change.
 std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,

@@ -15,6 +15,8 @@
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/prepare/piece.h"
+#include "strings.h"
 
 namespace se::view {
 
@@ -133,24 +135,76 @@ std::string fixesText(const Model& model) {
     return text;
 }
 
-void placeModel(Model& model) {
-    const auto& position = model.points.position;
-    constexpr double kHuge = std::numeric_limits<double>::max();
-    Vec3 low(kHuge);
-    Vec3 high(-kHuge);
-    for (const Vec3& p : position) {
-        if (!isFinite(p)) continue;
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+std::string changesText(const Model& model) {
+    std::string text = model.fixed ? "Repaired: " + fixesText(model) + "." : "";
+    for (const AsidePoints& each : model.aside) {
+        if (each.reason != AsideReason::LeftOut) continue;
+        text += (text.empty() ? "" : " ") + ("Left out: " + grouped(each.count) + " of " +
+                                             grouped(model.pointsInFile) + " points.");
     }
-    if (low.x > high.x) low = high = Vec3(0.0);
-    model.center = 0.5 * (low + high);
+    return text;
+}
+
+namespace {
+
+/// Number of radii of the points up to which dropped outliers are still inside of view space.
+constexpr double kNearRadii = 8.0;
+
+/// The box around points, and the greatest distance from its center. Points that are not finite are
+/// passed over.
+struct Extent {
+    explicit Extent(std::span<const std::span<const Vec3>> lists) {
+        constexpr double kHuge = std::numeric_limits<double>::max();
+        low = Vec3(kHuge);
+        high = Vec3(-kHuge);
+        forEach(lists, [this](const Vec3& p) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        });
+        if (low.x > high.x) low = high = Vec3(0.0);
+        center = 0.5 * (low + high);
+        forEach(lists,
+                [this](const Vec3& p) { radius = std::max(radius, glm::length(p - center)); });
+    }
+    template <typename Function>
+    static void forEach(std::span<const std::span<const Vec3>> lists, Function&& function) {
+        for (const std::span<const Vec3> list : lists) {
+            for (const Vec3& p : list) {
+                if (isFinite(p)) function(p);
+            }
+        }
+    }
+
+    Vec3 low;
+    Vec3 high;
+    Vec3 center;
     double radius = 0.0;
-    for (const Vec3& p : position) {
-        if (isFinite(p)) radius = std::max(radius, glm::length(p - model.center));
+};
+
+/// Moves the points, and those that were left out, into the unit sphere.
+void frameModel(Model& model) {
+    std::vector<std::span<const Vec3>> shown{model.points.position};
+    const Extent own(shown);
+    for (const AsidePoints& each : model.aside) {
+        const bool near = std::all_of(each.position.begin(), each.position.end(), [&](auto& p) {
+            return glm::length(p - own.center) <= kNearRadii * own.radius;
+        });
+        if (near || each.reason == AsideReason::LeftOut) shown.emplace_back(each.position);
     }
-    model.scale = radius > 0.0 && std::isfinite(radius) ? 1.0 / radius : 1.0;
-    model.boxHalf = glm::vec3(0.5 * model.scale * (high - low));
+    const Extent all = shown.size() > 1 ? Extent(shown) : own;
+    model.center = all.center;
+    model.scale = all.radius > 0.0 && std::isfinite(all.radius) ? 1.0 / all.radius : 1.0;
+    model.boxHalf = glm::vec3(0.5 * model.scale * (own.high - own.low));
+    model.middle = model.toView(own.center);
+    const double radius = own.radius * model.scale;
+    model.radius = radius > 0.0 && std::isfinite(radius) ? static_cast<float>(radius) : 1.0F;
+}
+
+}  // namespace
+
+void placeModel(Model& model) {
+    frameModel(model);
+    const auto& position = model.points.position;
     model.place.reserve(position.size());
     model.normal.reserve(position.size());
     for (std::size_t p = 0; p < position.size(); ++p) {
@@ -184,6 +238,53 @@ PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const
     return options;
 }
 
+namespace {
+
+/// Leaves out the points that the user has chosen, by their indices in the file.
+Status leaveOut(const IndexRanges& leftOut, PointFile& file, Model& model) {
+    const std::size_t count = file.position.size();
+    model.pointsInFile = count;
+    if (leftOut.empty()) return success();
+    std::vector<bool> keep = marksOf(leftOut, count);
+    keep.flip();
+    AsidePoints aside = asideOf(file, keep, AsideReason::LeftOut);
+    if (aside.count == 0) return success();
+    if (aside.count == count) return Error{"All " + grouped(count) + " points are left out."};
+    for (Index p = 0; p < count; ++p) {
+        if (keep[p]) model.inFile.push_back(p);
+    }
+    model.aside.push_back(std::move(aside));
+    file = keptPoints(std::move(file), keep);
+    return success();
+}
+
+/// Takes over what the fixes have dropped.
+void takeFixed(FixesDone done, Model& model) {
+    model.fixesDone = std::move(done.texts);
+    if (done.dropped.empty()) return;
+    for (Index& p : done.kept) p = model.numberInFile(p);
+    model.inFile = std::move(done.kept);
+    for (AsidePoints& each : done.dropped) model.aside.push_back(std::move(each));
+}
+
+/// Points that may take part in the run, and how to prepare them. Repaired if `spec` has fixes.
+Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model& model,
+                                  const LoadProgress& progress) {
+    if (const Status some = leaveOut(spec.leftOut, file, model); !some) return some.error();
+    PrepareOptions options = prepareOptions(spec, model.params, file);
+    model.fixed = !spec.fixes.empty();
+    Result<FixesDone> done =
+        fixInput(file, spec.fixes, options, [&](double) { return !progress.cancelled.load(); });
+    if (progress.cancelled) return openingCancelled();
+    if (!done) return done.error();
+    takeFixed(std::move(done.value()), model);
+    // Around the points that are left, like the file that the doctor writes.
+    if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
+    return options;
+}
+
+}  // namespace
+
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     auto model = std::make_shared<Model>();
     const Result<Params> params = paramsOf(spec);
@@ -193,26 +294,18 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     if (!file) return file.error();
     progress.part = LoadPart::Preparing;
     progress.share = kParsedShare;
-    PrepareOptions options = prepareOptions(spec, model->params, file.value());
-    Result<std::vector<std::string>> fixesDone =
-        fixInput(file.value(), spec.fixes, options,
-                 [&progress](double) { return !progress.cancelled.load(); });
-    if (progress.cancelled) return openingCancelled();
-    if (!fixesDone) return fixesDone.error();
-    // Around the points that are left, like the file that the doctor writes.
-    if (spec.walls.from == WallChoice::From::Around)
-        options.walls = boxAround(file.value().position);
-    Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
+    const Result<PrepareOptions> options = takePoints(spec, file.value(), *model, progress);
+    if (!options) return options.error();
+    Result<Prepared> prepared = prepare(file.value(), options.value(), [&](double share) {
         progress.share = kParsedShare + (kPreparedShare - kParsedShare) * share;
         return !progress.cancelled.load();
     });
     if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
-    model->fixed = !spec.fixes.empty();
     std::shared_ptr<const PointFile> given;
     if (model->fixed) given = std::make_shared<const PointFile>(file.value());
-    model->fixesDone = std::move(fixesDone.value());
-    for (std::string& each : storeFixed(prepared.value(), options, spec.fixes, file.value()))
+    for (std::string& each :
+         storeFixed(prepared.value(), options.value(), spec.fixes, file.value()))
         model->fixesDone.push_back(std::move(each));
     progress.part = LoadPart::Placing;
     progress.share = kPreparedShare;
@@ -220,6 +313,8 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     model->points = std::move(prepared.value().points);
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};
+    for (AsidePoints& each : asideOf(model->points, model->report))
+        model->aside.push_back(std::move(each));
     placeModel(*model);
     if (progress.cancelled) return openingCancelled();
     progress.share = 1.0;

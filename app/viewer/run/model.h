@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "aside.h"
 #include "doctor_fixes.h"
+#include "index_ranges.h"
 #include "rule_set.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
@@ -65,11 +67,13 @@ struct InputSpec {
     /// Points of `source`, if in memory already: then nothing is read or sampled.
     std::shared_ptr<const PointFile> points = nullptr;
     std::vector<WhatIf> whatIf = {};  ///< Decisions that the user overrides.
+    IndexRanges leftOut = {};         ///< Points of the file to run without, by their indices.
 };
 /// Options for prepare(), for points of `file`.
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);
 
-/// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
+/// Points in view space: centered on their bounding box, which then fits a sphere of radius 1. The
+/// box is also around points that were left out, so that these change no position.
 struct Model {
     std::string name;   ///< File name, scene id or "torus, 4 000 points", for title and menu.
     std::string hash;   ///< Of the input, see hashOfPoints().
@@ -79,17 +83,24 @@ struct Model {
     PrepareReport report;
     bool fixed = false;                  ///< The input has fixes.
     std::vector<std::string> fixesDone;  ///< Effects of the fixes, each a piece of a sentence.
+    std::size_t pointsInFile = 0;
+    std::vector<Index> inFile;  ///< Index in the file, of each point; empty: that of the point.
+    std::vector<AsidePoints> aside;  ///< Points that take no part in the run.
     std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
     std::vector<glm::vec3> normal;
     std::vector<bool> drawable;  ///< False for positions that are not finite.
     Vec3 center{};
     double scale = 1.0;             ///< View units per scene unit.
-    glm::vec3 boxHalf{0.0F};        ///< Half the sides of the box of the points, in view units.
+    glm::vec3 middle{0.0F};         ///< Center of the box of the points of the run.
+    glm::vec3 boxHalf{0.0F};        ///< Half the sides of that box, in view units.
+    float radius = 1.0F;            ///< Greatest distance of such a point from `middle`.
     float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
     std::vector<glm::vec3> sample;  ///< Some of the positions, to fit the camera to.
     /// A direction that shows the first steps: the run begins at the first usable point.
     glm::vec3 beginning{0.0F};
 
+    /// Index in the file.
+    Index numberInFile(Index point) const { return inFile.empty() ? point : inFile[point]; }
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
 };
 
@@ -115,6 +126,9 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
 
 /// Effects of the fixes, as one piece of a sentence; empty if there were none.
 std::string fixesText(const Model& model);
+/// Changes of the input: "Repaired: 1 exact copy dropped. Left out: 12 of 400 points."; empty if
+/// there are none.
+std::string changesText(const Model& model);
 /// Computes all drawing data from `points`.
 void placeModel(Model& model);
 

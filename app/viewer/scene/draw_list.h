@@ -31,6 +31,7 @@ enum class Shape : std::uint8_t {
     Forward = 9,  ///< Triangle pointing right.
     Back = 10,    ///< Triangle pointing left.
     Cross = 11,
+    Plus = 12,
 };
 
 struct PointStyle {
@@ -89,6 +90,8 @@ struct Label {
 /// Styles of the points of the input, chosen per point by one byte.
 struct CloudStyles {
     static constexpr std::size_t kCount = 80;
+    /// Style of points of the run that were set aside.
+    static constexpr std::uint8_t kAside = 14;
     std::array<PointStyle, kCount> styles{};
 };
 

@@ -337,7 +337,7 @@ Index pickAmong(const Model& model, std::span<const Index> points, const CameraM
     return best;
 }
 
-std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,
+std::vector<Index> pointsInside(const Model& model, const CameraMatrices& camera, glm::vec2 size,
                                 std::span<const glm::vec2> path) {
     std::vector<Index> points;
     if (path.size() < 3) return points;
@@ -351,12 +351,20 @@ std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera
     for (Index p = 0; p < model.place.size(); ++p) {
         if (!model.drawable[p]) continue;
         const glm::vec3 at = project(model.place[p]);
-        if (at.z <= 0.0F || glm::dot(project.toEye(model.place[p]), model.normal[p]) < 0.0F)
-            continue;
         const glm::vec2 pixel(at);
-        const bool near = glm::clamp(pixel, low, high) == pixel;
+        const bool near = at.z > 0.0F && glm::clamp(pixel, low, high) == pixel;
         if (near && isWithin(path, pixel)) points.push_back(p);
     }
+    return points;
+}
+
+std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,
+                                std::span<const glm::vec2> path) {
+    std::vector<Index> points = pointsInside(model, camera, size, path);
+    const Projector project(camera, size);
+    std::erase_if(points, [&](Index p) {
+        return glm::dot(project.toEye(model.place[p]), model.normal[p]) < 0.0F;
+    });
     return points;
 }
 

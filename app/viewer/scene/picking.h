@@ -23,6 +23,10 @@ Index pickAmong(const Model& model, std::span<const Index> points, const CameraM
 std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,
                                 std::span<const glm::vec2> path);
 
+/// As pointsWithin(), with those that face away.
+std::vector<Index> pointsInside(const Model& model, const CameraMatrices& camera, glm::vec2 size,
+                                std::span<const glm::vec2> path);
+
 /// Things that can be picked: those that are drawn.
 struct PickScene {
     const Model& model;

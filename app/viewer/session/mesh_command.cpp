@@ -159,6 +159,11 @@ std::string runOptions(const InputSpec& spec) {
 }  // namespace
 
 MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
+    if (!spec.leftOut.empty()) {
+        return {{},
+                "There is no command for points left out in the view. Save the session, which "
+                "keeps them, or bring them back in the panel Doctor."};
+    }
     Steps steps = stepsToSource(spec.source, target);
     if (steps.input.empty()) return {{}, steps.note};
     addDoctor(spec, target, steps);

@@ -61,7 +61,8 @@ void Session::adopt(Opened opened) {
     ++revision_;
     overviewJob_ = std::make_unique<OverviewJob>(model_);
     const std::string notice = messages_.notice();
-    messages_.say(model_->fixed ? "Repaired: " + fixesText(*model_) + "." : model_->watch);
+    const std::string changes = changesText(*model_);
+    messages_.say(changes.empty() ? model_->watch : changes);
     messages_.forgetMiss();
     // The loader has requested the start of the run, and has waited for the answer.
     moves_.open(std::move(opened.runner), opened.place);

@@ -46,6 +46,16 @@ Complaint readFixes(const json& options, Fixes& out) {
     return std::nullopt;
 }
 
+Complaint readLeftOut(const json& options, IndexRanges& out) {
+    const json* ranges = find(options, "left_out");
+    if (ranges == nullptr) return std::nullopt;
+    const auto read =
+        ranges->is_string() ? rangesFromText(ranges->get<std::string>()) : std::nullopt;
+    if (!read) return expected("options.left_out", "ascending indices, such as \"3..9,40\"");
+    out = *read;
+    return std::nullopt;
+}
+
 Complaint readBox(const json& options, WallChoice& out) {
     const json* box = find(options, "box");
     if (box == nullptr) return std::nullopt;
@@ -135,6 +145,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
     }
     if (Complaint c = readWhatIfs(*options, out.whatIf)) return c;
     if (Complaint c = readFixes(*options, out.fixes)) return c;
+    if (Complaint c = readLeftOut(*options, out.leftOut)) return c;
     if (Complaint c = readReach(*options, out.neighbors)) return c;
     return readPreparing(*options, out);
 }
@@ -172,6 +183,7 @@ json optionsToJson(const InputSpec& input, json options) {
     for (const char* name : {"switches", "neighbors", "radius", "reach", "what_if"})
         options.erase(name);
     writeField(options, "doctor", !input.fixes.empty(), input.fixes);
+    writeField(options, "left_out", !input.leftOut.empty(), rangesText(input.leftOut));
     preparingToJson(input, options);
     for (const RuleValue& each : input.choices) options["switches"][each.name] = ruleToJson(each);
     for (const WhatIf& each : input.whatIf) options["what_if"].push_back(lineOf(each));

@@ -33,6 +33,10 @@ bool onlyCamera(Edits from, const Edits& to) {
 
 }  // namespace
 
+bool isSameRun(const Edits& a, const Edits& b) {
+    return a.fixes == b.fixes && a.leftOut == b.leftOut && a.rules == b.rules;
+}
+
 std::string describeChange(const Edits& from, const Edits& to) {
     std::string text;
     if (from.theme != to.theme) add(text, "theme");
@@ -52,6 +56,7 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.annotations.watches != to.annotations.watches) add(text, "watches");
     // The other changes are consequences of this one.
     if (from.fixes != to.fixes) return "the doctor's fix";
+    if (from.leftOut != to.leftOut) return "points left out";
     if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));
     return text;
 }

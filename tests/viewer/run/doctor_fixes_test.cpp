@@ -119,6 +119,8 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     for (std::size_t p = 0; p < app.session.model().points.size(); ++p)
         CHECK(glm::dot(app.session.model().normal[p], app.session.model().place[p]) > 0.0F);
 
+    CHECK(app.session.atEnd());
+
     app.follow({});
     CHECK(app.session.model().points.size() == all);
     CHECK(app.finds("flipped_normals"));

@@ -295,6 +295,14 @@ TEST_CASE("A line around everything encloses only the points that face the eye")
     CHECK(std::is_sorted(points.begin(), points.end()));
 }
 
+TEST_CASE("At all depths, points that face away are enclosed as well") {
+    const auto model = test::sphereModel();
+    const std::vector<Index> points = pointsInside(*model, front(), kSize, kAll);
+    CHECK(points.size() == model->place.size());
+    CHECK(points.size() > pointsWithin(*model, front(), kSize, kAll).size());
+    CHECK(pointsInside(*model, front(), kSize, std::span(kAll).first(2)).empty());
+}
+
 TEST_CASE("Points left of a line are not enclosed by one around the right half") {
     const auto model = test::sphereModel();
     const CameraMatrices camera = front();

@@ -20,6 +20,8 @@ stop
 size=1600x980 start --layout learn "$flawed"
 says doctor done
 says findings '\[ "zero_normals", "duplicates", "open_border" \]'
+# What the preparation set aside is counted, with the reason.
+says aside '.*"copy": 1,.*"no_direction": 2.*'
 says open_tab Doctor
 says marked 0
 click_on "finding zero_normals"
@@ -45,7 +47,8 @@ says open_tab Doctor
 points=$(field points)
 go_to 20; says pivot 20
 click_on "fix zero_normals"
-says cures '\[ "zero_normals" \]'; says phase ready; says pivot 0
+says cures '\[ "zero_normals" \]'; says phase ready; says at_end true
+says aside '.*"zero_normals": 3.*'
 says mended '\[ "1 exact copy dropped", "2 points with a zero normal dropped" \]'
 says points "$((points - 3))"
 says doctor done; says findings '\[ "open_border" \]'
@@ -59,6 +62,15 @@ says cures '\[\]'; says points "$points"
 press Escape; press ctrl+z
 says cures '\[ "zero_normals" \]'; says points "$((points - 3))"
 press ctrl+z; says cures '\[\]'; says findings '.*zero_normals.*'
+
+# Points dropped by a fix come back by a click.
+click_on "fix duplicates"; says cures '\[ "duplicates" \]'; says points "$((points - 3))"
+says doctor done; click_on "return duplicates"
+says cures '\[\]'; says points "$points"; says at_end true; says findings '.*zero_normals.*'
+# Zero normals by deriving all of them.
+click_on "return no_direction"; says derived '.*"normals".*'; says aside '\{ "copy": 1 \}'
+press ctrl+shift+r; says prepare true; click_on "prepare From the input##m"; click_on "prepare ok"
+says prepare false; says derived '\[ "neighbors" \]'; says findings '.*zero_normals.*'
 
 # The command can be pasted anywhere: with the whole path.
 click_on "copy zero_normals"; says notice "Copied the command\."

@@ -61,6 +61,8 @@ std::string commandForMade(const std::string& source, const DoctorCheck& check) 
 std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().input().spec().source;
+    // A command would examine all points of the file.
+    if (!context.session().input().spec().leftOut.empty()) return {};
     if (isScene(source) || isStandardInput(source)) return remedyFor(check, source);
     if (isSample(source)) return commandForMade(source, check);
     std::error_code error;
@@ -160,6 +162,7 @@ void drawDoctor(const PanelContext& context) {
     const DoctorJob& doctorJob = session.doctorJob();
     const std::size_t count = doctorJob.findings().size();
     heading(context, "Doctor", count == 0 ? "" : withS(count, "finding"));
+    drawAside(context);
     drawRepaired(context);
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {

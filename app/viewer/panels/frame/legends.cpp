@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "commands/alert_actions.h"
+#include "layers/layer.h"
 #include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
@@ -39,6 +41,19 @@ constexpr std::array kEntries = {
     Entry{Shape::Circle, &Palette::unused, "UNUSED"},
     Entry{Shape::Dot, &Palette::done, "DONE"},
 };
+constexpr Entry kAsideEntry{Shape::Plus, &Palette::unused, "not in the run"};
+
+/// The marks of decisions, except on the finished mesh, and those of points that are set aside.
+std::vector<Entry> entriesOf(const PanelContext& context) {
+    std::vector<Entry> entries;
+    if (!showsFinishedMesh(context.commands)) entries.assign(kEntries.begin(), kEntries.end());
+    const Session& session = context.session();
+    const LayerSwitches on = shownLayers(context.settings().layers, session.stage());
+    const bool aside = session.ready() && !session.model().aside.empty() &&
+                       on.test(static_cast<std::size_t>(LayerId::Aside));
+    if (aside) entries.push_back(kAsideEntry);
+    return entries;
+}
 
 /// The axes have the fourth corner.
 constexpr std::array kLegendCorners = {Corner::TopRight, Corner::TopLeft, Corner::BottomRight};
@@ -169,7 +184,9 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     const Rect& view = context.rects.view;
     const float em = 0.84F * context.em;
     const float row = 1.32F * em;
-    const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
+    const std::vector<Entry> entries = entriesOf(context);
+    if (entries.empty()) return std::nullopt;
+    const glm::vec2 size(9.6F * em, row * static_cast<float>(entries.size()) + 0.7F * em);
     // Omitted where it would cover too much of the picture; F1 shows it as well.
     if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return std::nullopt;
     const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
@@ -182,7 +199,7 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     fill(list, *place, context.palette.panel.withAlpha(kPlateOpacity), 0.3F * em);
     float y = at.y + 0.35F * em;
     ImGui::PushFont(context.fonts.small);
-    for (const Entry& entry : kEntries) {
+    for (const Entry& entry : entries) {
         const float dot = entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em;
         drawShape(list, {at.x + 0.95F * em, y + 0.5F * row}, dot, entry.shape,
                   toU32(context.palette.*entry.color));

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "commands/alert_actions.h"
 #include "commands/break_commands.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
+#include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
@@ -199,7 +199,8 @@ void hoverNeighbor(const PanelContext& context) {
 }
 
 void handleMouse(const PanelContext& context) {
-    if (context.session().ready() && handleLasso(context)) return;
+    const bool piece = context.state<PieceTool>().on && !context.beside;
+    if (context.session().ready() && (piece ? handlePieceTool : handleLasso)(context)) return;
     moveCameraByMouse(context);
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
@@ -241,8 +242,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
-    const bool decision = !showsFinishedMesh(context.commands);
-    if (context.settings().legend && !compared && decision) note(drawLegend(context, taken));
+    if (context.settings().legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }
@@ -257,6 +257,7 @@ void drawView(const PanelContext& context, const char* window) {
         drawViewPicture(context);
         drawOver(context, arrow);
         drawLasso(context);
+        if (!context.beside) drawPieceLine(context);
     }
     ImGui::End();
 }

@@ -19,6 +19,12 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
 /// Legend of the mesh colors, if they have a meaning.
 std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Rect> taken);
 
+/// Draws a box or a lasso with the left button while the tool for a piece is on. True while it
+/// takes the mouse. To be called right after the scene's own item.
+bool handlePieceTool(const PanelContext& context);
+/// The box or the lasso, while it is drawn.
+void drawPieceLine(const PanelContext& context);
+
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
 

@@ -63,6 +63,7 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     std::string title(layer.title);
     if (isDerived(session, layer.id)) title += " (derived)";
     if (ImGui::Checkbox(title.c_str(), &value)) toggleLayer(modes, layer.id, session.stage());
+    nameItem(context, "layer " + std::string(layer.name));
     if (rests) ImGui::PopStyleColor();
     if (const Command* command = findCommand("layer." + std::string(layer.name))) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);

@@ -262,6 +262,10 @@ void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color)
             list->AddLine({c.x - s, c.y - s}, {c.x + s, c.y + s}, color, 1.3F * stroke);
             list->AddLine({c.x - s, c.y + s}, {c.x + s, c.y - s}, color, 1.3F * stroke);
             break;
+        case Shape::Plus:
+            list->AddLine({c.x - r, c.y}, {c.x + r, c.y}, color, 1.1F * stroke);
+            list->AddLine({c.x, c.y - r}, {c.x, c.y + r}, color, 1.1F * stroke);
+            break;
     }
 }
 
