@@ -152,6 +152,11 @@ TABLE = {
          "            --kept;\n            if (MUT) break;\n        }"),
         ("stepback.dropped", "if (context.params.robust.stepBack) {", "if (context.params.robust.stepBack && !MUT) {"),
     ],
+    "stepper/phases/finish.cpp": [
+        ("finish.number-of-last-pivot", "(capped ? 0 : 1)", "(capped || MUT ? 0 : 1)"),
+        ("finish.emitted-not-edited", "reportMesh(context.points, s.mesh())",
+         "reportMesh(context.points, MUT ? s.triangles : s.mesh())"),
+    ],
     "stepper/phases/emit.cpp": [
         ("two-point.over-180-kept",
          "return overlapsAsTwoPointRing(n.lastAngle);",

@@ -100,7 +100,7 @@ TABLE = {
          "    beyondLast_ = false;\n}",
          "    if (!MUT) beyondLast_ = false;\n}",
          "A seek to the same place then restores the same state once more."),
-        ("timeline.tail-not-noted", "tail_ = !(state().counters == before);", "if (!MUT) OLD"),
+        ("timeline.tail-not-noted", "tail_ = true;", "if (!MUT) OLD"),
         ("timeline.rings-of-before", "state.rings.restore(keyframe.rest.rings);", "if (!MUT) OLD"),
         ("timeline.cancel-ignored", "keepGoing && !keepGoing()) return;", "keepGoing && !keepGoing() && !MUT) return;"),
         ("timeline.events-move-on",

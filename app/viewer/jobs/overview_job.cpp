@@ -42,11 +42,8 @@ class Observer {
         noteMarks(run, before, alerts);
         noteShape(run);
         noteFailures(run);
-        if (!complete) {
-            // Events after the last pivot have the next number, if there are any.
-            const bool any = !(state().counters == before);
-            run.lastPivot = before.pivots + (any ? 1U : 0U);
-        }
+        // Events after the last pivot have the next number; a run that was stopped has none.
+        if (!complete) run.lastPivot = before.pivots + (log_.events().empty() ? 0U : 1U);
         log_.clear();
         return complete;
     }

@@ -116,6 +116,7 @@ std::string noOfferText(const Event& event) {
         case Stage::Split:
         case Stage::Join:
         case Stage::Done:
+        case Stage::Finished:
             return "No choice was made here: it follows from the tests before it. Override one of "
                    "those.";
         default:

@@ -187,6 +187,15 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     if (ring.evidence) out.row("interior", std::to_string(ring.evidence->interior));
 }
 
+void addRows(const FinishedEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("ended", e.capped ? "too many triangles for the number of points"
+                              : "every point is DONE, and no seed is left");
+    out.row("triangles", std::to_string(e.triangles));
+    out.row("components", std::to_string(e.components));
+    out.row("unused", counted(e.unused, "point", "points") + " in no triangle");
+    out.row("open loops", e.loops == 0 ? "none: closed" : std::to_string(e.loops));
+}
+
 // Rules beyond the paper (docs/robust.md).
 
 /// The measure of a guard, if it is a number.

@@ -82,6 +82,7 @@ struct LineOfPaper {
     std::size_t operator()(const ShelveEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }
     std::size_t operator()(const ComponentEvidence&) const { return 3; }
+    std::size_t operator()(const FinishedEvidence& e) const { return e.capped ? 3 : 2; }
     template <typename Other>
     std::size_t operator()(const Other&) const {
         return 0;

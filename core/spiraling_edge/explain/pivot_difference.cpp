@@ -53,6 +53,9 @@ Key keyOf(const Event& event) {
             [&](const FreeEvidence& e) { return key(e.length, e.interior); },
             [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
             [&](const AlertEvidence& e) { return key(e.kind, e.point); },
+            [&](const FinishedEvidence& e) {
+                return key(e.triangles, e.components, e.unused, e.loops);
+            },
             [&](const auto& e) { return key(e.point); },
         },
         event.evidence);

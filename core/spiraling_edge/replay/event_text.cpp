@@ -293,6 +293,14 @@ std::string text(const AlertEvidence& e) {
                     e.point);
 }
 
+std::string text(const FinishedEvidence& e) {
+    return sentence("{}: {} in {}, {} unused, {}.",
+                    e.capped ? "The run is stopped, since it has too many triangles"
+                             : "The run is finished, since every point is DONE",
+                    counted(e.triangles, "triangle"), counted(e.components, "component"),
+                    counted(e.unused, "point"), counted(e.loops, "open loop"));
+}
+
 std::string fanText(const GuardEvidence& e, bool kept) {
     if (!kept) return "What if: no triangle is made.";
     return (e.b == kNone ? sentence("What if: the spoke to {}", e.a)

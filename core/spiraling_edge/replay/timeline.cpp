@@ -83,7 +83,7 @@ bool Timeline::stepPivot(EventLog* log) {
         // After the last pivot; all steps there are counted.
         endKnown_ = true;
         beyondLast_ = true;
-        tail_ = !(state().counters == before);
+        tail_ = true;  // The event of the end, at least.
     } else if (position() % spacing_ == 0) {
         storeKeyframe();
     }

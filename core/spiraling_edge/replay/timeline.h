@@ -69,8 +69,7 @@ class Timeline {
     std::uint32_t farthest() const { return farthest_; }
     bool endKnown() const { return endKnown_; }
     /// The highest number that eventsOf() has events for. Requires endKnown(). One more than the
-    /// pivots of the run if there are events after the last of them, such as points that cannot
-    /// begin a ring.
+    /// pivots of the run, for its end and points that cannot begin a ring, unless it was stopped.
     std::uint32_t lastPivot() const {
         assert(endKnown_);
         return farthest_ + (tail_ ? 1U : 0U);

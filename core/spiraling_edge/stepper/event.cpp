@@ -40,6 +40,7 @@ constexpr std::array<StageRow, kStageCount> kStageTable{{
     {Stage::Remesh, "remesh", "", kNoTests},
     {Stage::RemoveFolded, "reseat", "", kNoTests},
     {Stage::Done, "done", "7", kNoTests},
+    {Stage::Finished, "finished", "3", kNoTests},
 }};
 // clang-format on
 

@@ -46,8 +46,9 @@ enum class Stage : std::uint8_t {
     Remesh,        ///< The triangles about a fault are replaced.
     RemoveFolded,  ///< A point at a fault is taken out.
     Done,          ///< §3, §7: a ring is freed or a component complete.
+    Finished,      ///< §3: the end of the run.
 };
-inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Done) + 1;
+inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Finished) + 1;
 
 /// True for the stages after the last pivot, which edit the mesh.
 constexpr bool isRepair(Stage stage) {
@@ -89,7 +90,8 @@ std::optional<Stage> stageFromName(std::string_view name);
 std::string_view stageSection(Stage stage);
 
 /// PIVOT.STAGE.N, for example 137.sphere.3. Pivots count from 1 over the whole run, N from 1 within
-/// the stage of the pivot. A seed has the number of the pivot that it leads to.
+/// the stage of the pivot. A seed has the number of the pivot that it leads to; the end of the run,
+/// the number after the last pivot, or that of the pivot that exceeded the limit of triangles.
 struct Address {
     std::uint32_t pivot = 0;
     Stage stage = Stage::Pivot;
@@ -353,6 +355,14 @@ struct AlertEvidence {
     AlertKind kind;
     Index point;
 };
+/// The last event of every run: what ended it, and its mesh, with the steps after the last pivot.
+struct FinishedEvidence {
+    Index triangles;
+    Index components;  ///< Sets of triangles joined by common points.
+    Index unused;      ///< Points in no triangle.
+    Index loops;       ///< Connected pieces of the boundary.
+    bool capped;       ///< Stopped by AlertKind::TriangleCap; else every point is DONE.
+};
 
 using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
@@ -361,7 +371,7 @@ using Evidence =
                  ReinsertEvidence, CloseHoleEvidence, FlipEvidence, RemeshEvidence,
                  RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence, JoinEvidence,
                  CloseEvidence, AdvanceEvidence, ShelveEvidence, TakeUpEvidence, FreeEvidence,
-                 ComponentEvidence, AlertEvidence>;
+                 ComponentEvidence, AlertEvidence, FinishedEvidence>;
 
 struct Event {
     Address address;

@@ -128,9 +128,12 @@ bool isOpening(const StepContext& context);
 void phaseRing(AnyContext auto& context);
 void phaseLink(AnyContext auto& context);
 void phaseAdvance(AnyContext auto& context);
+// phases/finish.cpp: §3
+/// Ends the run, with an event that sums up its mesh.
+void finishRun(AnyContext auto& context);
 // robust/repair.cpp: beyond the paper, after the last pivot
-/// Goes to the first phase after the last pivot whose rule is on, else to Finished.
-void beginRepairPhases(StepContext& context);
+/// Goes to the first phase after the last pivot whose rule is on, else ends the run.
+void beginRepairPhases(AnyContext auto& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
 void phaseRepairFault(AnyContext auto& context);

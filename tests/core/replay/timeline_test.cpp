@@ -145,8 +145,9 @@ TEST_CASE("Events after the last pivot have a number of their own") {
     REQUIRE(timeline.endKnown());
     REQUIRE(timeline.lastPivot() == timeline.position() + 1);
     const std::vector<Event> tail = timeline.eventsOf(timeline.lastPivot());
-    REQUIRE_FALSE(tail.empty());
-    CHECK(tail.back().address.stage == Stage::Strand);
+    REQUIRE(tail.size() == 2);
+    CHECK(tail[0].address.stage == Stage::Strand);
+    CHECK(tail[1].address.stage == Stage::Finished);
     CHECK_FALSE(timeline.state().finished());
     timeline.seek(kEnd);
     CHECK(timeline.state().finished());

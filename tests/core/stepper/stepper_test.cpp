@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 
+#include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "support/clouds.h"
 
@@ -291,4 +293,72 @@ TEST_CASE("A stepper keeps points alive that were moved into it, and borrows oth
     const auto shared = std::make_shared<const PointSet>(owning.points());
     Stepper sharing(shared, {});
     CHECK(&sharing.points() == shared.get());
+}
+
+namespace {
+
+/// The last event of a run, which is the only one of its stage.
+Event endOf(const PointSet& points, const Params& params, State& state) {
+    EventLog log;
+    Stepper stepper(points, params, &log);
+    stepper.run();
+    const auto& events = log.events();
+    REQUIRE_FALSE(events.empty());
+    const auto isEnd = [](const Event& e) { return e.address.stage == Stage::Finished; };
+    CHECK(std::count_if(events.begin(), events.end(), isEnd) == 1);
+    REQUIRE(isEnd(events.back()));
+    state = stepper.takeState();
+    return events.back();
+}
+
+}  // namespace
+
+TEST_CASE("3 the last event of every run sums up its mesh, under the number after the last pivot") {
+    for (const char* scene : {"sphere", "sheet", "linked-tori", "stranded-point"}) {
+        for (const char* rules : {"paper", "robust"}) {
+            CAPTURE(scene);
+            CAPTURE(rules);
+            const PointSet points = sceneNamed(scene);
+            State state;
+            const Event end = endOf(points, *paramsByName(rules), state);
+            CHECK((end.address == Address{state.counters.pivots + 1, Stage::Finished, 1}));
+            const MeshReport report = reportMesh(points, state.mesh());
+            const auto& e = std::get<FinishedEvidence>(end.evidence);
+            CHECK(e.triangles == state.mesh().size());
+            CHECK(e.components == report.components);
+            CHECK(e.unused == report.unusedPoints);
+            CHECK(e.loops == report.boundaryLoops);
+            CHECK_FALSE(e.capped);
+        }
+    }
+}
+
+TEST_CASE("3 the sentence of the end has the numbers of the mesh, and what ended the run") {
+    const auto text = [](const FinishedEvidence& e) {
+        return describe(Event{{1, Stage::Finished, 1}, e});
+    };
+    CHECK(text({20, 1, 0, 2, false}) ==
+          "The run is finished, since every point is DONE: 20 triangles in 1 component, 0 points "
+          "unused, 2 open loops.");
+    CHECK(text({1, 1, 1, 1, true}).starts_with("The run is stopped, since it has too many"));
+}
+
+TEST_CASE("3 a run without a triangle has an end as well") {
+    PointFile file;
+    file.position = {{0, 0, 0}};
+    file.normal = {{0, 0, 1}};
+    State state;
+    const Event end = endOf(prepared(file), paper(), state);
+    CHECK(end.address.pivot == 1);
+    CHECK(std::get<FinishedEvidence>(end.evidence).unused == 1);
+}
+
+TEST_CASE("3 a run that is stopped ends with its last pivot") {
+    Params params = paper();
+    params.maxTrianglesPerPoint = 1;
+    State state;
+    const Event end = endOf(sceneNamed("figure-4"), params, state);
+    REQUIRE(state.capped());
+    CHECK(end.address.pivot == state.counters.pivots);
+    CHECK(std::get<FinishedEvidence>(end.evidence).capped);
 }

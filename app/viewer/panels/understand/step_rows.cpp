@@ -141,9 +141,9 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
 
 /// Effect of a pivot on the rings, in one word.
 std::string pivotNote(const PivotSummary& summary) {
-    for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
-                              Stage::Fill, Stage::DropPatch, Stage::Reinsert, Stage::CloseHole,
-                              Stage::Flip, Stage::Remesh, Stage::RemoveFolded}) {
+    for (const Stage stage : {Stage::Finished, Stage::Split, Stage::Join, Stage::Done, Stage::Seed,
+                              Stage::Skip, Stage::Fill, Stage::DropPatch, Stage::Reinsert,
+                              Stage::CloseHole, Stage::Flip, Stage::Remesh, Stage::RemoveFolded}) {
         if ((summary.found & findingOf(stage)).any()) return std::string(stageName(stage));
     }
     return {};

@@ -390,7 +390,7 @@ void phaseAdvance(AnyContext auto& context) {
         std::size_t{context.params.maxTrianglesPerPoint} * context.points.size();
     if (s.triangles.size() > cap) {
         alert(context, AlertKind::TriangleCap, s.triangles.back().a);
-        s.phase = Phase::Finished;
+        finishRun(context);
     }
 }
 

@@ -69,13 +69,13 @@ bool enterFrom(StepContext& context, std::size_t from) {
 }
 
 /// Goes to the phase after the current one, which has nothing left to do.
-void enterNext(StepContext& context) {
+void enterNext(AnyContext auto& context) {
     State& s = context.state;
     std::size_t place = 0;
     while (kOrder[place].phase != s.phase) ++place;
     if (enterFrom(context, place + 1)) return;
-    s.phase = Phase::Finished;
-    if (++s.repair.round < kRepairRounds) enterFrom(context, 0);
+    if (++s.repair.round < kRepairRounds && enterFrom(context, 0)) return;
+    finishRun(context);
 }
 
 /// Counts and logs a step like a pivot; without one, goes to the next phase.
@@ -145,11 +145,10 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
     return m;
 }
 
-void beginRepairPhases(StepContext& context) {
+void beginRepairPhases(AnyContext auto& context) {
     State& s = context.state;
-    s.phase = Phase::Finished;
     s.pivotTriangles = 0;
-    if (s.triangles.empty() || s.capped() || !enterFrom(context, 0)) return;
+    if (s.triangles.empty() || !enterFrom(context, 0)) return finishRun(context);
     const std::size_t count = context.points.size();
     s.repair = s.edges.empty() ? beginRepair(count, s.triangles)
                                : beginRepair(count, s.triangles, s.edges);
@@ -184,6 +183,8 @@ void phaseRepairFault(AnyContext auto& context) {
     finishStep(context, remeshed ? Stage::Remesh : Stage::RemoveFolded, repaired);
 }
 
+template void beginRepairPhases(UnloggedContext&);
+template void beginRepairPhases(LoggedContext&);
 template void phaseReinsert(UnloggedContext&);
 template void phaseReinsert(LoggedContext&);
 template void phaseFlip(UnloggedContext&);
