@@ -217,6 +217,7 @@ void dumpMeshForm(json& out, const UiState& ui) {
     out["mesh_name"] = ui.browsing.path;
     out["mesh_format"] = std::string(meshFormats()[form.format].extension);
     out["mesh_used_only"] = form.usedOnly;
+    out["mesh_fault_fields"] = form.faultFields;
     out["mesh_triangles"] = form.size ? json(form.size->triangles) : json(nullptr);
     out["mesh_saving"] = form.saving;
     out["mesh_question"] = form.question;

@@ -779,6 +779,28 @@ far_stl_says_its_shift() {
     empty err
 }
 
+fault_fields_are_columns_of_a_ply_alone() {
+    expect 0 run scene:stranded-point -q -o plain.ply
+    expect 0 run scene:stranded-point -q -o fields.ply --fault-fields --report report.json
+    head -c 2000 fields.ply | grep -aq "^property uchar scalar_se_fault" || fail "no column of faults"
+    head -c 2000 fields.ply | grep -aq "^property .* scalar_se_distance" || fail "no column of distances"
+    head -c 2000 plain.ply | grep -aq "scalar_se_fault" && fail "columns without the option"
+    [ "$(number unused_points report.json)" -gt 0 ] || fail "the scene has no unused point"
+    # Read again they are columns like others: kept, and made again where they are wanted.
+    expect 0 run fields.ply -q -o kept.ply
+    head -c 2000 kept.ply | grep -aq "scalar_se_distance" || fail "the columns are not kept"
+    expect 0 run fields.ply -q -o again.ply --fault-fields
+    is "$(head -c 2000 again.ply | grep -ac scalar_se_fault)" 1 "columns of faults"
+    expect 0 run scene:stranded-point -q -o used.ply --fault-fields --used-points
+    "$program" run scene:stranded-point -q --fault-fields -o - | cmp - fields.ply || fail "-o - writes another PLY"
+    for kind in stl obj off glb; do
+        expect 2 run scene:sphere -q -o mesh.$kind --fault-fields
+        says err "--fault-fields -o mesh.$kind: this format cannot hold numbers of points; choose .ply"
+        absent mesh.$kind
+    done
+    expect 2 run scene:sphere -q --fault-fields
+}
+
 off_is_plain_unless_normals_are_asked_for() {
     expect 0 run scene:sphere -q -o plain.off
     is "$(head -1 plain.off)" OFF "keyword"

@@ -111,6 +111,11 @@ TABLE = {
          "if (best != kNone && (MUT || distance > least ||"),
         ("meshes.set-reversed", "entry.odd = !entry.odd;", "if (!MUT) OLD"),
     ],
+    "mesh/fault_fields.cpp": [
+        ("fields.last-fault", ">= severity[p]) continue;", ">= severity[p] && !MUT) continue;"),
+        ("fields.numbers-from-0", ".data() + 1);", ".data() + (MUT ? 0 : 1));"),
+        ("fields.failures-count", "if (!failure.kind->fault) continue;", "if (!MUT) OLD"),
+    ],
     "mesh/fidelity.cpp": [
         ("fidelity.corner-a", "if (d1 <= 0.0 && d2 <= 0.0) return a;", "if (!MUT) OLD"),
         ("fidelity.corner-b", "if (d3 >= 0.0 && d4 <= d3) return b;", "if (!MUT) OLD"),
@@ -123,8 +128,8 @@ TABLE = {
          "if (!MUT && va <= 0.0 && d4 >= d3 && d5 >= d6)"),
         ("fidelity.far-boxes", "x) >= best) return;", "x) >= best * (MUT ? 0.5 : 1.0)) return;"),
         ("fidelity.mean-of-unused",
-         "        ++count;\n        if (used[p]) continue;",
-         "        if (!MUT) ++count;\n        if (used[p]) continue;\n        if (MUT) ++count;"),
+         "        ++count;",
+         "        if (!MUT || distance > 0.0) ++count;"),
         ("fidelity.last-of-box",
          "std::min((box + 1) * kFanOut, below);",
          "std::min((box + 1) * kFanOut - (MUT ? 1 : 0), below);"),

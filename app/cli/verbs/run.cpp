@@ -16,6 +16,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "verbs.h"
@@ -34,6 +35,7 @@ struct RunArguments {
     std::string input;
     std::string output;
     bool usedPoints = false;
+    bool faultFields = false;
     std::string report;
     std::string trace;
     std::optional<std::uint32_t> maxPivots;
@@ -62,6 +64,10 @@ struct RunArguments {
         app.add_flag("--used-points", usedPoints,
                      "Write only the points that are in a triangle (default: all, in their "
                      "order)")
+            ->needs(out);
+        app.add_flag("--fault-fields", faultFields,
+                     "With -o FILE.ply: write as scalar fields of each point its most severe "
+                     "fault and its distance from the mesh")
             ->needs(out);
         piece.addTo(app);
         rules.addTo(app);
@@ -95,9 +101,21 @@ struct RunArguments {
                           fmt::format("-o {}: only {} can be written", output,
                                       listText(meshFormats(), &MeshFormat::extension, "and")));
         if (writing.normals) requireNormals();
+        if (faultFields) requireColumns();
         // A mesh contains the points of the input, so it may replace it.
         requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
+    }
+
+    /// Reports `--fault-fields` where no columns of points can be written.
+    void requireColumns() const {
+        if (output == "-" || keepsColumns(*meshFormatOf(output))) return;
+        throw Failure(
+            ExitCode::Usage,
+            fmt::format("--fault-fields -o {}: this format cannot hold numbers of points; "
+                        "choose {}",
+                        output,
+                        listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns)));
     }
 
     /// Reports `--normals` where no normals can be written.
@@ -187,6 +205,21 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
     if (!arguments.usedPoints) return write(file, outcome.state.mesh());
     const PointFile used = withUsedPoints(file, outcome.state.mesh());
     write(used, used.faces);
+}
+
+/// Searches faults as far as the arguments need them, and counts the mesh.
+void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& outcome) {
+    const std::vector<Triangle>& mesh = outcome.state.mesh();
+    if (arguments.check || arguments.faultFields || !arguments.report.empty()) {
+        outcome.inspection = inspectWithTotals(points, mesh);
+        outcome.places =
+            faultPlaces(points, outcome.inspection->failures, outcome.inspection->meanEdge);
+        outcome.fidelity = fidelityOf(points, mesh);
+    } else if (!arguments.quiet) {
+        outcome.inspection = inspectLocally(points, mesh);
+        outcome.pairs = false;
+    }
+    outcome.mesh = outcome.inspection ? outcome.inspection->report : reportMesh(points, mesh);
 }
 
 /// Reason why a finished run fails `--check` whatever its faults are; empty if there is none.
@@ -287,24 +320,18 @@ ExitCode runVerb(const Arguments& words) {
     prepared.points.neighbors = {};
     outcome.state.edges = {};
     outcome.state.repair.tree = nullptr;
-    if (outcome.ending != Ending::Interrupted) {
-        // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
-        releaseInterrupts();
+    const bool writes = outcome.ending != Ending::Interrupted;
+    // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
+    if (writes) releaseInterrupts();
+    inspect(arguments, prepared.points, outcome);
+    if (arguments.faultFields)
+        setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
+    watch.lap();
+    if (writes) {
         writeResult(arguments, file, outcome);
         trace.commit();
         outcome.seconds.write = watch.lap();
     }
-    if (arguments.check || !arguments.report.empty()) {
-        outcome.inspection = inspectWithTotals(prepared.points, outcome.state.mesh());
-        outcome.places = faultPlaces(prepared.points, outcome.inspection->failures,
-                                     outcome.inspection->meanEdge);
-        outcome.fidelity = fidelityOf(prepared.points, outcome.state.mesh());
-    } else if (!arguments.quiet) {
-        outcome.inspection = inspectLocally(prepared.points, outcome.state.mesh());
-        outcome.pairs = false;
-    }
-    outcome.mesh = outcome.inspection ? outcome.inspection->report
-                                      : reportMesh(prepared.points, outcome.state.mesh());
     return conclude(arguments, outcome);
 }
 

@@ -92,7 +92,7 @@ void MeshController::save(const std::string& path, bool replace) {
         form.justAsked = true;
         return;
     }
-    export_.save({path, form.usedOnly});
+    export_.save({path, form.usedOnly, form.faultFields});
 }
 
 void MeshController::copyCommand(const std::string& path) {
@@ -103,7 +103,7 @@ void MeshController::copyCommand(const std::string& path) {
         known ? form.savedPath
               : meshStem(c_.session) + std::string(meshFormats()[form.format].extension);
     const MeshCommand command =
-        meshCommand(c_.session, {path.empty() ? usual : path, form.usedOnly});
+        meshCommand(c_.session, {path.empty() ? usual : path, form.usedOnly, form.faultFields});
     if (command.text.empty()) {
         form.complaint = command.note;
         return c_.session.messages().say(command.note);

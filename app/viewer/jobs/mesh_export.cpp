@@ -4,10 +4,16 @@
 #include <span>
 
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 
 namespace se::view {
+
+bool MeshTarget::writesFaultFields() const {
+    const MeshFormat* format = meshFormatOf(path);
+    return faultFields && format != nullptr && keepsColumns(*format);
+}
 
 Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
                                 const Progress& progress) {
@@ -30,8 +36,23 @@ Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
     return mesh;
 }
 
-Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
+namespace {
+
+/// The points to write, with the columns of faults if they are wanted and the format holds them.
+std::shared_ptr<const PointFile> pointsFor(const Model& model, const FinishedMesh& mesh,
+                                           const MeshTarget& target) {
+    if (!target.writesFaultFields()) return mesh.points;
+    PointFile points = *mesh.points;
+    setFaultFields(points, model.points, *mesh.triangles,
+                   inspectMesh(model.points, *mesh.triangles));
+    return std::make_shared<const PointFile>(std::move(points));
+}
+
+}  // namespace
+
+Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const MeshTarget& target) {
     SavedMesh saved{target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped};
+    const std::shared_ptr<const PointFile> all = pointsFor(model, mesh, target);
     const auto write = [&](const PointFile& points,
                            std::span<const Triangle> triangles) -> Result<SavedMesh> {
         const Status written = writeMesh(target.path, points, triangles);
@@ -39,8 +60,8 @@ Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
         saved.shift = shiftOf(*meshFormatOf(target.path), points, triangles);
         return saved;
     };
-    if (!target.usedOnly) return write(*mesh.points, *mesh.triangles);
-    const PointFile used = withUsedPoints(*mesh.points, *mesh.triangles);
+    if (!target.usedOnly) return write(*all, *mesh.triangles);
+    const PointFile used = withUsedPoints(*all, *mesh.triangles);
     return write(used, used.faces);
 }
 
@@ -72,9 +93,8 @@ void MeshExport::startWriting() {
         outcome_ = Result<SavedMesh>(Error{mesh_.complaint()});
     }
     if (!order_ || mesh() == nullptr) return;
-    file_.start([mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](const Progress&) {
-        return saveMesh(mesh, target);
-    });
+    file_.start([model = model_, mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](
+                    const Progress&) { return saveMesh(*model, mesh, target); });
 }
 
 bool MeshExport::poll() {

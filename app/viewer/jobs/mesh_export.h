@@ -14,8 +14,11 @@ namespace se::view {
 
 /// Destination of a mesh, and the choice of its points.
 struct MeshTarget {
-    std::string path;       ///< Its extension names the format (core's write_mesh.h).
-    bool usedOnly = false;  ///< Without the points that are in no triangle.
+    std::string path;          ///< Its extension names the format (core's write_mesh.h).
+    bool usedOnly = false;     ///< Without the points that are in no triangle.
+    bool faultFields = false;  ///< With core's setFaultFields(), where the format holds columns.
+
+    bool writesFaultFields() const;
 };
 
 /// The mesh at the end of a run, and the points that it is written with.
@@ -83,7 +86,8 @@ class MeshExport {
 /// `progress` cancels.
 Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
                                 const Progress& progress = {});
-/// Writes it as `spiraling-edge run -o` does. Fails with a sentence that names the file.
-Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target);
+/// Writes the mesh that `model` ends with as `spiraling-edge run -o` does. Fails with a sentence
+/// that names the file.
+Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const MeshTarget& target);
 
 }  // namespace se::view

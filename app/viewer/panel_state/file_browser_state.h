@@ -72,6 +72,7 @@ struct MeshSize {
 struct MeshForm {
     std::size_t format = 0;  ///< A position in core's meshFormats().
     bool usedOnly = false;
+    bool faultFields = false;
     MeshAsk ask = MeshAsk::None;
     std::string path;  ///< The file that `ask` names.
 

@@ -170,6 +170,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     MeshCommand command{steps.before + kProgram + " run " + shellQuoted(steps.input), steps.note};
     command.text += runOptions(withFixesChosen(spec));
     if (target.usedOnly) command.text += " --used-points";
+    if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellQuoted(target.path);
     return command;
 }

@@ -50,6 +50,8 @@ std::span<const MeshFormat> meshFormats();
 /// The format of a path's extension, in upper or lower case; PLY if it has none. Null if no format
 /// fits.
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
+/// True if files of this format hold the attributes of the points.
+inline bool keepsColumns(const MeshFormat& format) { return format.leavesOut.empty(); }
 /// True if readPoints() reads files of this format.
 bool isReadable(const MeshFormat& format);
 

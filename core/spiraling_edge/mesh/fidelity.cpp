@@ -112,23 +112,31 @@ class TriangleTree {
 
 }  // namespace
 
-Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
+std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
-    Fidelity fidelity;
-    if (triangles.empty()) return fidelity;
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> distances(points.size(), kUnknown);
+    if (triangles.empty()) return distances;
     const TriangleTree tree(points, triangles);
     const std::vector<bool> used = usedPoints(points.size(), triangles);
-    std::size_t count = 0;
-    double sum = 0.0;
     for (std::size_t p = 0; p < points.size(); ++p) {
         if (!isFinite(points.position[p])) continue;
+        distances[p] = used[p] ? 0.0 : tree.distance(points.position[p]);
+    }
+    return distances;
+}
+
+Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
+    Fidelity fidelity;
+    std::size_t count = 0;
+    double sum = 0.0;
+    for (const double distance : distancesFromMesh(points, triangles)) {
+        if (std::isnan(distance)) continue;
         ++count;
-        if (used[p]) continue;
-        const double distance = tree.distance(points.position[p]);
         fidelity.greatestDistance = std::max(fidelity.greatestDistance, distance);
         sum += distance;
     }
-    fidelity.meanDistance = sum / static_cast<double>(count);
+    if (count > 0) fidelity.meanDistance = sum / static_cast<double>(count);
     return fidelity;
 }
 

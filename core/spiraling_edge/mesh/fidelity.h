@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "spiraling_edge/points/point_set.h"
 
@@ -12,6 +13,12 @@ struct Fidelity {
     double greatestDistance = 0.0;  ///< Scene units.
     double meanDistance = 0.0;      ///< Over all points with a finite position; scene units.
 };
+
+/// The distance of each point from the nearest triangle, scene units: 0 for a point in a triangle,
+/// NaN for a point without a finite position, and for every point if there is no triangle. Requires
+/// corners below points.size() with finite positions. Deterministic. About O(t log t + n log t) for
+/// n points in no triangle.
+std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Triangle> triangles);
 
 /// Measures the distance of each point to the nearest triangle; points without a finite position
 /// are left out. Both are 0 if there is no triangle. Requires corners below points.size() with

@@ -75,3 +75,14 @@ TEST_CASE("fidelity: the nearest of many triangles is the one that trying all fi
         CHECK(fidelityOf(one, triangles).greatestDistance == nearest);
     }
 }
+
+TEST_CASE("fidelity: the distance of each point, and none where there is nothing to measure") {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const PointSet points = withPoints({{1, 1, 2}, {kNan, 0, 0}});
+    const std::vector<double> distances = distancesFromMesh(points, Triangles{{0, 1, 2}});
+    REQUIRE(distances.size() == 5);
+    CHECK(distances[0] == 0.0);
+    CHECK(distances[3] == doctest::Approx(2.0));
+    CHECK(std::isnan(distances[4]));
+    for (const double each : distancesFromMesh(points, {})) CHECK(std::isnan(each));
+}

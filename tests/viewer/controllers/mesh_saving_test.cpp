@@ -191,7 +191,8 @@ TEST_CASE("For an STL far from the origin the notice reports the offset of its p
     for (Vec3& place : far.position) place += Vec3(500000, 5400000, 300);
     mesh.points = std::make_shared<const PointFile>(std::move(far));
     const auto noticeOf = [&](const char* name) {
-        const Result<SavedMesh> saved = saveMesh(mesh, {(app.folder / name).string(), false});
+        const Result<SavedMesh> saved =
+            saveMesh(app.session.model(), mesh, {(app.folder / name).string(), false});
         REQUIRE(saved.ok());
         return savedText(saved.value());
     };

@@ -40,6 +40,11 @@ TEST_CASE("The command names the input and the mesh, each as one word of a shell
     CHECK(textOf(specOf(kSphere)) == "spiraling-edge run scene:sphere -o m.ply");
     CHECK(textOf(specOf(kSphere), {"/a b/it's.obj", true}) ==
           "spiraling-edge run scene:sphere --used-points -o '/a b/it'\\''s.obj'");
+    CHECK(textOf(specOf(kSphere), {"m.ply", true, true}) ==
+          "spiraling-edge run scene:sphere --used-points --fault-fields -o m.ply");
+    // Only PLY holds columns.
+    CHECK(textOf(specOf(kSphere), {"m.stl", false, true}) ==
+          "spiraling-edge run scene:sphere -o m.stl");
     const std::string here = textOf(specOf("odd $name.ply"));
     CHECK(here ==
           "spiraling-edge run '" + (fs::current_path() / "odd $name.ply").string() + "' -o m.ply");
@@ -149,16 +154,17 @@ WhatIf turnedTest(const InputSpec& spec) {
 }
 
 /// Compares the file saved by the viewer with that of the copied command; they must be equal.
-void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false) {
+void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false,
+                     bool faultFields = false) {
     test::HeadlessApp app("reproduced test");  // a space in the path
     MeshController saving(app.context);
     app.session.open(spec);
     app.session.waitUntilDone();
     REQUIRE_MESSAGE(app.session.ready(), app.session.input().error());
-    const MeshTarget target{(app.folder / name).string(), usedOnly};
+    const MeshTarget target{(app.folder / name).string(), usedOnly, faultFields};
     const auto mesh = finishMesh(app.session.model(), *app.session.input().file());
     REQUIRE(!mesh.value().triangles->empty());
-    REQUIRE(saveMesh(mesh.value(), target).ok());
+    REQUIRE(saveMesh(app.session.model(), mesh.value(), target).ok());
     const std::optional<std::string> saved = readText(target.path);
     fs::remove(target.path);
     const MeshCommand command = meshCommand(app.session, target);
@@ -197,6 +203,7 @@ TEST_CASE("The copied command writes the same bytes: scenes, all formats, used p
         CAPTURE(name);
         checkReproduced(specOf("scene:sheet"), name);
         checkReproduced(specOf("scene:stranded-point"), name, true);
+        checkReproduced(specOf("scene:stranded-point"), name, true, true);
     }
 }
 

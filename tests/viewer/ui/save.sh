@@ -61,6 +61,16 @@ press ctrl+p; says palette true; type_text "copy command"; press Return; says pa
 says message 'Copied the command\.'; says mesh_command ".*other\.off'?"
 run_copied other.off
 
+# Columns of faults, which PLY alone holds.
+press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'
+click_on "mesh fault fields"; says mesh_fault_fields false
+click_on "mesh PLY"; click_on "mesh fault fields"; says mesh_fault_fields true
+click_on "mesh copy command"; says mesh_command 'spiraling-edge run .* --fault-fields .*'
+enter; says mesh_dialog false
+run_copied other.ply
+press ctrl+e; says mesh_dialog true; click_on "mesh fault fields"; says mesh_fault_fields false
+press Escape; says mesh_dialog false
+
 # A write error is reported in the dialog, and another name works.
 press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'
 says typing true; type_text "none/a.ply"; says mesh_name 'none/a\.ply'

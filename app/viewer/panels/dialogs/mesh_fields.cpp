@@ -71,6 +71,22 @@ void drawPoints(const PanelContext& context) {
         form.usedOnly = true;
 }
 
+/// Columns of faults, for formats that hold columns.
+void drawFields(const PanelContext& context) {
+    MeshForm& form = context.state<MeshForm>();
+    const bool possible = keepsColumns(meshFormats()[form.format]);
+    drawName(context, "Fields");
+    ImGui::BeginDisabled(!possible);
+    bool on = form.faultFields && possible;
+    if (ImGui::Checkbox("Faults and distances of points", &on)) form.faultFields = on;
+    nameItem(context, "mesh fault fields",
+             possible
+                 ? "Scalar fields se_fault and se_distance, as CloudCompare shows them "
+                   "(--fault-fields)"
+                 : "Only in " + listText(meshFormats(), &MeshFormat::name, "and", keepsColumns));
+    ImGui::EndDisabled();
+}
+
 /// Size of the mesh, and the state of the run.
 void drawSize(const PanelContext& context) {
     const MeshForm& form = context.state<MeshForm>();
@@ -141,6 +157,7 @@ void drawMeshFields(const PanelContext& context, std::string& name, const std::s
     if (!form.question.empty()) return drawQuestion(context);
     drawFormats(context, name);
     drawPoints(context);
+    drawFields(context);
     drawSize(context);
     drawCopy(context, path);
     ImGui::Separator();
