@@ -1,5 +1,8 @@
 /// Whether se::inspectMesh() finds what CGAL finds, on the meshes of all scenes under two sets of
-/// rules and on meshes with a planted failure.
+/// rules and on meshes with a planted failure; and whether distances from them agree within 1 %.
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -9,11 +12,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/mesh/fidelity.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
@@ -105,7 +110,56 @@ std::vector<NamedMesh> plantedMeshes() {
     return meshes;
 }
 
+Kernel::Triangle_3 triangleOf(const se::PointSet& points, const se::Triangle& t) {
+    const auto at = [&](se::Index p) {
+        const se::Vec3& x = points.position[p];
+        return Kernel::Point_3(x.x, x.y, x.z);
+    };
+    return {at(t.a), at(t.b), at(t.c)};
+}
+
+/// The distances of all points by CGAL's tree of boxes. Requires triangles, none degenerate.
+se::Fidelity fidelityOfCgal(const se::PointSet& points, const std::vector<se::Triangle>& mesh) {
+    using Soup = std::vector<Kernel::Triangle_3>;
+    using Primitive = CGAL::AABB_triangle_primitive<Kernel, Soup::const_iterator>;
+    using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+    Soup soup;
+    for (const se::Triangle& t : mesh) soup.push_back(triangleOf(points, t));
+    Tree tree(soup.cbegin(), soup.cend());
+    tree.accelerate_distance_queries();
+    se::Fidelity found;
+    double sum = 0.0;
+    for (const se::Vec3& x : points.position) {
+        const double distance =
+            std::sqrt(std::max(0.0, tree.squared_distance(Kernel::Point_3(x.x, x.y, x.z))));
+        found.greatestDistance = std::max(found.greatestDistance, distance);
+        sum += distance;
+    }
+    found.meanDistance = sum / static_cast<double>(points.size());
+    return found;
+}
+
 }  // namespace
+
+TEST_CASE("distances of points from the mesh agree with CGAL's within 1 %") {
+    std::size_t apart = 0;
+    for (NamedMesh& mesh : meshesOfScenes()) {
+        CAPTURE(mesh.name);
+        // A third of the mesh leaves many points out.
+        std::erase_if(mesh.triangles, [&](const se::Triangle& t) {
+            return triangleOf(mesh.points, t).is_degenerate();
+        });
+        mesh.triangles.resize(mesh.triangles.size() / 3);
+        if (mesh.triangles.empty()) continue;
+        const se::Fidelity ours = se::fidelityOf(mesh.points, mesh.triangles);
+        const se::Fidelity theirs = fidelityOfCgal(mesh.points, mesh.triangles);
+        const auto near = [](double a, double b) { return std::abs(a - b) <= 0.01 * b + 1e-12; };
+        CHECK(near(ours.greatestDistance, theirs.greatestDistance));
+        CHECK(near(ours.meanDistance, theirs.meanDistance));
+        apart += ours.greatestDistance > 0.0 ? 1 : 0;
+    }
+    CHECK(apart > 10);
+}
 
 TEST_CASE("the checks of meshes agree with CGAL's") {
     std::vector<NamedMesh> meshes = meshesOfScenes();
