@@ -315,7 +315,7 @@ void Application::observeEdits() {
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
         const InputSpec& spec = session_.input().spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
-        const bool changed = !isSameRun(std::exchange(undoRun_, now), now);
+        const bool changed = std::exchange(undoInput_, spec) != spec;
         if (!same || !changed) return undo_.begin(now);
     }
     const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
@@ -338,11 +338,8 @@ void Application::undoOrRedo() {
     applyEdits(step->edits, commands_);
     Edits made = captureEdits(commands_);
     // An input that was opened again has no selection.
-    const bool samePoints = made.fixes == step->edits.fixes && made.leftOut == step->edits.leftOut;
-    if (!samePoints) made.selected = {};
-    made.fixes = step->edits.fixes;
-    made.leftOut = step->edits.leftOut;
-    made.rules = step->edits.rules;
+    if (ui_.requests.settings) made.selected = {};
+    made.input = step->edits.input;
     undo_.accept(made);
     session_.messages().say((undo ? "Undone: " : "Redone: ") + step->change + ".");
 }

@@ -124,7 +124,7 @@ class Application {
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;
-    Edits undoRun_;                  ///< Edits that the open run was made with.
+    InputSpec undoInput_;            ///< Options that the open run was made with.
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.

@@ -126,6 +126,9 @@ void dumpRun(json& out, const Session& session) {
     out["verdict"] = alerts.done() ? verdictText(alerts) : "";
     out["place"] = session.alerts().place() ? *session.alerts().place() + 1 : 0;
     out["alert"] = session.alerts().chosen() ? alertName(alerts, *session.alerts().chosen()) : "";
+    const TrialJob& trials = session.trials();
+    out["trials_ended"] = trials.ended() || (alerts.done() && alerts.places().empty());
+    out["trial_best"] = trials.best() != nullptr ? wordsOf(trials.best()->change) : "";
     out["noticed"] = session.noticedHere().size();
     out["hovered"] = indexOrNull(session.highlights().hovered());
     out["busy"] = session.moves().busy();

@@ -9,6 +9,7 @@
 #include "run/overview.h"
 #include "run/rule_set.h"
 #include "run/strings.h"
+#include "run/trial_settings.h"
 #include "session/playback.h"
 
 namespace se::view {
@@ -206,15 +207,18 @@ void switchOn(CommandContext& context, const Remedy& remedy) {
     context.ui.requests.resume = Resume::End;
 }
 
-bool canFixByRules(const CommandContext& context) {
-    return rulesOf(context.session.input().spec()).name != "robust";
+std::optional<SettingsChange> bestChange(const CommandContext& context) {
+    const TrialJob& job = context.session.trials();
+    if (job.best() != nullptr) return job.best()->change;
+    constexpr SettingsChange kRobust{.rules = "robust"};
+    const bool open = !job.ended() && context.session.input().spec().rules != kRobust.rules;
+    return open ? std::optional(kRobust) : std::nullopt;
 }
 
-void fixByRules(CommandContext& context) {
-    assert(canFixByRules(context));
-    RuleSet rules = rulesOf(context.session.input().spec());
-    rules.name = "robust";
-    context.ui.requests.rules = std::move(rules);
+void fixByTrials(CommandContext& context) {
+    const auto change = bestChange(context);
+    assert(change);
+    actions::requestSettings(context, withChange(context.session.input().spec(), *change));
     context.ui.requests.resume = Resume::End;
 }
 

@@ -53,11 +53,11 @@ bool showsFinishedMesh(const CommandContext& context);
 /// Runs the input again with one more rule, or another set of rules, to its end: the place of the
 /// defect is visible there, since selection and camera stay.
 void switchOn(CommandContext& context, const Remedy& remedy);
-/// True if the input is not run with the set robust already.
-bool canFixByRules(const CommandContext& context);
-/// Runs the input again with the set robust, and the same choices of rules, to its end. Requires
-/// canFixByRules().
-void fixByRules(CommandContext& context);
+/// The change of settings that Fix makes: that of the best trial so far; before there is one, the
+/// rules of robust. Nothing if no change is known to help.
+std::optional<SettingsChange> bestChange(const CommandContext& context);
+/// Runs the input again with the settings of bestChange(), to its end. Requires one.
+void fixByTrials(CommandContext& context);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);
 

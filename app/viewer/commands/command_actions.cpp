@@ -7,6 +7,7 @@
 #include <string>
 
 #include "piece_actions.h"
+#include "run/model.h"
 
 namespace se::view {
 
@@ -29,6 +30,15 @@ void closeDialogs(UiState& ui) {
 }  // namespace
 
 void pause(C& c) { c.playback.pause(); }
+
+void requestSettings(C& c, const InputSpec& spec) {
+    UiRequests& requests = c.ui.requests;
+    if (withRules(c.session.input().spec(), rulesOf(spec)) == spec) {
+        requests.rules = rulesOf(spec);
+        return;
+    }
+    requests.settings = spec;
+}
 
 void escape(C& c) {
     UiState& ui = c.ui;

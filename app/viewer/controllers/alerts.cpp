@@ -45,6 +45,7 @@ void AlertController::poll() {
         c_.ui.verdict = {};
     }
     reportChange();
+    startTrials();
     if (!asked_.empty()) return showAsked();
     if (const std::string kept = document_.takeAlert(); !kept.empty())
         session.alerts().choose(alertNamed(session.alerts().search(), kept));
@@ -70,6 +71,16 @@ void AlertController::reportChange() {
     const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
                                                   : "Now " + verdict_ + "; before, " + before + ".";
     c_.session.messages().say(said + (said.empty() ? "" : " ") + change);
+}
+
+/// Other settings are tried without a request where that is quick, and the addresses of what-ifs
+/// are not in the way.
+void AlertController::startTrials() {
+    const Session& session = c_.session;
+    const bool faulty = !session.alerts().search().places().empty();
+    const bool quick = session.model().points.size() <= kManyForTrials;
+    if (interactive_ && faulty && quick && session.input().spec().whatIf.empty())
+        c_.session.trials().start();
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.

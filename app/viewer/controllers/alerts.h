@@ -27,6 +27,7 @@ class AlertController {
   private:
     void chooseOfGallery();
     void reportChange();
+    void startTrials();
     void showAsked();
 
     CommandContext& c_;

@@ -59,9 +59,7 @@ Edits captureEdits(const CommandContext& context) {
             context.camera.pose(),
             context.session.selection(),
             annotationsOf(ui),
-            context.session.input().spec().fixes,
-            context.session.input().spec().leftOut,
-            rulesOf(context.session.input().spec())};
+            context.session.input().spec()};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
@@ -74,11 +72,9 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
     putBack(edits.annotations, ui);
     const InputSpec& spec = context.session.input().spec();
-    if (edits.rules != rulesOf(spec)) ui.requests.rules = edits.rules;
-    if (edits.fixes != spec.fixes) ui.requests.fixes = edits.fixes;
-    if (edits.leftOut != spec.leftOut) ui.requests.leftOut = edits.leftOut;
+    if (edits.input != spec) actions::requestSettings(context, edits.input);
     // With other points the numbers may refer to others.
-    if (!ui.requests.fixes && !ui.requests.leftOut) context.session.select(edits.selected);
+    if (!ui.requests.settings) context.session.select(edits.selected);
 }
 
 void DocumentController::begin(const Options& options) {
@@ -282,7 +278,7 @@ void DocumentController::carryOut(UiRequests& requests) {
         if (unsaved().empty()) go(to);
     }
     if (!requests.open.empty()) leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
-    if (requests.fixes || requests.leftOut) takeChanges(requests);
+    if (requests.fixes || requests.leftOut || requests.settings) takeChanges(requests);
     const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
@@ -330,9 +326,10 @@ void DocumentController::takeChanges(UiRequests& requests) {
     const auto fixes = std::exchange(requests.fixes, std::nullopt);
     const auto leftOut = std::exchange(requests.leftOut, std::nullopt);
     const auto rules = std::exchange(requests.rules, std::nullopt);
+    const auto settings = std::exchange(requests.settings, std::nullopt);
     if (!c_.session.ready() || c_.session.input().phase() == SessionPhase::Loading) return;
     c_.playback.pause();
-    InputSpec spec = c_.session.input().spec();
+    InputSpec spec = settings ? *settings : c_.session.input().spec();
     if (rules) spec = withRules(std::move(spec), *rules);
     if (fixes) spec.fixes = *fixes;
     if (leftOut) spec.leftOut = *leftOut;

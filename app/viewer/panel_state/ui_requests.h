@@ -35,6 +35,7 @@ struct UiRequests {
     std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.
     /// Points of the file to open the input without, by their indices; empty: all of them.
     std::optional<IndexRanges> leftOut;
+    std::optional<InputSpec> settings;     ///< The open input with other options.
     std::optional<RuleSet> rules;          ///< Rules to re-run with; see withRule().
     Resume resume = Resume::SamePosition;  ///< With `rules`.
     std::string open;                      ///< A path or `scene:ID`; empty: nothing.

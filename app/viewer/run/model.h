@@ -68,6 +68,7 @@ struct InputSpec {
     std::shared_ptr<const PointFile> points = nullptr;
     std::vector<WhatIf> whatIf = {};  ///< Decisions that the user overrides.
     IndexRanges leftOut = {};         ///< Points of the file to run without, by their indices.
+    friend bool operator==(const InputSpec&, const InputSpec&) = default;
 };
 /// Options for prepare(), for points of `file`.
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "run/number_format.h"
+#include "run/trial_settings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"
@@ -105,22 +106,6 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     steps.note += '.';
 }
 
-/// `spec` with the options that the other fixes choose.
-InputSpec withFixesChosen(InputSpec spec) {
-    for (const std::string& name : spec.fixes) {
-        const DoctorCheck* check = findDoctorCheck(name);
-        if (check == nullptr) continue;
-        if (check->fix == Fix::Orient) spec.normals = NormalSource::Oriented;
-        if (check->fix == Fix::Symmetric) spec.neighbors.symmetric = true;
-        if (check->fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
-        if (check->fix == Fix::Rim) spec.rim = true;
-        if (check->fix != Fix::NewLists) continue;
-        spec.neighbors.reach = KNearest{};
-        spec.neighbors.recompute = true;
-    }
-    return spec;
-}
-
 std::string reachOption(const NeighborOptions& lists) {
     if (!lists.recompute) return {};
     if (const auto* nearest = std::get_if<KNearest>(&lists.reach))
@@ -168,7 +153,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     if (steps.input.empty()) return {{}, steps.note};
     addDoctor(spec, target, steps);
     MeshCommand command{steps.before + kProgram + " run " + shellQuoted(steps.input), steps.note};
-    command.text += runOptions(withFixesChosen(spec));
+    command.text += runOptions(withFixOptions(spec));
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellQuoted(target.path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "jobs/questions.h"
+#include "run/trial_settings.h"
 
 namespace se::view {
 
@@ -57,6 +58,7 @@ void Session::adopt(Opened opened) {
     hits_.open(model_);
     watches_.open(model_);
     alerts_.open(model_);
+    trials_.open(input_.file(), settingsOf(input_.spec(), *input_.file()));
     ++generation_;
     ++revision_;
     overviewJob_ = std::make_unique<OverviewJob>(model_);
@@ -103,7 +105,8 @@ bool Session::pollLast() {
     doctorJob_.start();
     alerts_.start();
     const bool alerted = alerts_.poll();
-    if (!doctorJob_.poll()) return alerted;
+    const bool news = trials_.poll() || alerted;
+    if (!doctorJob_.poll()) return news;
     const auto found = doctorJob_.findings();
     problemFound_ =
         std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.isProblem(); });
@@ -125,6 +128,7 @@ void Session::waitUntilDone() {
     doctorJob_.waitUntilDone();
     questions_->waitUntilDone();
     alerts_.waitUntilDone();
+    trials_.waitUntilDone();
     poll();
 }
 

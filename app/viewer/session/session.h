@@ -18,6 +18,7 @@
 #include "jobs/doctor_job.h"
 #include "jobs/hit_search.h"
 #include "jobs/overview_job.h"
+#include "jobs/trial_job.h"
 #include "jobs/watch_scan.h"
 #include "messages.h"
 #include "moves.h"
@@ -123,6 +124,9 @@ class Session {
     // Searches in the run.
     RunAlerts& alerts() { return alerts_; }
     const RunAlerts& alerts() const { return alerts_; }
+    /// Trials of other settings; started by those who want them.
+    TrialJob& trials() { return trials_; }
+    const TrialJob& trials() const { return trials_; }
     /// Hits of the breakpoints.
     HitSearch& hits() { return hits_; }
     const HitSearch& hits() const { return hits_; }
@@ -175,6 +179,7 @@ class Session {
 
     Moves moves_;
     RunAlerts alerts_;
+    TrialJob trials_;
     HitSearch hits_;
     WatchScan watches_;
     DoctorJob doctorJob_;

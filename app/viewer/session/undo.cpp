@@ -33,10 +33,6 @@ bool onlyCamera(Edits from, const Edits& to) {
 
 }  // namespace
 
-bool isSameRun(const Edits& a, const Edits& b) {
-    return a.fixes == b.fixes && a.leftOut == b.leftOut && a.rules == b.rules;
-}
-
 std::string describeChange(const Edits& from, const Edits& to) {
     std::string text;
     if (from.theme != to.theme) add(text, "theme");
@@ -55,9 +51,13 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.annotations.breakpoints != to.annotations.breakpoints) add(text, "breakpoints");
     if (from.annotations.watches != to.annotations.watches) add(text, "watches");
     // The other changes are consequences of this one.
-    if (from.fixes != to.fixes) return "the doctor's fix";
-    if (from.leftOut != to.leftOut) return "points left out";
-    if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));
+    const InputSpec& a = from.input;
+    const InputSpec& b = to.input;
+    if (withRules(a, rulesOf(b)) != b) {
+        if (a.fixes != b.fixes) return "the doctor's fix";
+        return a.leftOut != b.leftOut ? "points left out" : "preparation of the points";
+    }
+    if (a != b) add(text, describeChange(rulesOf(a), rulesOf(b)));
     return text;
 }
 

@@ -8,9 +8,7 @@
 #include "annotations.h"
 #include "layers/layer.h"
 #include "layout_preset.h"
-#include "run/doctor_fixes.h"
-#include "run/index_ranges.h"
-#include "run/rule_set.h"
+#include "run/model.h"
 #include "run/selection.h"
 #include "scene/camera.h"
 #include "scene/palette.h"
@@ -27,14 +25,10 @@ struct Edits {
     CameraPose camera;
     Selection selected;
     Annotations annotations;
-    Fixes fixes;          ///< Fixes of the input: a change opens it again.
-    IndexRanges leftOut;  ///< Points of the file: a change opens it again.
-    RuleSet rules;        ///< A change re-runs the input.
+    InputSpec input;  ///< The options of the open input: a change runs it again.
     friend bool operator==(const Edits&, const Edits&) = default;
 };
 
-/// True if both are of the same points and rules: of one run.
-bool isSameRun(const Edits& a, const Edits& b);
 /// Differences in words: "camera", "layer normals, selection".
 std::string describeChange(const Edits& from, const Edits& to);
 

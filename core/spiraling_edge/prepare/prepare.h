@@ -19,16 +19,19 @@ namespace se {
 /// The k nearest points.
 struct KNearest {
     std::size_t k = 12;
+    friend bool operator==(const KNearest&, const KNearest&) = default;
 };
 /// All points not farther than `radius`, in scene units.
 struct WithinRadius {
     double radius = 0.0;
+    friend bool operator==(const WithinRadius&, const WithinRadius&) = default;
 };
 /// All points not farther than `spacings` times the mean distance of a point to its nearest
 /// neighbor, as for particles that repel each other within a radius (§3 and §6.4, "search range";
 /// docs/table1.md).
 struct WithinSpacings {
     double spacings = 1.6;
+    friend bool operator==(const WithinSpacings&, const WithinSpacings&) = default;
 };
 
 /// Options of the computation of neighbor lists.
@@ -45,6 +48,7 @@ struct NeighborOptions {
     bool recompute = false;
     /// Makes lists symmetric (symmetricLists).
     bool symmetric = false;
+    friend bool operator==(const NeighborOptions&, const NeighborOptions&) = default;
 };
 
 /// Source of normals.

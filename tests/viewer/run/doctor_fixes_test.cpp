@@ -172,8 +172,8 @@ TEST_CASE("Undo restores the fixes, and selects no point of the other input") {
     CHECK(describeChange(before, after) == "the doctor's fix");
     applyEdits(before, app.context);
     CHECK(app.session.selection().kind == SelectionKind::None);
-    REQUIRE(app.ui.requests.fixes);
-    CHECK(app.ui.requests.fixes->empty());
+    REQUIRE(app.ui.requests.settings);
+    CHECK(app.ui.requests.settings->fixes.empty());
     app.document.carryOut(app.ui.requests);
     app.waitUntilDone();
     CHECK(app.finds("zero_normals"));

@@ -124,6 +124,14 @@ TEST_CASE("Every kind of change has a name") {
     Edits noted = to;
     noted.annotations.bookmarks[0].note = "look";
     CHECK(describeChange(to, noted) == "note of a bookmark");
+    Edits ruled = from;
+    ruled.input.rules = "robust";
+    CHECK(describeChange(from, ruled) == "rules robust");
+    Edits prepared = ruled;
+    prepared.input.neighbors.reach = KNearest{10};
+    CHECK(describeChange(ruled, prepared) == "preparation of the points");
+    prepared.input.fixes = {"noise"};
+    CHECK(describeChange(ruled, prepared) == "the doctor's fix");
 }
 
 TEST_CASE("Breakpoints and watches are undone and redone") {

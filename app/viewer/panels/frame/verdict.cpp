@@ -63,6 +63,50 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
+/// "points lost 3 · openings closed 1 of 2 · distances to 0.4, mean 0.01": the numbers by which
+/// trials are compared, besides faults. Distances in spacings.
+std::string numbersText(const MeshNumbers& numbers, const Model& model) {
+    const auto spacings = [&](double length) {
+        return formatted("%.2g", length * model.scale / model.spacing);
+    };
+    std::string text = grouped(faultCount(numbers.totals)) + " faults \xC2\xB7 " +
+                       grouped(numbers.lost) + " lost";
+    if (numbers.setAside > 0) text += " \xC2\xB7 " + grouped(numbers.setAside) + " set aside";
+    if (numbers.openings > 0) {
+        text += " \xC2\xB7 " + grouped(numbers.closed) + " of " + grouped(numbers.openings) +
+                " openings closed";
+    }
+    return text + " \xC2\xB7 up to " + spacings(numbers.fidelity.greatestDistance) +
+           " spacings off, " + spacings(numbers.fidelity.meanDistance) + " in the mean";
+}
+
+/// The trials of other settings: what is tried, and the numbers of the open run and of the best.
+void drawTrials(const PanelContext& context) {
+    TrialJob& job = context.session().trials();
+    const Model& model = context.session().model();
+    const bool idle = !job.busy() && !job.ended();
+    if (idle && !context.session().input().spec().whatIf.empty()) return;
+    ImGui::Spacing();
+    if (idle) {
+        if (smallButton(context, "Try other settings", "verdict try",
+                        "Rules, neighbors, normals and more: up to 20 runs, in the background"))
+            job.start();
+        return;
+    }
+    const std::vector<Trial>& tried = job.trials().tried;
+    if (const Trial* best = job.best()) {
+        wrappedText("Better: " + wordsOf(best->change));
+        dimText("now: " + numbersText(tried.front().numbers, model));
+        dimText("then: " + numbersText(best->numbers, model));
+    }
+    if (job.busy()) {
+        const std::string text = job.trying().empty() ? "trying other settings" : job.trying();
+        if (progressAndStop(context, job.share(), text.c_str(), "verdict stop")) job.stop();
+    } else if (job.best() == nullptr && !tried.empty()) {
+        dimText("No better settings among " + withS(tried.size() - 1, "change") + " tried.");
+    }
+}
+
 struct CardAction {
     const char* label;
     const char* name;
@@ -85,9 +129,9 @@ std::vector<CardAction> actionsOf(const PanelContext& context, const AlertSearch
             {"Why?", "verdict why",
              "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why"),
              askWhyShown});
-        if (canFixByRules(context.commands))
-            list.push_back({"Fix", "verdict fix", "Run again with the rules of robust, to the end",
-                            [](const PanelContext& c) { fixByRules(c.commands); }});
+        if (const auto change = bestChange(context.commands))
+            list.push_back({"Fix", "verdict fix", "Run again, to the end: " + wordsOf(*change),
+                            [](const PanelContext& c) { fixByTrials(c.commands); }});
     }
     list.push_back({"Save mesh...", "verdict save", context.key("file.savemesh"),
                     [](const PanelContext& c) { c.run("file.savemesh"); }});
@@ -129,6 +173,7 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     if (!isSmall(context)) {
         if (faulty) wrappedText(classesText(*alerts.found()));
         dimText(meshText(*alerts.found(), context.session().model()));
+        if (faulty) drawTrials(context);
         ImGui::Spacing();
     }
     drawActions(context, alerts);
