@@ -50,8 +50,10 @@ void addFaults(const LayerInput& in, DrawList& out) {
     }
     const std::size_t numbered = std::min(in.faults->places.size(), kMaxNumbered);
     for (std::size_t i = 0; i < numbered; ++i) {
-        out.label(in.model.toView(in.faults->places[i].center), std::to_string(i + 1),
-                  in.palette.rejected, true);
+        const FaultPlace& place = in.faults->places[i];
+        out.label(in.model.toView(place.center), std::to_string(i + 1), in.palette.rejected, true);
+        // Smaller ones have a pin.
+        out.labels.back().extent = sizeOnMesh(in.model, place);
     }
 }
 

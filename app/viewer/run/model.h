@@ -1,6 +1,7 @@
 /// The input as the viewer holds it: points ready for the stepper, and their positions on screen.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,6 +16,7 @@
 #include "rule_set.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/params.h"
@@ -153,5 +155,11 @@ class InputHash {
 
 /// Hash of positions, then normals, as little endian doubles: for inputs without a file.
 std::string hashOfPoints(const PointFile& points);
+
+/// Radius of what is to be seen at a place with faults, view units: that of its most severe fault,
+/// and at least the spacing.
+inline float sizeOnMesh(const Model& model, const FaultPlace& place) {
+    return std::max(static_cast<float>(place.radius * model.scale), model.spacing);
+}
 
 }  // namespace se::view

@@ -85,6 +85,9 @@ struct Label {
     Color color;
     bool strong = false;     ///< In bold type.
     bool essential = false;  ///< Placed before all others.
+    /// Radius of the labeled place, view units: it has no label where it is too small to be seen.
+    /// 0: it always has.
+    float extent = 0.0F;
 };
 
 /// Styles of the points of the input, chosen per point by one byte.
@@ -180,7 +183,7 @@ struct DrawList {
     }
     void label(const glm::vec3& position, std::string text, const Color& color,
                bool strong = false) {
-        labels.push_back({position, std::move(text), color, strong, false});
+        labels.push_back({position, std::move(text), color, strong, false, 0.0F});
     }
     /// A circle about `center` with the unit vectors u and v, as `segments` lines.
     void circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,

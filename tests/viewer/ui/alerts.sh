@@ -94,4 +94,17 @@ press End; says at_end true
 click_on "verdict close"
 press End; denies "verdict card" "\[.*"
 stop
+
+# From afar the places are too small to be seen: pins stand for them, and a click on one goes to its
+# most severe place, which is seen at its size then.
+start scene:noise
+press End; says at_end true; says alert_search done; press shift+f; denies "pin 1" "\[.*"
+read -r x y < <(center "region view") || exit 1
+for _ in $(seq 8); do click "$x" "$y" 5; done
+says "pin 1" "\[.*"
+far=$(field camera)
+click_on "pin 1"; says place 1; says message "Place 1 of .*"
+leaves camera "$far"
+denies "pin 1" "\[.*"
+stop
 well

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 
 #include "run/neighborhood.h"
 #include "scene/camera.h"
@@ -46,6 +47,13 @@ std::optional<glm::vec2> ScreenProjection::at(const glm::vec3& place) const {
     const glm::vec3 seen = project(camera_, place, view_.size);
     if (seen.z <= 0.0F) return std::nullopt;
     return view_.min + glm::vec2(seen);
+}
+
+float ScreenProjection::pixels(const glm::vec3& place, float length) const {
+    const glm::vec3 right(camera_.view[0][0], camera_.view[1][0], camera_.view[2][0]);
+    const auto from = at(place);
+    const auto to = at(place + length * right);
+    return from && to ? glm::distance(*from, *to) : 0.0F;
 }
 
 std::vector<LabelMark> ScreenProjection::marks() const {

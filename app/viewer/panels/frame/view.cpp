@@ -252,9 +252,11 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
 void drawView(const PanelContext& context, const char* window) {
     if (beginView(context, window)) {
         const std::optional<PivotArrow> arrow = offerPivotArrow(context);
+        const std::vector<FaultPin> pins = offerFaultPins(context);
         offerView(context);
         handleMouse(context);
         drawViewPicture(context);
+        drawFaultPins(context, pins);
         drawOver(context, arrow);
         drawLasso(context);
         if (!context.beside) drawPieceLine(context);

@@ -42,14 +42,17 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     if (labels.empty()) return;
     const ScreenProjection projection(context);
     const float em = context.em;
-    std::vector<const Label*> seen;
+    std::vector<const Label*> shown;
     std::vector<LabelRequest> wanted;
     for (const Label& label : labels) {
         const auto at = projection.at(label.position);
         if (!at) continue;
+        const bool seen = label.extent == 0.0F ||
+                          projection.pixels(label.position, label.extent) >= kSeenFrom * em;
+        if (!seen) continue;
         const Print print = printOf(context, label);
         const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
-        seen.push_back(&label);
+        shown.push_back(&label);
         wanted.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
     }
     const Rect& view = context.rects.view;
@@ -67,9 +70,9 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         if (!each.leader) continue;
         const glm::vec2 from = wanted[each.index].at;
         list->AddLine(toVec2(from), toVec2(nearestIn(each.plate, from)),
-                      toU32(seen[each.index]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
+                      toU32(shown[each.index]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
     }
-    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.index], each.plate);
+    for (const PlacedLabel& each : placed) drawPlate(context, *shown[each.index], each.plate);
 }
 
 }  // namespace se::view

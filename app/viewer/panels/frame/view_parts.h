@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layout/overlays.h"
+#include "layout/pins.h"
 #include "panels/panel.h"
 #include "scene/camera.h"
 
@@ -28,6 +29,18 @@ void drawPieceLine(const PanelContext& context);
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
 
+/// A pin of places with faults, and where it is.
+struct FaultPin {
+    Pin pin;
+    Rect head;
+    bool hovered = false;
+};
+
+/// The pins on the finished mesh; a click on one shows its most severe place. To be called before
+/// the scene takes the remaining clicks.
+std::vector<FaultPin> offerFaultPins(const PanelContext& context);
+void drawFaultPins(const PanelContext& context, std::span<const FaultPin> pins);
+
 /// Projection of the scene to the screen, in pixels of the window: for overlays.
 class ScreenProjection {
   public:
@@ -35,6 +48,9 @@ class ScreenProjection {
 
     /// Empty if the point is behind the eye.
     std::optional<glm::vec2> at(const glm::vec3& place) const;
+    /// Length on the screen of a short line of that length, in view units, at `place`; 0 behind the
+    /// eye.
+    float pixels(const glm::vec3& place, float length) const;
     /// The marks of the pivot, its ends, the point under test and the selection.
     std::vector<LabelMark> marks() const;
     /// The points that the decisions of the pivot involve, also those without a mark.
