@@ -117,7 +117,7 @@ bool Application::animating() const {
     return session_.moves().busy() || playback_.playing() || painter_.moving() ||
            ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
-           session_.questions().busy() || mesh_.busy();
+           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0;
 }
 
 std::string Application::title() const {
@@ -161,7 +161,11 @@ void Application::placeCamera(const PanelRects& rects) {
         }
         if (const auto pose = document_.takeCamera()) camera_.setPose(*pose);
     }
-    if (std::exchange(ui_.requests.frameAlert, false)) frameAlert(commands_);
+    if (std::exchange(ui_.requests.frameAlert, false)) alertFrames_ = 2;
+    if (alertFrames_ > 0 && !session_.moves().busy()) {
+        frameAlert(commands_, rects.view);
+        --alertFrames_;
+    }
     // The undo stack begins here: the user has not changed anything yet.
     if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&

@@ -131,7 +131,10 @@ class Application {
     std::string homeOf_;             ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;  ///< Address of the last sentence on stdout.
-    int redraws_ = 0;       ///< Number of frames to draw even if nothing changes.
+    /// Frames in which the camera goes to the chosen alert: in the first one at the end of the run
+    /// the card with the verdict appears, in the next one it is known where.
+    int alertFrames_ = 0;
+    int redraws_ = 0;  ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/geometric.hpp>
 
 #include "command_actions.h"
 #include "jobs/questions.h"
+#include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/overview.h"
 #include "run/rule_set.h"
@@ -15,6 +17,12 @@
 namespace se::view {
 
 namespace {
+
+/// Diameter of a framed place over the smaller side of the view, or of its free part.
+constexpr float kShareOfView = 1.0F / 3.0F;
+/// The sphere of a framed place: its radius over that of its points, and the least one.
+constexpr float kMargin = 1.15F;
+constexpr float kLeastSpacings = 2.0F;
 
 void keepDrawable(const Model& model, std::vector<Index>& points) {
     std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
@@ -48,7 +56,7 @@ RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
 
 }  // namespace
 
-void frameAlert(CommandContext& context) {
+void frameAlert(CommandContext& context, const Rect& view) {
     const RunAlerts& alerts = context.session.alerts();
     const RunFailure* alert = alerts.shown();
     if (alert == nullptr && !alerts.place()) return;
@@ -58,8 +66,15 @@ void frameAlert(CommandContext& context) {
                                           : pointsOf(model, *alert);
     if (points.empty()) return;
     const MarkedSphere place = sphereAround(model, points);
-    if (place.normal != glm::vec3(0.0F)) context.camera.face(place.normal);
-    context.camera.frame(place.center, place.radius);
+    float radius = kLeastSpacings * model.spacing;
+    for (const Index p : points)
+        radius = std::max(radius, kMargin * glm::distance(place.center, model.place[p]));
+    if (place.normal != glm::vec3(0.0F)) context.camera.faceStraight(place.normal);
+    const auto card = context.ui.where.find("verdict card");
+    const Rect part = card == context.ui.where.end() ? view : freePart(view, card->second);
+    const glm::vec2 offset = part.min + 0.5F * part.size - (view.min + 0.5F * view.size);
+    context.camera.frameIn({view.size.y, offset, std::min(part.size.x, part.size.y)}, place.center,
+                           radius, kShareOfView);
 }
 
 std::string_view momentName(AlertMoment moment) {

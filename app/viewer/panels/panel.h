@@ -53,7 +53,7 @@ struct PanelContext {
     State& state() const;
     UiRequests& requests() const;
     ViewSettings& settings() const;
-    /// Rectangles of the items drawn in this frame, for test scripts.
+    /// Rectangles of the items drawn in this frame, for test scripts and the camera.
     std::map<std::string, Rect>& where() const;
     /// First key of a command, with the user's changes.
     std::string key(const Command& command) const;

@@ -116,8 +116,20 @@ void Camera::frame(const glm::vec3& center, float radius) {
     ++revision_;
 }
 
+void Camera::frameIn(const ViewPart& part, const glm::vec3& center, float radius, float share) {
+    frame(glm::vec3(0.0F), kSceneRadius);
+    const float whole = pose_.distance;
+    const float near = radius * part.height / (share * part.side * halfTangent());
+    pose_.distance = std::clamp(near, kNearest, whole);
+    pose_.target = center;
+    pan(part.offset, part.height);
+}
+
 void Camera::face(const glm::vec3& normal) {
-    if (glm::dot(direction(), normal) > kFacesFrom) return;
+    if (glm::dot(direction(), normal) <= kFacesFrom) faceStraight(normal);
+}
+
+void Camera::faceStraight(const glm::vec3& normal) {
     const glm::vec3 to = inFrame(normal);
     const float flat = std::hypot(to.x, to.y);
     if (flat > 1e-3F) pose_.yawDegrees = glm::degrees(std::atan2(to.y, to.x));

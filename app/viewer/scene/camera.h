@@ -33,6 +33,13 @@ struct CameraPose {
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
+/// A part of a view, in pixels.
+struct ViewPart {
+    float height = 1.0F;     ///< Of the whole view.
+    glm::vec2 offset{0.0F};  ///< From the middle of the view to that of the part, y down.
+    float side = 1.0F;       ///< The smaller side of the part.
+};
+
 /// Looks at `target` from `distance`. View space has the input in the unit sphere about the origin.
 class Camera {
   public:
@@ -46,6 +53,9 @@ class Camera {
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
     /// Centers a sphere and makes it fill the view. The direction stays.
     void frame(const glm::vec3& center, float radius);
+    /// Brings a sphere to the middle of a part of the view, with a diameter of that share of its
+    /// smaller side; no farther away than frame() is for everything. The direction stays.
+    void frameIn(const ViewPart& part, const glm::vec3& center, float radius, float share);
     /// Centers positions, and comes as close as keeps them within a share of a view of
     /// that aspect, horizontally and vertically, each in (0, 1]. The direction stays. No effect
     /// without positions.
@@ -53,6 +63,8 @@ class Camera {
     /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.
     void face(const glm::vec3& normal);
+    /// Turns to look straight at a surface with that normal from its outer side.
+    void faceStraight(const glm::vec3& normal);
     /// Moves `target` to the middle of the view; later orbits turn about it.
     void lookAt(const glm::vec3& target);
     void set(ViewPreset preset);

@@ -1,7 +1,9 @@
 #include "controllers/alerts.h"
 #include "commands/alert_actions.h"
 #include "headless_app.h"
+#include "jobs/doctor_job.h"
 #include "layers/layer.h"
+#include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 #include "run/strings.h"
@@ -9,6 +11,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 using namespace se;
 using namespace se::view;
@@ -173,6 +176,52 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     REQUIRE(open.session.alerts().search().done());
     nextPlace(sound, 1);
     CHECK(open.session.messages().last() == "No faults found.");
+}
+
+TEST_CASE(
+    "A place is looked at straight, beside the card with the verdict, on a third of the view") {
+    AlertApp app("scene:uneven-density", {}, "0");
+    const AlertSearch& search = app.session.alerts().search();
+    REQUIRE(search.places().size() > 2);
+    const Rect view{{200.0F, 60.0F}, {760.0F, 520.0F}};
+    const Rect card{{211.0F, 71.0F}, {432.0F, 150.0F}};
+    const Model& model = app.session.model();
+    int seen = 0;
+    for (std::size_t i = 0; i < search.places().size(); ++i) {
+        showPlace(app.context, i);
+        app.session.waitUntilDone();
+        for (const bool withCard : {true, false}) {
+            app.ui.where.clear();
+            if (withCard) app.ui.where["verdict card"] = card;
+            frameAlert(app.context, view);
+            std::vector<Index> points;
+            for (const std::size_t fault : search.places()[i].faults) {
+                const std::vector<Index>& its = search.found()->all[fault].points;
+                points.insert(points.end(), its.begin(), its.end());
+            }
+            const MarkedSphere place = sphereAround(model, points);
+            const CameraMatrices camera = app.camera.matrices(view.size.x / view.size.y);
+            const glm::vec2 at = view.min + glm::vec2(project(camera, place.center, view.size));
+            const Rect part = withCard ? freePart(view, card) : view;
+            CHECK(glm::distance(at, part.min + 0.5F * part.size) < 1.0F);
+            CHECK_FALSE((withCard && card.contains(at)));
+            const glm::vec3 right(camera.view[0][0], camera.view[1][0], camera.view[2][0]);
+            float radius = 2.0F * model.spacing;
+            for (const Index p : points)
+                radius = std::max(radius, 1.15F * glm::distance(place.center, model.place[p]));
+            const glm::vec3 side = project(camera, place.center + radius * right, view.size);
+            const float share = 2.0F * glm::distance(view.min + glm::vec2(side), at) /
+                                std::min(part.size.x, part.size.y);
+            // The whole input is not shown smaller than the view.
+            const bool large = app.camera.distance() > 4.0F;
+            CHECK((large ? share > 0.33F : share == doctest::Approx(1.0 / 3.0).epsilon(0.02)));
+            seen += large ? 0 : 1;
+            if (place.normal == glm::vec3(0.0F)) continue;
+            const glm::vec3 back(camera.view[0][2], camera.view[1][2], camera.view[2][2]);
+            CHECK(glm::dot(back, place.normal) > 0.999F);
+        }
+    }
+    CHECK(seen > 2);
 }
 
 TEST_CASE("Every alert of a class that is a fault is at one place, and no other is") {

@@ -201,3 +201,45 @@ TEST_CASE("A surface is faced from its outer side, for any up axis") {
         CHECK(camera.pose().up == axis);
     }
 }
+
+TEST_CASE(
+    "A place is framed in a part of the view: in its middle, with a share of its smaller side") {
+    const glm::vec3 center(0.2F, -0.3F, 0.1F);
+    constexpr float kRadius = 0.05F;
+    for (const bool orthographic : {false, true}) {
+        Camera camera;
+        if (orthographic) camera.toggleOrthographic();
+        // The lower two thirds of the view.
+        const ViewPart part{kSize.y, {0.0F, kSize.y / 6.0F}, kSize.y * 2.0F / 3.0F};
+        camera.frameIn(part, center, kRadius, 1.0F / 3.0F);
+        const glm::vec3 middle = seen(camera, center);
+        CHECK(middle.x == doctest::Approx(0.5F * kSize.x).epsilon(0.001));
+        CHECK(middle.y == doctest::Approx(kSize.y * 2.0F / 3.0F).epsilon(0.001));
+        const CameraMatrices m = camera.matrices(kAspect);
+        const glm::vec3 up(m.view[0][1], m.view[1][1], m.view[2][1]);
+        const float radius = middle.y - seen(camera, center + kRadius * up).y;
+        CHECK(2.0F * radius == doctest::Approx(part.side / 3.0F).epsilon(0.01));
+    }
+}
+
+TEST_CASE("A place as large as everything is framed no farther away than everything is") {
+    Camera whole;
+    whole.frame(glm::vec3(0.0F), 1.0F);
+    Camera camera;
+    camera.frameIn({kSize.y, glm::vec2(0.0F), kSize.y}, glm::vec3(0.0F), 1.0F, 1.0F / 3.0F);
+    CHECK(camera.distance() == doctest::Approx(whole.distance()));
+}
+
+TEST_CASE("A surface is faced straight, also one that is seen from its outer side") {
+    for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
+        for (const glm::vec3 way : {glm::vec3(0.3F, -0.8F, 0.5F), glm::vec3(0, 0, 1)}) {
+            const glm::vec3 normal = glm::normalize(way);
+            Camera camera;
+            camera.setUp(axis);
+            camera.set(ViewPreset::Front);
+            camera.faceStraight(normal);
+            const glm::vec3 eye = camera.matrices(kAspect).eye - camera.target();
+            CHECK(glm::dot(glm::normalize(eye), normal) > 0.999F);
+        }
+    }
+}
