@@ -211,11 +211,41 @@ bool isSecondLayer(const PointSet& points, const Triangle& a, const Triangle& b)
 ShapedTriangle::ShapedTriangle(const PointSet& points, const Triangle& t)
     : triangle(t), box(boxOf(points, t)), shape(layerShape(points, t)) {}
 
+namespace {
+
+/// True if the corners of the other triangle that are not common lie clearly on one side of the
+/// plane of this one: they share no more than their common corners then. `margin` is far above the
+/// rounding of a volume.
+bool isOffPlane(const PointSet& points, const ShapedTriangle& t, const Triangle& other,
+                double margin) {
+    const Triangle& mine = t.triangle;
+    const Vec3& at = points.position[mine.a];
+    double low = std::numeric_limits<double>::max();
+    double high = -low;
+    for (const Index p : {other.a, other.b, other.c}) {
+        if (p == mine.a || p == mine.b || p == mine.c) continue;
+        const double height = glm::dot(t.shape.normal, points.position[p] - at);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return low <= high && (low > margin || high < -margin);
+}
+
+/// trianglesShareMore(), which most pairs need not be asked.
+bool shareMore(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    const double reach = a.shape.reach + b.shape.reach;
+    const double margin = 1e-9 * reach * reach * reach;
+    return !isOffPlane(points, a, b.triangle, margin) &&
+           !isOffPlane(points, b, a.triangle, margin) &&
+           trianglesShareMore(points.position, a.triangle, b.triangle);
+}
+
+}  // namespace
+
 bool conflictInReach(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
     const bool parallel = areParallel(a.shape, b.shape);
     if (parallel && lieSideBySide(points, a.triangle, a.shape, b.triangle, b.shape)) return false;
-    if (a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle))
-        return true;
+    if (a.box.meets(b.box) && shareMore(points, a, b)) return true;
     return parallel && isOverOther(points, a.triangle, a.shape, b.triangle, b.shape);
 }
 
