@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -190,7 +191,9 @@ class PlaceSearch {
 
     std::optional<Change> find() {
         near_ = nearestFirst(points_, m_, x_);
-        for (const NearTriangle& each : near_) nearIndex_.push_back(each.index);
+        for (const NearTriangle& each : near_)
+            nearIndex_.emplace_back(each.index, static_cast<Index>(nearIndex_.size()));
+        std::sort(nearIndex_.begin(), nearIndex_.end());
         std::vector<Index> begins;
         for (const Index p : points_.neighbors[x_])
             forEachSideOf(m_, p, [&](HalfEdge side) {
@@ -208,7 +211,8 @@ class PlaceSearch {
                 if (m_.twin[3 * t + k] != kNone) continue;
                 Change outside(m_, x_);
                 outside.join(3 * t + k);
-                consider(outside);
+                // Its one triangle can be avoided by no other.
+                if (made(outside, 0).cosine < best_.cosine) consider(outside);
             }
         }
         return best_.change;
@@ -221,11 +225,15 @@ class PlaceSearch {
         std::array<double, kMaxMade + 1> worstBefore{};
         worstBefore[from] = worst;
         for (std::size_t i = from; i < change.size();) {
+            // Without another choice the triangles before this one stay, so that the place is no
+            // better than they are.
+            if (choices_ == kMaxChoices && worstBefore[i] >= best_.cosine) return;
             const bool faulty = isFaulty(change, i);
             const std::size_t rival = faulty ? i : firstInConflict(change, i);
             // The old triangle that is in the way may go as well,
-            const std::size_t side = faulty ? sideInTheWay(change, i) : change.size();
-            if (side < change.size() && side != i && choices_ < kMaxChoices) {
+            const bool mayChoose = faulty && choices_ < kMaxChoices;
+            const std::size_t side = mayChoose ? sideInTheWay(change, i) : change.size();
+            if (side < change.size() && side != i) {
                 ++choices_;
                 Change other = change;
                 const std::size_t again = std::min(side, i);
@@ -253,24 +261,36 @@ class PlaceSearch {
         const Triangle& t = change[i];
         const auto [found, isNew] =
             numbers_.try_emplace(std::uint64_t{t.a} << 32U | t.b, static_cast<Index>(made_.size()));
-        if (isNew) made_.emplace_back(points_, t);
+        if (isNew) {
+            made_.emplace_back(points_, t);
+            withNear_.resize(made_.size() * near_.size(), Answer::Unknown);
+        }
         return number = found->second;
     }
     /// The reference holds until the next call.
     NewTriangle& made(Change& change, std::size_t i) { return made_[numberOf(change, i)]; }
-    /// Tests the next near triangle; true if it is in conflict with this one.
-    bool testNext(NewTriangle& t) {
-        const std::size_t place = t.tested++;
-        if (!conflict(points_, t.shaped, near_[place].shaped)) return false;
-        t.conflicts.push_back(place);
+    /// True if new triangle number `i` is in conflict with the near one at this position.
+    bool inConflictWithNear(Index i, std::size_t place) {
+        Answer& answer = withNear_[i * near_.size() + place];
+        if (answer == Answer::Unknown)
+            answer =
+                conflict(points_, made_[i].shaped, near_[place].shaped) ? Answer::Yes : Answer::No;
+        return answer == Answer::Yes;
+    }
+    /// Tests the next near triangle; true if it is in conflict with new triangle number `i`.
+    bool testNext(Index i) {
+        const std::size_t place = made_[i].tested++;
+        if (!inConflictWithNear(i, place)) return false;
+        made_[i].conflicts.push_back(place);
         return true;
     }
-    bool inConflict(const NewTriangle& t, Index old) {
-        const auto found = std::find(nearIndex_.begin(), nearIndex_.end(), old);
-        if (found == nearIndex_.end()) return conflict(points_, t.shaped, m_.triangles[old]);
-        const auto place = static_cast<std::size_t>(found - nearIndex_.begin());
-        if (place >= t.tested) return conflict(points_, t.shaped, near_[place].shaped);
-        return std::find(t.conflicts.begin(), t.conflicts.end(), place) != t.conflicts.end();
+    bool inConflict(Index i, Index old) {
+        const auto found = std::lower_bound(
+            nearIndex_.begin(), nearIndex_.end(), old,
+            [](const std::pair<Index, Index>& each, Index t) { return each.first < t; });
+        if (found == nearIndex_.end() || found->first != old)
+            return conflict(points_, made_[i].shaped, m_.triangles[old]);
+        return inConflictWithNear(i, found->second);
     }
     /// True if new triangle number `i` is in conflict with number `k`.
     bool inConflictWith(Index i, Index k) {
@@ -293,10 +313,10 @@ class PlaceSearch {
     /// The first side of the place whose old triangle across is in conflict with new triangle `i`,
     /// if that has a good shape; the number of sides if there is none.
     std::size_t sideInTheWay(Change& change, std::size_t i) {
-        const NewTriangle& t = made(change, i);
-        if (t.faults > 0 || t.cosine >= kThin) return change.size();
+        const Index mine = numberOf(change, i);
+        if (made_[mine].faults > 0 || made_[mine].cosine >= kThin) return change.size();
         const auto isInTheWay = [&](HalfEdge outer) {
-            return outer != kNone && inConflict(t, outer / 3);
+            return outer != kNone && inConflict(mine, outer / 3);
         };
         std::size_t k = 0;
         while (k < change.size() && !isInTheWay(change.across(k))) ++k;
@@ -304,16 +324,18 @@ class PlaceSearch {
     }
 
     bool isFaulty(Change& change, std::size_t i) {
-        NewTriangle& t = made(change, i);
+        const Index mine = numberOf(change, i);
+        const NewTriangle& t = made_[mine];
         // In the last round a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
         if (t.faults > (m_.round + 1 < kRepairRounds ? 0 : 1) || t.cosine >= kThin) return true;
-        const HalfEdge outer = change.across(i);
-        if (outer != kNone && folded(points_, change[i], m_.triangles[outer / 3])) return true;
+        // What is known already comes first.
         const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
         if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
+        const HalfEdge outer = change.across(i);
+        if (outer != kNone && folded(points_, change[i], m_.triangles[outer / 3])) return true;
         while (t.tested < near_.size()) {
-            if (testNext(t) && stays(t.conflicts.back())) return true;
+            if (testNext(mine) && stays(t.conflicts.back())) return true;
         }
         return false;
     }
@@ -323,8 +345,11 @@ class PlaceSearch {
     Index x_;
     /// No new triangle may be in conflict with any of these.
     std::vector<NearTriangle> near_;
-    std::vector<Index> nearIndex_;  ///< Their indices.
+    /// Their indices, ascending, each with its position in `near_`.
+    std::vector<std::pair<Index, Index>> nearIndex_;
     std::vector<NewTriangle> made_;
+    /// Conflicts of each new triangle, by number, with each near one.
+    std::vector<Answer> withNear_;
     std::unordered_map<std::uint64_t, Index> numbers_;  ///< Their numbers, by their old edges.
     std::size_t choices_ = 0;
     Insertion best_;
