@@ -200,7 +200,7 @@ TABLE = {
         ("flip.pinched",
          "if (q.x == q.y || m.pinched[q.u] ||",
          "if (MUT ? q.x == q.y : q.x == q.y || m.pinched[q.u] ||"),
-        ("flip.rough-counts-as-sound", "!isRough(points, q, score);", "(MUT || !isRough(points, q, score));"),
+        ("flip.rough-counts-as-sound", "sound = score.conflictsBefore() == 0;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_faults.cpp": [
         ("repair-fault.in-last-round", "m.round + 1 < kRepairRounds;", "(MUT || m.round + 1 < kRepairRounds);"),
