@@ -9,7 +9,7 @@ namespace se {
 template <typename Goal>
 class FillingTable {
   public:
-    explicit FillingTable(const FillingSearch& search)
+    explicit FillingTable(FillingSearch& search)
         : search_(search),
           count_(search.ring_.size()),
           cost_(count_ * count_, kNoWay),
@@ -39,7 +39,8 @@ class FillingTable {
             if (before == kNoWay || after == kNoWay) continue;
             const Triangle made = search_.triangle({i, j, k});
             const double cost = Goal::sum(Goal::of(search_.points_, made), before, after);
-            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || search_.isFaulty(made)) continue;
+            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || search_.isFaulty({i, j, k}))
+                continue;
             cost_[at(i, k)] = cost;
             middle_[at(i, k)] = j;
         }
@@ -65,7 +66,7 @@ class FillingTable {
         collect(j, k, found);
     }
 
-    const FillingSearch& search_;
+    FillingSearch& search_;
     std::size_t count_;
     std::vector<double> cost_;         ///< Of the best filling of a part.
     std::vector<std::size_t> middle_;  ///< Third corner of its triangle from end to end.
@@ -107,25 +108,29 @@ bool widenByTriangle(const RepairState& m, std::size_t side, HoleRing& ring) {
 }
 
 FillingSearch::FillingSearch(const PointSet& points, RepairState& repair, const HoleRing& ring)
-    : points_(points), m_(repair), ring_(ring) {
+    : points_(points),
+      m_(repair),
+      ring_(ring),
+      known_(ring.size() * ring.size() * ring.size(), Known::Nothing) {
     // All triangles of a filling lie in the box of the ring.
     Box box(points.position[ring.points.front()]);
     for (const Index p : ring.points) box.add(points.position[p]);
     for (const Index t : trianglesNear(points, repair, ring.points)) {
         const Triangle& near = repair.triangles[t];
-        if (!isGone(ring, t) && mayConflict(box, boxOf(points, near)))
-            near_.emplace_back(points, near);
+        const Box nearBox = boxOf(points, near);
+        if (mayConflict(box, nearBox) && !isGone(ring, t)) near_.push_back({near, nearBox});
     }
 }
 
-Filling FillingSearch::find() const {
+Filling FillingSearch::find() {
+    if (firstBlocked() < ring_.size()) return {};
     Filling filling = FillingTable<LeastAngle>(*this).filling();
     if (!crossesItself(filling)) return filling;
     filling = FillingTable<Area>(*this).filling();
     return crossesItself(filling) ? Filling{} : filling;
 }
 
-std::size_t FillingSearch::firstBlocked() const {
+std::size_t FillingSearch::firstBlocked() {
     const std::size_t count = ring_.size();
     for (std::size_t side = 0; side < count; ++side) {
         const std::size_t next = (side + 1) % count;
@@ -159,18 +164,37 @@ bool FillingSearch::foldsOnto(const Triangle& made, HalfEdge outer) const {
     return outer != kNone && folded(points_, made, m_.triangles[outer / 3]);
 }
 
+bool FillingSearch::isInConflict(const ShapedTriangle& made, NearRing& near) const {
+    if (!near.shaped) {
+        if (!mayConflict(made.box, near.box)) return false;
+        near.shaped.emplace(points_, near.triangle);
+    }
+    return conflict(points_, made, *near.shaped);
+}
+
 /// True if a triangle has a fault by itself, or is in conflict with one that stays.
-bool FillingSearch::isFaulty(const Triangle& made) const {
+bool FillingSearch::findFault(const Triangle& made) {
     if (shapeFaults(points_, made) >= kFlippedFault || leastAngleCosine(points_, made) >= kThin)
         return true;
     const ShapedTriangle shaped(points_, made);
-    return std::any_of(near_.begin(), near_.end(), [&](const ShapedTriangle& other) {
-        return conflict(points_, shaped, other);
-    });
+    // What is in the way of one triangle is in the way of most others at the same side.
+    if (inTheWay_ < near_.size() && isInConflict(shaped, near_[inTheWay_])) return true;
+    const auto found = std::find_if(near_.begin(), near_.end(),
+                                    [&](NearRing& other) { return isInConflict(shaped, other); });
+    if (found == near_.end()) return false;
+    inTheWay_ = static_cast<std::size_t>(found - near_.begin());
+    return true;
+}
+
+/// findFault(), once for each triangle.
+bool FillingSearch::isFaulty(const RingTriangle& t) {
+    Known& known = known_[(t[0] * ring_.size() + t[1]) * ring_.size() + t[2]];
+    if (known == Known::Nothing) known = findFault(triangle(t)) ? Known::Faulty : Known::Sound;
+    return known == Known::Faulty;
 }
 
 /// True if a triangle has no fault by itself, nor with those around the ring.
-bool FillingSearch::mayMake(const RingTriangle& t) const {
+bool FillingSearch::mayMake(const RingTriangle& t) {
     const Triangle made = triangle(t);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t from = t[k];
@@ -180,7 +204,7 @@ bool FillingSearch::mayMake(const RingTriangle& t) const {
                    : staysJoined(ring_.points[from], ring_.points[to]))
             return false;
     }
-    return !isFaulty(made);
+    return !isFaulty(t);
 }
 
 /// True if two triangles of the filling are in conflict.

@@ -149,7 +149,7 @@ constexpr int kMaxTakenOut = 1;
 Filling widenUntilFilled(const PointSet& points, RepairState& m, HoleRing& ring) {
     int takenOut = 0;
     for (int i = 0; i < kMaxWidened; ++i) {
-        const FillingSearch search(points, m, ring);
+        FillingSearch search(points, m, ring);
         const std::size_t side = search.firstBlocked();
         if (side == ring.size()) return search.find();
         if (widenByTriangle(m, side, ring)) continue;
