@@ -222,8 +222,8 @@ TABLE = {
     ],
     "stepper/robust/hole_filling.cpp": [
         ("filling.existing-edge", "if (!closing && search_.staysJoined", "if (!MUT && !closing && search_.staysJoined"),
-        ("filling.folds", "|| folds(made, i, j, k) ||", "|| (!MUT && folds(made, i, j, k)) ||"),
-        ("filling.faults", "|| search_.isFaulty({i, j, k}))", "|| (!MUT && search_.isFaulty({i, j, k})))"),
+        ("filling.folds", "|| folds(made, i, j, k)", "|| (!MUT && folds(made, i, j, k))"),
+        ("filling.faults", "!search_.mayMake({i, j, k}))", "(!MUT && !search_.mayMake({i, j, k})))"),
         ("filling.crosses-itself", "if (!crossesItself(filling)) return filling;", "if (MUT || !crossesItself(filling)) return filling;"),
         ("filling.worst-least-angle",
          "return leastAngleCosine(points, t);",

@@ -39,7 +39,7 @@ class FillingTable {
             if (before == kNoWay || after == kNoWay) continue;
             const Triangle made = search_.triangle({i, j, k});
             const double cost = Goal::sum(Goal::of(search_.points_, made), before, after);
-            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || search_.isFaulty({i, j, k}))
+            if (cost >= cost_[at(i, k)] || folds(made, i, j, k) || !search_.mayMake({i, j, k}))
                 continue;
             cost_[at(i, k)] = cost;
             middle_[at(i, k)] = j;
@@ -111,39 +111,56 @@ FillingSearch::FillingSearch(const PointSet& points, RepairState& repair, const 
     : points_(points),
       m_(repair),
       ring_(ring),
-      known_(ring.size() * ring.size() * ring.size(), Known::Nothing) {
-    // All triangles of a filling lie in the box of the ring.
-    Box box(points.position[ring.points.front()]);
-    for (const Index p : ring.points) box.add(points.position[p]);
-    for (const Index t : trianglesNear(points, repair, ring.points)) {
-        const Triangle& near = repair.triangles[t];
-        const Box nearBox = boxOf(points, near);
-        if (mayConflict(box, nearBox) && !isGone(ring, t)) near_.push_back({near, nearBox});
-    }
-}
+      known_(ring.size() * ring.size() * ring.size(), Known::Nothing) {}
 
 Filling FillingSearch::find() {
-    if (firstBlocked() < ring_.size()) return {};
+    if (hasBlockedSide()) return {};
     Filling filling = FillingTable<LeastAngle>(*this).filling();
     if (!crossesItself(filling)) return filling;
     filling = FillingTable<Area>(*this).filling();
     return crossesItself(filling) ? Filling{} : filling;
 }
 
-std::size_t FillingSearch::firstBlocked() {
-    const std::size_t count = ring_.size();
-    for (std::size_t side = 0; side < count; ++side) {
-        const std::size_t next = (side + 1) % count;
-        bool blocked = true;
-        for (std::size_t third = 0; third < count && blocked; ++third) {
-            if (third == side || third == next) continue;
-            RingTriangle t{side, next, third};
-            std::sort(t.begin(), t.end());
-            blocked = !mayMake(t);
-        }
-        if (blocked) return side;
+/// True if visit(triangle) holds for one of the triangles at a side of the ring.
+template <typename Visit>
+bool FillingSearch::anyThird(std::size_t side, Visit&& visit) {
+    const std::size_t next = (side + 1) % ring_.size();
+    for (std::size_t third = 0; third < ring_.size(); ++third) {
+        if (third == side || third == next) continue;
+        RingTriangle t{side, next, third};
+        std::sort(t.begin(), t.end());
+        if (visit(t)) return true;
     }
-    return count;
+    return false;
+}
+
+/// True if every triangle at a side has a fault.
+bool FillingSearch::isBlocked(std::size_t side) {
+    return !anyThird(side, [&](const RingTriangle& t) { return mayMake(t); });
+}
+
+std::size_t FillingSearch::firstBlocked() {
+    std::size_t side = 0;
+    while (side < ring_.size() && !isBlocked(side)) ++side;
+    return side;
+}
+
+/// True if there is a blocked side: each side has a triangle of every filling. Asked of those first
+/// at which the fewest triangles fit, so that mostly few are tested for conflicts.
+bool FillingSearch::hasBlockedSide() {
+    std::vector<std::pair<std::size_t, std::size_t>> sides;  // By the number of triangles that fit.
+    for (std::size_t side = 0; side < ring_.size(); ++side) {
+        std::size_t fit = 0;
+        anyThird(side, [&](const RingTriangle& t) {
+            fit += isFit(t) ? 1 : 0;
+            return false;
+        });
+        if (fit == 0) return true;
+        sides.emplace_back(fit, side);
+    }
+    std::sort(sides.begin(), sides.end());
+    return std::any_of(sides.begin(), sides.end(),
+                       [&](const auto& each) { return isBlocked(each.second); });
 }
 
 /// True if a triangle that stays has an edge between the two points.
@@ -164,38 +181,11 @@ bool FillingSearch::foldsOnto(const Triangle& made, HalfEdge outer) const {
     return outer != kNone && folded(points_, made, m_.triangles[outer / 3]);
 }
 
-bool FillingSearch::isInConflict(const ShapedTriangle& made, NearRing& near) const {
-    if (!near.shaped) {
-        if (!mayConflict(made.box, near.box)) return false;
-        near.shaped.emplace(points_, near.triangle);
-    }
-    return conflict(points_, made, *near.shaped);
-}
-
-/// True if a triangle has a fault by itself, or is in conflict with one that stays.
-bool FillingSearch::findFault(const Triangle& made) {
-    if (shapeFaults(points_, made) >= kFlippedFault || leastAngleCosine(points_, made) >= kThin)
-        return true;
-    const ShapedTriangle shaped(points_, made);
-    // What is in the way of one triangle is in the way of most others at the same side.
-    if (inTheWay_ < near_.size() && isInConflict(shaped, near_[inTheWay_])) return true;
-    const auto found = std::find_if(near_.begin(), near_.end(),
-                                    [&](NearRing& other) { return isInConflict(shaped, other); });
-    if (found == near_.end()) return false;
-    inTheWay_ = static_cast<std::size_t>(found - near_.begin());
-    return true;
-}
-
-/// findFault(), once for each triangle.
-bool FillingSearch::isFaulty(const RingTriangle& t) {
-    Known& known = known_[(t[0] * ring_.size() + t[1]) * ring_.size() + t[2]];
-    if (known == Known::Nothing) known = findFault(triangle(t)) ? Known::Faulty : Known::Sound;
-    return known == Known::Faulty;
-}
-
 /// True if a triangle has no fault by itself, nor with those around the ring.
-bool FillingSearch::mayMake(const RingTriangle& t) {
+bool FillingSearch::fits(const RingTriangle& t) const {
     const Triangle made = triangle(t);
+    if (shapeFaults(points_, made) >= kFlippedFault || leastAngleCosine(points_, made) >= kThin)
+        return false;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t from = t[k];
         const std::size_t to = t[(k + 1) % 3];
@@ -204,7 +194,52 @@ bool FillingSearch::mayMake(const RingTriangle& t) {
                    : staysJoined(ring_.points[from], ring_.points[to]))
             return false;
     }
-    return !isFaulty(t);
+    return true;
+}
+
+/// fits(), found out once.
+bool FillingSearch::isFit(const RingTriangle& t) {
+    Known& found = known(t);
+    if (found == Known::Nothing) found = fits(t) ? Known::Fit : Known::Faulty;
+    return found != Known::Faulty;
+}
+
+/// True if a triangle fits and is in conflict with none that stays.
+bool FillingSearch::mayMake(const RingTriangle& t) {
+    if (!isFit(t)) return false;
+    Known& found = known(t);
+    if (found == Known::Fit) found = isInConflict(triangle(t)) ? Known::Faulty : Known::Sound;
+    return found == Known::Sound;
+}
+
+void FillingSearch::findNear() {
+    near_.emplace();
+    // All triangles of a filling lie in the box of the ring.
+    Box box(points_.position[ring_.points.front()]);
+    for (const Index p : ring_.points) box.add(points_.position[p]);
+    for (const Index t : trianglesNear(points_, m_, ring_.points)) {
+        const Triangle& near = m_.triangles[t];
+        const Box nearBox = boxOf(points_, near);
+        if (mayConflict(box, nearBox) && !isGone(ring_, t)) near_->push_back({near, nearBox});
+    }
+}
+
+bool FillingSearch::isInConflict(const Triangle& made) {
+    if (!near_) findNear();
+    const ShapedTriangle shaped(points_, made);
+    const auto meets = [&](NearRing& near) {
+        if (!near.shaped) {
+            if (!mayConflict(shaped.box, near.box)) return false;
+            near.shaped.emplace(points_, near.triangle);
+        }
+        return conflict(points_, shaped, *near.shaped);
+    };
+    // What is in the way of one triangle is in the way of most others at the same side.
+    if (inTheWay_ < near_->size() && meets((*near_)[inTheWay_])) return true;
+    const auto found = std::find_if(near_->begin(), near_->end(), meets);
+    if (found == near_->end()) return false;
+    inTheWay_ = static_cast<std::size_t>(found - near_->begin());
+    return true;
 }
 
 /// True if two triangles of the filling are in conflict.

@@ -66,22 +66,34 @@ class FillingSearch {
     }
     bool staysJoined(Index u, Index v) const;
     bool foldsOnto(const Triangle& made, HalfEdge outer) const;
-    bool isInConflict(const ShapedTriangle& made, NearRing& near) const;
-    bool findFault(const Triangle& made);
-    bool isFaulty(const RingTriangle& t);
+    bool fits(const RingTriangle& t) const;
+    bool isFit(const RingTriangle& t);
     bool mayMake(const RingTriangle& t);
+    bool isInConflict(const Triangle& made);
+    void findNear();
+    template <typename Visit>
+    bool anyThird(std::size_t side, Visit&& visit);
+    bool isBlocked(std::size_t side);
+    bool hasBlockedSide();
     bool crossesItself(const Filling& filling) const;
 
     template <typename Goal>
     friend class FillingTable;
 
+    /// What was found out about a triangle of the ring: it fits if it has no fault but maybe a
+    /// conflict.
+    enum class Known : std::uint8_t { Nothing, Fit, Sound, Faulty };
+    Known& known(const RingTriangle& t) {
+        return known_[(t[0] * ring_.size() + t[1]) * ring_.size() + t[2]];
+    }
+
     const PointSet& points_;
-    const RepairState& m_;
+    RepairState& m_;
     const HoleRing& ring_;
-    std::vector<NearRing> near_;  ///< Those that stay.
-    std::size_t inTheWay_ = 0;    ///< The one that the last fault was a conflict with: asked first.
-    enum class Known : std::uint8_t { Nothing, Sound, Faulty };
-    std::vector<Known> known_;  ///< About each triangle, by its positions.
+    std::vector<Known> known_;
+    /// The triangles nearby that stay; found when first needed.
+    std::optional<std::vector<NearRing>> near_;
+    std::size_t inTheWay_ = 0;  ///< The one that the last conflict was with: asked first.
 };
 
 /// Puts the filling in the place of HoleRing::gone, and at the end of the list; those that are gone
