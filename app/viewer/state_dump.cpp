@@ -293,7 +293,9 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"layers", json::array()},
              {"pins", json::object()},
              {"before", session_.showsBefore()},
-             {"shown_state", session_.showsBefore() ? "before" : "after"},
+             {"shown_state", session_.showsEarlierMesh() ? "earlier mesh"
+                             : session_.showsBefore()    ? "before"
+                                                         : "after"},
              {"blinking", ui_.look.blinking()},
              {"moving", painter_.moving()},
              {"motions", painter_.motions()}};

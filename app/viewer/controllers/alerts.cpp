@@ -70,7 +70,9 @@ void AlertController::reportChange() {
     const std::string said = c_.session.messages().last();
     const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
                                                   : "Now " + verdict_ + "; before, " + before + ".";
-    c_.session.messages().say(said + (said.empty() ? "" : " ") + change);
+    const char* look =
+        c_.session.hasEarlierMesh() ? " Hold the back-quote key to see the mesh before." : "";
+    c_.session.messages().say(said + (said.empty() ? "" : " ") + change + look);
 }
 
 /// Other settings are tried without a request where that is quick, and the addresses of what-ifs

@@ -115,7 +115,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     // The finished mesh is shown without its last decision.
     const bool finished = showsFinishedMesh(context);
     shownLayers_ = shownLayers(settings.layers, finished ? std::nullopt : session.stage());
-    const RunFailureSearch* faults = finished ? session.alerts().search().found() : nullptr;
+    const RunFailureSearch* faults = finished ? session.finishedFaults() : nullptr;
     const std::size_t shapes = session.overview().shapes.size();
     Filled now{session.revision(),
                shownLayers_,

@@ -35,7 +35,20 @@ void Session::fail(std::string why) {
     messages_.say(std::move(why));
 }
 
+void Session::keepFinishedMesh(const Opened& opened) {
+    const bool same = ready() && atEnd() && !before_ &&
+                      input_.spec().source == input_.opening().source &&
+                      model_->points.position == opened.model->points.position;
+    earlier_ = {};
+    if (!same) return;
+    const std::span<const Triangle> shown = shownTriangles();
+    earlier_.triangles = std::make_shared<const std::vector<Triangle>>(shown.begin(), shown.end());
+    if (const RunFailureSearch* found = alerts_.search().found())
+        earlier_.faults = std::make_shared<const RunFailureSearch>(*found);
+}
+
 void Session::adopt(Opened opened) {
+    keepFinishedMesh(opened);
     overviewJob_.reset();
     model_ = std::move(opened.model);
     moved_ = std::move(opened.moved);
@@ -162,6 +175,7 @@ std::span<const Triangle> Session::shownTriangles() const {
 void Session::setCursor(std::size_t cursor) {
     cursor_ = cursor;
     picture_ = before_ ? replay().before(cursor_) : replay().after(cursor_);
+    if (showsEarlierMesh()) picture_.repaired = earlier_.triangles;
     ++revision_;
 }
 

@@ -34,6 +34,12 @@ namespace se::view {
 
 class Questions;
 
+/// The finished mesh of a run, kept while another run of the same points is open.
+struct EarlierMesh {
+    std::shared_ptr<const std::vector<Triangle>> triangles;
+    std::shared_ptr<const RunFailureSearch> faults;  ///< Null: not searched.
+};
+
 class Session {
   public:
     Session();
@@ -103,6 +109,14 @@ class Session {
     /// Shows the picture before the event at the cursor, while this is on.
     void showBefore(bool on);
     bool showsBefore() const { return before_; }
+    /// The picture is the finished mesh of the run before the last change: at the end of the run,
+    /// while showBefore() is on, if that run was at its end and had the same points.
+    bool showsEarlierMesh() const { return before_ && earlier_.triangles && atEnd(); }
+    bool hasEarlierMesh() const { return earlier_.triangles != nullptr; }
+    /// Faults of the finished mesh that is shown; null if they are not known.
+    const RunFailureSearch* finishedFaults() const {
+        return showsEarlierMesh() ? earlier_.faults.get() : alerts_.search().found();
+    }
     Address address() const;
     /// Position of the cursor in the order of the run.
     RunPosition place() const;
@@ -158,6 +172,7 @@ class Session {
     void setCursorToLast();
     void take(RunnerAnswer& answer);
     void adopt(Opened opened);
+    void keepFinishedMesh(const Opened& opened);
     void fail(std::string why);
     bool pollLast();
 
@@ -169,6 +184,7 @@ class Session {
     std::size_t cursor_ = 0;
     DecisionState picture_;
     bool before_ = false;
+    EarlierMesh earlier_;
     std::vector<Triangle> triangles_;
     MeshIndex meshIndex_;
     RunOverview overview_;

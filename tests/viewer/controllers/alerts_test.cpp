@@ -289,6 +289,10 @@ TEST_CASE(
     AlertApp app(file.path.string());
     const std::string before = verdictText(app.session.alerts().search());
     CHECK(before.find(" at ") != std::string::npos);
+    app.session.moves().toEnd();
+    app.session.waitUntilDone();
+    const std::size_t trianglesBefore = app.session.shownTriangles().size();
+    const std::size_t placesBefore = app.session.alerts().search().places().size();
     // Without a trial yet, the rules of robust.
     CHECK(bestChange(app.context) == SettingsChange{.rules = "robust"});
     app.session.trials().start();
@@ -305,6 +309,15 @@ TEST_CASE(
     CHECK(faultCount(app.session.alerts().search().found()->totals) == faultCount(numbers.totals));
     CHECK(app.session.messages().last().find("Now " + after + "; before, " + before + ".") !=
           std::string::npos);
+    // The mesh of before is shown while the user looks back, with its faults.
+    CHECK_FALSE(app.session.showsEarlierMesh());
+    app.session.showBefore(true);
+    CHECK(app.session.showsEarlierMesh());
+    CHECK(app.session.shownTriangles().size() == trianglesBefore);
+    REQUIRE(app.session.finishedFaults() != nullptr);
+    CHECK(app.session.finishedFaults()->places.size() == placesBefore);
+    app.session.showBefore(false);
+    CHECK(app.session.finishedFaults() == app.session.alerts().search().found());
     // What the trials were about is gone.
     CHECK(app.session.trials().trials().tried.empty());
 }

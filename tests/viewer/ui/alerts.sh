@@ -85,7 +85,7 @@ says trials_ended true; says trial_best ".+"
 click_on "verdict fix"
 says alert_search done; says at_end true
 leaves verdict "$before"
-says message ".*Now .*; before, $before."
+says message ".*Now .*; before, $before\..*"
 click_on "verdict save"; says file_browser true
 press Escape
 click_on "verdict steps"; says pivot 0

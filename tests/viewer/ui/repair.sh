@@ -48,6 +48,11 @@ for input in "${inputs[@]}"; do
         verdict=$(field verdict)
         click_on "verdict fix"
         leaves verdict "$verdict"; says alert_search done; says at_end true
+        # The mesh of before, at the same camera, while the key is held; it has the same points.
+        if [[ $change != *without* ]]; then
+            xdotool keydown grave; says shown_state "earlier mesh"; picture "before-$input"
+            xdotool keyup grave; says shown_state after
+        fi
         picture "fixed-$input"
     fi
     press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'; says typing true

@@ -61,7 +61,7 @@ void drawHead(const PanelContext& context, const FaultPin& each) {
 
 std::vector<FaultPin> offerFaultPins(const PanelContext& context) {
     std::vector<FaultPin> shown;
-    const RunFailureSearch* found = context.session().alerts().search().found();
+    const RunFailureSearch* found = context.session().finishedFaults();
     if (context.beside || found == nullptr || !showsFinishedMesh(context.commands)) return shown;
     const Model& model = context.session().model();
     const ScreenProjection projection(context);

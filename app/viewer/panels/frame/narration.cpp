@@ -58,6 +58,7 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
 
 /// The decision at the cursor of a run, with all digits; without an event the latest message.
 std::string sentenceOf(const Session& session) {
+    if (session.showsEarlierMesh()) return "The finished mesh before the last change of settings.";
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
                session.noticedText();

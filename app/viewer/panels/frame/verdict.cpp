@@ -69,8 +69,8 @@ std::string numbersText(const MeshNumbers& numbers, const Model& model) {
     const auto spacings = [&](double length) {
         return formatted("%.2g", length * model.scale / model.spacing);
     };
-    std::string text = grouped(faultCount(numbers.totals)) + " faults \xC2\xB7 " +
-                       grouped(numbers.lost) + " lost";
+    std::string text =
+        grouped(faultCount(numbers.totals)) + " faults \xC2\xB7 " + grouped(numbers.lost) + " lost";
     if (numbers.setAside > 0) text += " \xC2\xB7 " + grouped(numbers.setAside) + " set aside";
     if (numbers.openings > 0) {
         text += " \xC2\xB7 " + grouped(numbers.closed) + " of " + grouped(numbers.openings) +

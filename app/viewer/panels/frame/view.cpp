@@ -218,7 +218,9 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     const float em = context.em;
     const Color& color = session.showsBefore() ? context.palette.textDim : context.palette.test;
     const std::string text =
-        (session.showsBefore() ? "before " : "after ") + toString(session.address());
+        session.showsEarlierMesh()
+            ? "before the change"
+            : (session.showsBefore() ? "before " : "after ") + toString(session.address());
     const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, text.c_str());
     const glm::vec2 at(view.min.x + 0.5F * (view.size.x - extent.x), view.min.y + 0.9F * em);
     const glm::vec2 pad(0.6F * em, 0.25F * em);
