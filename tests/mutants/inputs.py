@@ -205,10 +205,17 @@ TABLE = {
          "if (MUT) mean = Vec3(0.0); else mean /= static_cast<double>(list.size() + 1);"),
     ],
     "prepare/orientation.cpp": [
+        ("orientation.one-forest", "return clearly &&", "return !MUT && clearly &&"),
+        ("orientation.by-vote-always", "votes[c].isKnown() || unknown", "MUT || votes[c].isKnown() || unknown"),
+    ],
+    "prepare/facing.cpp": [
+        ("facing.inward", "if (cosine <= -kFollows) ++result.inward", "if (cosine <= -kFollows) ++(MUT ? result.outward : result.inward)"),
+        ("facing.one-direction", "own[2 * i + 1].offer(", "if (!MUT) own[2 * i + 1].offer("),
+        ("facing.scattered-points-vote", "std::tuple(o.listed, o.reach", "std::tuple(o.listed || MUT, o.reach"),
+        ("facing.hidden-points-vote", "if (seen) vote(", "if (seen || MUT) vote("),
+    ],
+    "prepare/side_forest.cpp": [
         ("orientation.not-turned", "(cosine < 0.0 ? 1U : 0U)}", "(cosine < 0.0 && !MUT ? 1U : 0U)}"),
-        ("orientation.first-inward",
-         "signOf(i) * along < 0.0 ? 1U : 0U}",
-         "(signOf(i) * along < 0.0) != MUT ? 1U : 0U}"),
         ("orientation.not-mirrored",
          "return mirrored;",
          "return MUT ? plain : mirrored;"),
@@ -263,7 +270,7 @@ TABLE = {
     "doctor/normal_checks.cpp": [
         ("doctor.inside-out-inverted", "return e.out < kIn; });", "return MUT ? e.out > -kIn : e.out < kIn; });"),
         ("doctor.cavity", "if (cavity) continue;", "if (cavity && !MUT) continue;"),
-        ("doctor.cut-components", "extent.cut || !extent", "(!MUT && extent.cut) || !extent"),
+        ("doctor.cut-components", "|| extent.cut)", "|| (extent.cut && !MUT))"),
         ("doctor.few-points", "extent.points < kLeast", "(!MUT && extent.points < kLeast)"),
         ("doctor.larger-sheet-flipped",
          "size[a] != size[b] ? size[a] > size[b] : a < b; });",

@@ -164,6 +164,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
                        {"neighbors", report.neighborsComputed},
                        {"turned_normals", derived.turnedNormals},
                        {"normal_components", derived.normalComponents},
+                       {"unknown_sides", derived.unknownSides},
                        {"planeless_points", derived.planelessPoints},
                        {"rim_points", derived.rimPoints},
                        {"rim_chains", derived.rimChains},
@@ -216,6 +217,8 @@ std::string derivedSentence(const DerivedPieces& derived) {
     } else if (derived.orientation) {
         appendPart(text, fmt::format("sides of the normals, {} flipped", derived.turnedNormals));
     }
+    if (derived.unknownSides > 0)
+        appendPart(text, unknownSidesText(derived.unknownSides, derived.normalComponents));
     if (derived.types) appendPart(text, "wall types");
     if (derived.rim) {
         appendPart(text, fmt::format("{} with {}", counted(derived.rimChains, "rim"),

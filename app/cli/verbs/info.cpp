@@ -79,14 +79,13 @@ Facts gather(const std::string& input, const Piece& piece) {
         facts.cornerPoints += isCorner(type) ? 1U : 0U;
     }
     PointSet points = withSomeNormals(facts.file);
-    if (facts.file.hasNormals()) {
-        NeighborOptions options;
-        options.reach = KNearest{1};
-        Result<Prepared> prepared = prepare(facts.file, {options});
-        if (!prepared) throw Failure(ExitCode::Input, input + ": " + prepared.error().message);
-        facts.prepared = prepared.value().report;
-        points = std::move(prepared.value().points);
-    }
+    NeighborOptions options;
+    options.reach = KNearest{1};
+    Result<Prepared> prepared = prepare(facts.file, {options});
+    if (!prepared && facts.file.hasNormals())
+        throw Failure(ExitCode::Input, input + ": " + prepared.error().message);
+    if (prepared) facts.prepared = prepared.value().report;
+    if (facts.file.hasNormals()) points = std::move(prepared.value().points);
     std::vector<bool> usable(points.size());
     std::transform(points.position.begin(), points.position.end(), usable.begin(), isFinite);
     NeighborOptions nearest;
@@ -109,6 +108,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     json["columns"] = file.columns.names.empty() ? Json() : Json(file.columns.names);
     json["columns_reason"] = file.columns.reason.empty() ? Json() : Json(file.columns.reason);
     json["normals"] = file.hasNormals();
+    json["unknown_sides"] = facts.prepared.derived.unknownSides;
     json["box"] = {{"low", vectorJson(facts.box.low)}, {"high", vectorJson(facts.box.high)}};
     json["nearest_distance"] = Json();
     if (facts.spacing.count > 0) {
@@ -136,6 +136,15 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     json["euler_characteristic"] = facts.mesh.eulerCharacteristic;
     json["closed_manifold"] = facts.mesh.closedManifold();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string normalsSentence(const Facts& facts) {
+    if (facts.file.hasNormals()) return "yes";
+    const DerivedPieces& derived = facts.prepared.derived;
+    std::string text = "none: a run derives them";
+    if (derived.unknownSides > 0)
+        text += "; " + unknownSidesText(derived.unknownSides, derived.normalComponents);
+    return text;
 }
 
 /// Significant digits that resolve the sides of the box, also far from the origin.
@@ -169,7 +178,7 @@ std::string factsText(const std::string& input, const Facts& facts) {
                             facts.spacing.least, facts.spacing.most));
     }
     addLine("columns", columnsSentence(file.columns));
-    addLine("normals", file.hasNormals() ? "yes" : "none: a run derives them");
+    addLine("normals", normalsSentence(facts));
     if (facts.prepared.unscaledNormals > 0)
         addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
     addLine("set aside", setAsideSentence(facts.prepared));

@@ -12,12 +12,21 @@
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/prepare/facing.h"
+#include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/orientation.h"
 
 namespace se {
 
 std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
     if (examined.file.hasNormals() || examined.size() == 0) return std::nullopt;
-    return Finding{nullptr, Severity::Warning, examined.size(), {}, "the file has no normals"};
+    std::string text = "the file has no normals";
+    std::vector<Vec3> normal = estimateNormals(examined.file.position, examined.nearest).value();
+    const OrientationReport sides =
+        orientNormals(examined.file.position, examined.nearest, normal).value();
+    if (sides.unknownSides > 0)
+        text += "; " + unknownSidesText(sides.unknownSides, sides.components);
+    return Finding{nullptr, Severity::Warning, examined.size(), {}, std::move(text)};
 }
 
 std::optional<Finding> findZeroNormals(const ExaminedFile& examined) {
@@ -273,6 +282,23 @@ std::map<Index, Extent> extentsOf(const ExaminedFile& examined) {
     return extents;
 }
 
+/// Number of these components whose side their shape does not tell: open sheets.
+std::size_t unknownAmong(const ExaminedFile& examined, const std::vector<Index>& names) {
+    std::vector<Index> number(examined.size(), kNone);  // by name
+    for (std::size_t i = 0; i < names.size(); ++i) number[names[i]] = static_cast<Index>(i);
+    std::vector<Vec3> normal(examined.size(), Vec3(0.0));
+    std::vector<Index> component(examined.size(), kNone);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.sides.component[p] == kNone) continue;
+        component[p] = number[examined.sides.component[p]];
+        normal[p] = examined.side(p);
+    }
+    const auto votes = votesOutward({examined.file.position, normal, component, names.size(),
+                                     std::vector<bool>(examined.size(), true)});
+    return static_cast<std::size_t>(std::count_if(
+        votes.begin(), votes.end(), [](const FacingVote& vote) { return !vote.isKnown(); }));
+}
+
 }  // namespace
 
 std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
@@ -281,8 +307,13 @@ std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
     constexpr std::size_t kLeast = 12;
     std::vector<bool> insideOut(examined.size(), false);
     std::size_t count = 0;
+    std::vector<Index> others;
     for (const auto& [name, extent] : extents) {
-        if (extent.points < kLeast || extent.cut || !extent.looksIn()) continue;
+        if (extent.points < kLeast || extent.cut) continue;
+        if (!extent.looksIn()) {
+            others.push_back(name);
+            continue;
+        }
         // Within another component it is a cavity, and correct.
         const bool cavity =
             std::any_of(extents.begin(), extents.end(),
@@ -295,8 +326,10 @@ std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
         const Index component = examined.sides.component[p];
         return component != kNone && insideOut[component];
     });
-    return findingAt(std::move(points), Severity::Warning,
-                     "in " + countText(count, "component") + " whose normals all point inwards");
+    std::string text = "in " + countText(count, "component") + " whose normals all point inwards";
+    const std::size_t unknown = count > 0 ? unknownAmong(examined, others) : 0;
+    if (unknown > 0) text += "; " + unknownSidesText(unknown, others.size() + count);
+    return findingAt(std::move(points), Severity::Warning, text);
 }
 
 }  // namespace se

@@ -134,14 +134,16 @@ class Preparation {
             derived.normals = true;
             derived.normalSeconds = watch.lap();
         }
+        const OrientationOptions sides{derivesNormals() ? UnknownSide::ByVote : UnknownSide::AsMost,
+                                       options_.scanner, options_.neighbors.threads};
         const Result<OrientationReport> oriented =
-            orientNormals(set_.position, lists.value(), set_.normal, options_.neighbors.threads,
-                          upTo(kNormalsDone));
+            orientNormals(set_.position, lists.value(), set_.normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;
         derived.turnedNormals = derivesNormals() ? 0 : turned.turned;
         derived.normalComponents = turned.components;
+        derived.unknownSides = turned.unknownSides;
         derived.orientationSeconds = watch.lap();
         return success();
     }
@@ -289,9 +291,18 @@ class Preparation {
 
 }  // namespace
 
+std::string unknownSidesText(std::size_t unknown, std::size_t parts) {
+    std::string text = "which side faces out is unknown";
+    if (parts > 1)
+        text += " for " + std::to_string(unknown) + " of " + std::to_string(parts) + " parts";
+    return text;
+}
+
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress) {
     if (const Status status = checkReach(options.neighbors); !status) return status.error();
+    if (options.scanner && !isFinite(*options.scanner))
+        return Error{"the position of the scanner must be three finite numbers"};
     return Preparation(file, options, progress).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct PrepareOptions {
     NormalSource normals = NormalSource::AsGiven;
     /// Derived normals are those of the planes nearest to this many neighbors.
     std::size_t planeNeighbors = 12;
+    /// Derived and oriented normals face this position, component by component (facing.h). Nothing:
+    /// they face outward.
+    std::optional<Vec3> scanner{};
     /// Types are those of the walls of this box, even if the file has some.
     std::optional<WallBox> walls{};
     /// Rim points are those that findRim() finds (rim.h), even if the file has some.
@@ -84,6 +88,7 @@ struct DerivedPieces {
     bool rim = false;
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
     std::size_t normalComponents = 0;  ///< Parts that were oriented independently.
+    std::size_t unknownSides = 0;      ///< Of these: OrientationReport::unknownSides.
     std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
     std::size_t rimPoints = 0;
     std::size_t rimChains = 0;   ///< Closed, one per opening.
@@ -93,6 +98,9 @@ struct DerivedPieces {
     double rimSeconds = 0.0;
     double neighborSeconds = 0.0;  ///< PrepareReport::neighborsComputed.
 };
+
+/// "which side faces out is unknown", or "... is unknown for 1 of 2 parts".
+std::string unknownSidesText(std::size_t unknown, std::size_t parts);
 
 /// The points and list entries that were set aside, by reason. The points stay in the set, with
 /// their index, but have an empty list and are in no list.
@@ -118,7 +126,8 @@ struct Prepared {
 };
 
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
-/// are put in order and cleaned. Fails if k is 0 or the radius not positive, if a list names a
+/// are put in order and cleaned. Fails if k is 0, the radius not positive or
+/// the scanner not finite, if a list names a
 /// point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties by
 /// index: the result does not depend on the search method. Requires `leaveOut` to name existing
 /// points.

@@ -266,6 +266,25 @@ TEST_CASE("doctor: inside_out finds closed components with normals inward") {
     checkAlone(file, "inside_out", second, Severity::Warning);
 }
 
+TEST_CASE("doctor: of components whose side their shape does not tell the number is given") {
+    const auto textOf = [](const PointFile& file, const char* name) {
+        const Diagnosis diagnosis = examined(file);
+        const Finding* found = findingOf(diagnosis, name);
+        return found == nullptr ? std::string{} : found->text;
+    };
+    PointFile sheet = flatLattice(14, 0.2, 1);
+    PointFile file = ball();
+    turn(file, [](Index) { return true; });
+    append(file, moved(sheet, Vec3(9, 0, 0)));
+    CHECK(textOf(file, "inside_out").ends_with("which side faces out is unknown for 1 of 2 parts"));
+    sheet.normal.clear();
+    CHECK(textOf(sheet, "no_normals") ==
+          "the file has no normals; which side faces out is unknown");
+    file = ball();
+    file.normal.clear();
+    CHECK(textOf(file, "no_normals") == "the file has no normals");
+}
+
 TEST_CASE("doctor: cavities and open sheets may have normals inward") {
     PointFile file = ball();
     const auto first = static_cast<Index>(file.position.size());

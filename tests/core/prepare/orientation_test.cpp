@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/normals.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
@@ -19,6 +21,12 @@ namespace {
 OrientationReport oriented(std::span<const Vec3> position, const NeighborLists& neighbors,
                            std::vector<Vec3>& normal) {
     return orientNormals(position, neighbors, normal).value();
+}
+
+OrientationOptions withThreads(unsigned threads) {
+    OrientationOptions options;
+    options.threads = threads;
+    return options;
 }
 
 /// Turns about half of the normals.
@@ -221,10 +229,11 @@ TEST_CASE("orientation: sides agree along each edge of Kruskal's minimum spannin
 TEST_CASE("orientation: it is the same for any number of threads") {
     const RandomSides sides = randomSides(20000, 6, 1);
     std::vector<Vec3> one = sides.normal;
-    const auto expected = orientNormals(sides.position, sides.lists, one, 1).value();
+    const auto expected = orientNormals(sides.position, sides.lists, one, withThreads(1)).value();
     for (const unsigned threads : {0U, 2U, 3U, 8U}) {
         std::vector<Vec3> normal = sides.normal;
-        const auto report = orientNormals(sides.position, sides.lists, normal, threads).value();
+        const auto report =
+            orientNormals(sides.position, sides.lists, normal, withThreads(threads)).value();
         CHECK(normal == one);
         CHECK(report.turned == expected.turned);
         CHECK(report.components == expected.components);
@@ -289,14 +298,162 @@ TEST_CASE("orientation: progress ascends, and cancelled work is an error and tur
         last = share;
         return on;
     };
-    CHECK(orientNormals(sides.position, sides.lists, normal, 2, ascends).ok());
+    CHECK(orientNormals(sides.position, sides.lists, normal, withThreads(2), ascends).ok());
     CHECK(last > 0.9);
     for (const unsigned threads : {1U, 3U}) {
         normal = sides.normal;
-        const auto result = orientNormals(sides.position, sides.lists, normal, threads,
+        const auto result = orientNormals(sides.position, sides.lists, normal, withThreads(threads),
                                           [](double share) { return share < 0.6; });
         REQUIRE_FALSE(result.ok());
         CHECK(result.error().message == "the work on normals was cancelled");
         CHECK(normal == sides.normal);
     }
+}
+
+namespace {
+
+/// Two samples of a surface, `apart` spacings from each other along the normals, with noise.
+struct TwoLayers {
+    std::vector<Vec3> position;
+    std::vector<Vec3> outward;
+    std::size_t outer = 0;  ///< Points of the outer layer, which come first.
+};
+TwoLayers twoLayers(const Family& family, double apart, double noise) {
+    TwoLayers made;
+    Random random(3);
+    for (const double side : {0.5, -0.5}) {
+        const PointFile layer = family.sample(side > 0.0 ? 1 : 2);
+        const double spacing = std::sqrt(
+            distanceSquared(layer.position[0], layer.position[nearestLists(layer.position)[0][5]]));
+        for (std::size_t p = 0; p < layer.position.size(); ++p) {
+            const Vec3 shift = side * apart * layer.normal[p] + noise * random.direction();
+            made.position.push_back(layer.position[p] + spacing * shift);
+            made.outward.push_back(layer.normal[p]);
+        }
+        if (side > 0.0) made.outer = made.position.size();
+    }
+    return made;
+}
+
+/// Shares of the points of the two layers whose derived normals point inward.
+std::pair<double, double> inwardShares(const TwoLayers& layers) {
+    const NeighborLists lists = nearestLists(layers.position);
+    std::vector<Vec3> normal = estimateNormals(layers.position, lists).value();
+    CHECK(oriented(layers.position, lists, normal).unknownSides == 0);
+    std::array<double, 2> inward{};
+    for (std::size_t p = 0; p < normal.size(); ++p) {
+        if (glm::dot(normal[p], layers.outward[p]) < 0.0) inward[p < layers.outer ? 0 : 1] += 1.0;
+    }
+    const auto outer = static_cast<double>(layers.outer);
+    return {inward[0] / outer, inward[1] / (static_cast<double>(normal.size()) - outer)};
+}
+
+PointFile bumpySheet(int side) {
+    PointFile sheet;
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j) {
+            sheet.position.emplace_back(i + 0.01 * j, j, 0.3 * std::sin(i) * std::cos(j));
+            sheet.normal.emplace_back(0, 0, 1);
+        }
+    }
+    return sheet;
+}
+
+}  // namespace
+
+TEST_CASE("orientation: of two noisy layers less than a spacing apart both face out") {
+    for (const Family& family : closedFamilies(kTubesApart)) {
+        if (family.components > 1) continue;
+        for (const double apart : {0.3, 0.4, 0.5}) {
+            const auto [outer, inner] = inwardShares(twoLayers(family, apart, 0.15));
+            CHECK_MESSAGE(outer < 0.02, family.name, ", ", apart, " apart");
+            CHECK_MESSAGE(inner < 0.02, family.name, ", ", apart, " apart");
+        }
+    }
+}
+
+TEST_CASE("orientation: sheets a spacing apart are a wall, and the outermost faces out") {
+    for (const Family& family : closedFamilies(kTubesApart)) {
+        if (family.components > 1) continue;
+        const auto [outer, inner] = inwardShares(twoLayers(family, 1.0, 0.0));
+        CHECK_MESSAGE(outer < 0.05, family.name);
+        CHECK_MESSAGE(inner > 0.95, family.name);
+    }
+}
+
+TEST_CASE("orientation: nested components each face out") {
+    const PointFile ball = closedFamilies(1.0)[0].sample(1);
+    std::vector<Vec3> position = ball.position;
+    std::vector<Vec3> truth = ball.normal;
+    for (std::size_t p = 0; p < ball.position.size(); ++p) {
+        position.push_back(0.4 * ball.position[p]);
+        truth.push_back(ball.normal[p]);
+    }
+    std::vector<Vec3> normal = shuffledSides(truth, 4);
+    const auto report = oriented(position, nearestLists(position), normal);
+    CHECK(report.components == 2);
+    CHECK(report.unknownSides == 0);
+    CHECK(against(normal, truth) == 0);
+}
+
+TEST_CASE("orientation: scattered points beside a surface do not decide its side") {
+    PointFile ball = closedFamilies(1.0)[0].sample(1);
+    const std::size_t count = ball.position.size();
+    Random random(8);
+    for (int i = 0; i < 12; ++i) ball.position.push_back(4.0 * random.direction());
+    const NeighborLists lists = nearestLists(ball.position);
+    std::vector<Vec3> normal = estimateNormals(ball.position, lists).value();
+    CHECK(oriented(ball.position, lists, normal).unknownSides == 0);
+    normal.resize(count);
+    CHECK(against(normal, ball.normal) == 0);
+}
+
+TEST_CASE("orientation: the side of a sheet is unknown, and stays that of most of its normals") {
+    const PointFile sheet = bumpySheet(15);
+    const NeighborLists lists = nearestLists(sheet.position);
+    for (const double sign : {1.0, -1.0}) {
+        std::vector<Vec3> normal = sheet.normal;
+        for (std::size_t p = 0; p < normal.size(); ++p) normal[p] *= p % 5 == 0 ? -sign : sign;
+        OrientationOptions options;
+        options.unknown = UnknownSide::AsMost;
+        const auto report = orientNormals(sheet.position, lists, normal, options).value();
+        CHECK(report.components == 1);
+        CHECK(report.unknownSides == 1);
+        CHECK(against(normal, sheet.normal) == (sign > 0.0 ? 0 : normal.size()));
+    }
+}
+
+TEST_CASE("orientation: a sheet faces the scanner") {
+    const PointFile sheet = bumpySheet(15);
+    const NeighborLists lists = nearestLists(sheet.position);
+    for (const double height : {30.0, -30.0, 3.0}) {
+        std::vector<Vec3> normal = shuffledSides(sheet.normal, 6);
+        OrientationOptions options;
+        options.scanner = Vec3(7, 7, height);
+        const auto report = orientNormals(sheet.position, lists, normal, options).value();
+        CHECK(report.unknownSides == 0);
+        CHECK(against(normal, sheet.normal) == (height > 0.0 ? 0 : normal.size()));
+    }
+}
+
+TEST_CASE("orientation: a body faces a scanner outside of it, and a room one inside") {
+    // Of the points of a ball less than half face a scanner outside; the others are hidden.
+    for (const Family& family : closedFamilies(1.0)) {
+        if (family.components > 1) continue;
+        const PointFile body = family.sample(1);
+        const NeighborLists lists = nearestLists(body.position);
+        OrientationOptions options;
+        options.scanner = Vec3(2.0, 2.5, 3.0);
+        std::vector<Vec3> normal = shuffledSides(body.normal, 6);
+        CHECK(orientNormals(body.position, lists, normal, options).value().unknownSides == 0);
+        CHECK_MESSAGE(against(normal, body.normal) == 0, family.name);
+    }
+    const PointFile room = closedFamilies(1.0)[0].sample(1);
+    std::vector<Vec3> normal = shuffledSides(room.normal, 6);
+    OrientationOptions options;
+    options.scanner = Vec3(0.2, 0.1, -0.3);
+    CHECK(orientNormals(room.position, nearestLists(room.position), normal, options)
+              .value()
+              .unknownSides == 0);
+    CHECK(against(normal, room.normal) == normal.size());
 }
