@@ -90,6 +90,11 @@ void DerivedArguments::addTo(CLI::App& app) {
     app.add_flag("--derive-normals", deriveNormals_,
                  "Derive normals from the positions even if the file has some")
         ->excludes(orient);
+    app.add_option(
+           "--scanner", scanner_,
+           "Derived or flipped normals face this position, X,Y,Z, part by part (default: they "
+           "face outward)")
+        ->type_name("POINT");
     app.add_option("--box", box_,
                    "Points on the walls of this box are boundary points: auto (the box around all "
                    "points), or X0,Y0,Z0,X1,Y1,Z1")
@@ -99,18 +104,39 @@ void DerivedArguments::addTo(CLI::App& app) {
                  "boundary points");
 }
 
-std::optional<SixNumbers> sixNumbersFromText(const std::string& text) {
-    SixNumbers numbers;
+std::optional<std::vector<double>> numbersFromText(const std::string& text, std::size_t count) {
+    std::vector<double> numbers(count);
     std::istringstream stream(text);
     stream.imbue(std::locale::classic());
-    for (int i = 0; i < 6; ++i) {
-        double& value = i < 3 ? numbers.first[i] : numbers.second[i - 3];
+    for (std::size_t i = 0; i < count; ++i) {
         char comma = ',';
         if (i > 0) stream >> comma;
-        if (!(stream >> value) || comma != ',' || !std::isfinite(value)) return std::nullopt;
+        if (!(stream >> numbers[i]) || comma != ',' || !std::isfinite(numbers[i]))
+            return std::nullopt;
     }
     stream >> std::ws;
     return stream.eof() ? std::optional(numbers) : std::nullopt;
+}
+
+std::optional<SixNumbers> sixNumbersFromText(const std::string& text) {
+    const auto n = numbersFromText(text, 6);
+    if (!n) return std::nullopt;
+    return SixNumbers{Vec3((*n)[0], (*n)[1], (*n)[2]), Vec3((*n)[3], (*n)[4], (*n)[5])};
+}
+
+Vec3 DerivedArguments::scanner(const PointFile& file) const {
+    const auto n = numbersFromText(scanner_, 3);
+    if (!n) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--scanner {}: expected three numbers separated by commas: X,Y,Z",
+                                  scanner_));
+    }
+    if (file.hasNormals() && !orient_ && !deriveNormals_) {
+        throw Failure(ExitCode::Usage,
+                      "--scanner: the file has normals; add --orient to turn them, or "
+                      "--derive-normals");
+    }
+    return {(*n)[0], (*n)[1], (*n)[2]};
 }
 
 WallBox boxFromText(const std::string& text) {
@@ -137,6 +163,7 @@ PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
     options.neighbors = neighbors;
     if (orient_) options.normals = NormalSource::Oriented;
     if (deriveNormals_) options.normals = NormalSource::Derived;
+    if (!scanner_.empty()) options.scanner = scanner(file);
     if (box_ == "auto") {
         options.walls = boxAround(file.position);
     } else if (!box_.empty()) {

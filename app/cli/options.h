@@ -23,6 +23,9 @@ inline constexpr long long kMaxNeighbors = 1'000'000;
 /// to exit with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
+/// `count` finite numbers separated by commas; nothing if the text is anything else.
+std::optional<std::vector<double>> numbersFromText(const std::string& text, std::size_t count);
+
 /// Two corners.
 using SixNumbers = std::pair<Vec3, Vec3>;
 /// Finite numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1; nothing if the text is anything else.
@@ -50,18 +53,22 @@ class NeighborArguments {
     bool keepNoise_ = false;
 };
 
-/// Options for what is derived from the points: --orient, --derive-normals, --box,
-/// --derive-rim.
+/// Options for what is derived from the points: --orient, --derive-normals, --scanner,
+/// --box, --derive-rim.
 class DerivedArguments {
   public:
     void addTo(CLI::App& app);
-    /// Combined with `neighbors`. Throws Failure if the box is malformed.
+    /// Combined with `neighbors`. Throws Failure if the box or the scanner is malformed, or if the
+    /// file has normals that no option turns toward the scanner.
     PrepareOptions options(const NeighborOptions& neighbors, const PointFile& file) const;
 
   private:
+    Vec3 scanner(const PointFile& file) const;
+
     bool orient_ = false;
     bool deriveNormals_ = false;
     bool rim_ = false;
+    std::string scanner_;
     std::string box_;
 };
 

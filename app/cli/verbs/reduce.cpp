@@ -99,7 +99,10 @@ nlohmann::ordered_json boxJson(const std::string& text) {
 
 /// Preparation options under their names in session files.
 void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) {
-    const auto reach = input.prepareOptions({}).neighbors.reach;
+    const PrepareOptions prepared = input.prepareOptions({});
+    const auto& reach = prepared.neighbors.reach;
+    if (const auto& scanner = prepared.scanner)
+        options["scanner"] = {scanner->x, scanner->y, scanner->z};
     for (const GivenOption& each : input.given()) {
         const std::string& value = each.words.back();
         if (each.name == "neighbors") options["neighbors"] = std::get<KNearest>(reach).k;
