@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "output/piece_text.h"
 #include "progress.h"
 #include "spiraling_edge/doctor/doctor.h"
 
@@ -53,9 +54,16 @@ PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
     return prepareOptionsFrom(params(), neighbors_, derived_, file);
 }
 
-PointFile InputArguments::read() const { return readPiece(input_, piece_.piece()).file; }
+PointFile InputArguments::read(const ProgressLine& line) const {
+    InputPiece read = readPiece(input_, piece_.piece());
+    const std::string kept = keptSentence(read.points);
+    if (line.isWanted() && !kept.empty()) fmt::print(stderr, "{}: kept {}\n", input_, kept);
+    return std::move(read.file);
+}
 
-PreparedInput InputArguments::prepare(ProgressLine& line) const { return prepare(read(), line); }
+PreparedInput InputArguments::prepare(ProgressLine& line) const {
+    return prepare(read(line), line);
+}
 
 PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
     const PrepareOptions options = prepareOptions(file);

@@ -35,8 +35,9 @@ class InputArguments {
     /// Words of the given options, each option followed by its value.
     std::vector<std::string> options() const;
     PrepareOptions prepareOptions(const PointFile& file) const;
-    /// Reads input(), or the piece of it that the options choose. Throws Failure.
-    PointFile read() const;
+    /// Reads input(), or the piece of it that the options choose; then prints what was kept to
+    /// stderr, if messages are wanted. Throws Failure.
+    PointFile read(const ProgressLine& line) const;
     /// Reads and prepares, with the line of progress. Throws Failure.
     PreparedInput prepare(ProgressLine& line) const;
     /// Prepares what read() has returned. Throws Failure.

@@ -39,7 +39,9 @@ void releaseInterrupts() { removeUnfinishedFilesAtSignals(); }
 bool interrupted() { return interruptSeen != 0; }
 
 ProgressLine::ProgressLine(bool wanted)
-    : enabled_(wanted && ::isatty(STDERR_FILENO) == 1), last_(std::chrono::steady_clock::now()) {}
+    : wanted_(wanted),
+      enabled_(wanted && ::isatty(STDERR_FILENO) == 1),
+      last_(std::chrono::steady_clock::now()) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 

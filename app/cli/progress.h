@@ -26,6 +26,8 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
+    /// False if the user wants no messages.
+    bool isWanted() const { return wanted_; }
     /// True if it is time to write again; cheap enough for inner loops.
     bool due();
     /// Writes "what 42 %"; `share` is in [0, 1]. Call when due().
@@ -33,6 +35,7 @@ class ProgressLine {
     void clear();
 
   private:
+    bool wanted_;
     bool enabled_;
     bool dirty_ = false;
     std::chrono::steady_clock::time_point last_;

@@ -191,6 +191,27 @@ missing_pieces_are_derived() {
     done
 }
 
+sides_face_a_scanner_or_are_unknown() {
+    awk 'BEGIN { for (i = 0; i < 144; i++) print i % 12 + (i % 5) / 50, int(i / 12), (i % 3) / 9 }' \
+        >sheet.xyz
+    expect 0 info sheet.xyz
+    says out "none: a run derives them; which side faces out is unknown"
+    expect 1 doctor sheet.xyz
+    says out "the file has no normals; which side faces out is unknown"
+    expect 0 run sheet.xyz -o mesh.ply
+    says err "which side faces out is unknown"
+    for height in 20 -20; do
+        expect 0 run sheet.xyz --scanner=5,5,$height -o $((height > 0)).ply --report report.json
+        is "$(number unknown_sides report.json)" 0 "unknown sides, scanner at $height"
+    done
+    cmp -s 0.ply 1.ply && fail "the scanner turns nothing"
+    expect 2 run sheet.xyz --scanner 1,2
+    says err "--scanner 1,2: expected three numbers separated by commas: X,Y,Z"
+    expect 2 run mesh.ply --scanner 1,2,3
+    says err "--scanner: the file has normals; add --orient to turn them, or --derive-normals"
+    expect 0 run mesh.ply --orient --scanner 1,2,3
+}
+
 rims_are_found_on_request() {
     awk 'BEGIN { for (j = -10; j <= 10; ++j) for (i = -20; i <= 20; ++i) {
         x = i + j / 2; y = j * 0.8660254; if (x * x + y * y < 67) print x, y, 0, 0, 0, 1 } }' >disc.xyz
@@ -649,6 +670,7 @@ crop_keeps_the_points_in_a_box() {
     expect 0 run square.xyz --crop -1,1,0,2,3,0 --max-pivots 0 -q -o piece.ply
     expect 1 doctor piece.ply --crop 1,0,0,9,9,0 --fix last.ply
     says out "kept     6 of 9 points: crop"
+    says out "try: spiraling-edge run piece.ply --crop=1,0,0,9,9,0 --check -o OUT.ply"
     is "$(tail -c 12 last.ply | od -An -tu4 | awk '{ print $NF }')" 13 "last index"
 }
 
@@ -677,9 +699,13 @@ pieces_go_through_all_verbs() {
     says err "--points"
     expect 0 compare scene:sphere --crop -9,-9,-9,9,9,0 --with --rules paper
     says out "--crop -9,-9,-9,9,9,0"
+    says err "scene:sphere: kept "
     local last
     last=$(($(header_count vertex mesh.ply) - 1))
     expect 0 why scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 --point $last
+    says err "scene:sphere: kept $((last + 1)) of "
+    expect 0 why scene:sphere --thin 0.05 --point 0 -q
+    empty err
     expect 3 why scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 --point $((last + 1))
     expect 0 reduce scene:four-edge-hole --crop -9,-9,-9,9,9,9 --failure non_manifold_edges -q -o small.ply
     grep -q -- --crop small.sh && fail "reduced points are cut again: $(cat small.sh)"

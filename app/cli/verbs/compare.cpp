@@ -49,7 +49,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& 
                           ProgressLine& line) {
     const std::string& input = arguments.input.input();
     // Read once: standard input cannot be read a second time.
-    const PointFile file = arguments.input.read();
+    const PointFile file = arguments.input.read(line);
     const PreparedInput a = arguments.input.prepare(file, line);
     const PreparedInput b = other.input().prepare(file, line);
     RunComparison runs = runWithProgress("comparing", input, line, [&](const Progress& progress) {

@@ -73,6 +73,7 @@ struct DoctorArguments {
 /// Result of the examination and of the fixes.
 struct Visit {
     std::string input;
+    std::string inputWords;  ///< The input in commands: with the options of a piece.
     KeptPoints points;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
@@ -83,6 +84,22 @@ struct Visit {
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
     return runWithProgress("examining", name, line,
                            [&](const Progress& progress) { return examine(file, progress); });
+}
+
+/// What the findings of the checks that are to be dropped propose.
+struct ProposedDrop {
+    std::vector<Index> points;
+    std::string reason;
+};
+
+ProposedDrop proposedDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
+    ProposedDrop drop{pointsToDrop(findings, names), {}};
+    for (const Finding& finding : findings.findings) {
+        if (std::find(names.begin(), names.end(), finding.check->name) == names.end()) continue;
+        if (drop.reason.find(finding.dropReason) == std::string::npos)
+            appendPart(drop.reason, finding.dropReason);
+    }
+    return drop;
 }
 
 // ---- text ---------------------------------------------------------------------------------------
@@ -117,7 +134,7 @@ std::string visitText(const Visit& visit) {
                     findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
     const std::string kept = keptSentence(visit.points);
     if (!kept.empty()) text += "  kept     " + kept + "\n";
-    for (const Finding& finding : findings) text += findingText(finding, visit.input);
+    for (const Finding& finding : findings) text += findingText(finding, visit.inputWords);
     if (visit.output.empty()) return text;
     text += fmt::format("{}: written, {}\n", visit.output,
                         counted(visit.fixed.file.position.size(), "point"));
@@ -161,7 +178,7 @@ std::string visitJson(const Visit& visit) {
     const Vec3& extent = visit.findings.extent;
     json["extent"] = {extent.x, extent.y, extent.z};
     json["accused"] = hasProblem(visit.findings);
-    json["findings"] = findingsJson(visit.findings, visit.input);
+    json["findings"] = findingsJson(visit.findings, visit.inputWords);
     json["fixed"] = Json();
     if (!visit.output.empty()) {
         Json fixes = Json::array();
@@ -197,10 +214,16 @@ ExitCode doctorVerb(const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     const InputPiece read = readPiece(arguments.input, piece);
     const PointFile& file = read.file;
-    Visit visit{arguments.input, read.points, examineInput(file, arguments.input, line),
-                arguments.fixed, {},          {}};
+    Visit visit{arguments.input,
+                arguments.input + pieceOptions(piece),
+                read.points,
+                examineInput(file, arguments.input, line),
+                arguments.fixed,
+                {},
+                {}};
     if (!arguments.fixed.empty()) {
-        visit.fixed = applyFixes(file, pointsToDrop(visit.findings, arguments.drop));
+        const ProposedDrop drop = proposedDrop(visit.findings, arguments.drop);
+        visit.fixed = applyFixes(file, drop.points, drop.reason);
         const PointFile& fixed = visit.fixed.file;
         visit.left = examineInput(fixed, arguments.fixed, line);
         write(arguments.fixed, fixed);

@@ -70,6 +70,8 @@ struct Finding {
     /// The points to drop, ascending, if they are others than `points`: of points in layers or
     /// noise, those that leave the rest far enough apart.
     std::optional<std::vector<Index>> surplus{};
+    /// Reason for dropping these points, a piece of a sentence.
+    std::string dropReason = "as requested";
 
     /// The points that Fix::Drop leaves out.
     const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
@@ -118,7 +120,8 @@ struct FixedFile {
 /// as a whole, so that they are derived. `alsoDrop` (ascending) names points to leave out as well.
 /// The order of points, attributes and faces is kept; faces on a copy move to its original, and
 /// faces on other dropped points are removed. Requires columns of equal length, as examine()
-/// checks.
-FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop = {});
+/// checks. `reason`: of these, a piece of a sentence, as Finding::dropReason.
+FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop = {},
+                     std::string_view reason = "as requested");
 
 }  // namespace se

@@ -16,10 +16,10 @@ class FixApplication {
     explicit FixApplication(const PointFile& file)
         : file_(file), keep_(file.position.size(), true) {}
 
-    FixedFile run(std::span<const Index> alsoDrop) && {
+    FixedFile run(std::span<const Index> alsoDrop, std::string_view reason) && {
         dropEmptyNormals();
         markUnfit();
-        markAsked(alsoDrop);
+        markAsked(alsoDrop, reason);
         scaleNormals();
         correctCorners();
         const bool all = std::find(keep_.begin(), keep_.end(), false) == keep_.end();
@@ -74,15 +74,17 @@ class FixApplication {
              "points with a zero normal dropped");
     }
 
-    void markAsked(std::span<const Index> alsoDrop) {
+    void markAsked(std::span<const Index> alsoDrop, std::string_view reason) {
+        const auto present = std::count(keep_.begin(), keep_.end(), true);
         std::size_t asked = 0;
         for (const Index p : alsoDrop) {
             if (!keep_[p]) continue;
             keep_[p] = false;
             ++asked;
         }
-        note("dropped", asked, "more point dropped, as requested",
-             "more points dropped, as requested");
+        const std::string what = "of " + countText(static_cast<std::size_t>(present), "point") +
+                                 " dropped: " + std::string(reason);
+        note("dropped", asked, what, what);
     }
 
     void scaleNormals() {
@@ -173,9 +175,10 @@ class FixApplication {
 
 }  // namespace
 
-FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop) {
+FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop,
+                     std::string_view reason) {
     assert(checkColumns(file).ok());
-    return FixApplication(file).run(alsoDrop);
+    return FixApplication(file).run(alsoDrop, reason);
 }
 
 }  // namespace se

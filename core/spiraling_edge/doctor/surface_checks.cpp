@@ -112,11 +112,18 @@ std::string spacingsText(const ExaminedFile& examined, double spacings) {
            ")";
 }
 
+/// Distance of the points that are left, in heights of the surface.
+constexpr double kApart = 4.5;
+
+/// "the rest are 4.5 times the height of the noise apart"
+std::string surplusReason(const std::string& height) {
+    return "the rest are " + shortNumber(kApart) + " times " + height + " apart";
+}
+
 /// Of these points those to leave out, so that the rest are 4.5 times as far apart as the surface
 /// is thick: above that the rules find its triangles (docs/doctor.md).
 std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Index>& points,
                              double height) {
-    constexpr double kApart = 4.5;
     std::vector<Vec3> position;
     position.reserve(points.size());
     for (const Index p : points) position.push_back(examined.file.position[p]);
@@ -195,7 +202,9 @@ std::optional<Finding> findTwoLayers(const ExaminedFile& examined) {
     std::optional<Finding> finding =
         findingAt(layers->points, Severity::Warning,
                   "in two layers, about " + spacingsText(examined, layers->apart) + " apart");
-    if (finding) finding->surplus = std::move(surplus);
+    if (!finding) return finding;
+    finding->surplus = std::move(surplus);
+    finding->dropReason = surplusReason("the thickness of the layers");
     return finding;
 }
 
@@ -217,13 +226,15 @@ std::optional<Finding> findNoise(const ExaminedFile& examined) {
     const std::size_t count = points.size();
     auto surplus = surplusOf(examined, regionOf(examined, layers ? layers->points : points),
                              layers ? layers->height() : noise);
-    return Finding{nullptr,
-                   noise < kStrong ? Severity::Note : Severity::Warning,
-                   count,
-                   std::move(points),
-                   "noise of " + spacingsText(examined, noise) + " along the normals, at " +
-                       countText(count, "point"),
-                   std::move(surplus)};
+    return Finding{
+        nullptr,
+        noise < kStrong ? Severity::Note : Severity::Warning,
+        count,
+        std::move(points),
+        "noise of " + spacingsText(examined, noise) + " along the normals, at " +
+            countText(count, "point"),
+        std::move(surplus),
+        surplusReason(layers ? "the thickness of the layers" : "the height of the noise")};
 }
 
 }  // namespace se

@@ -8,11 +8,17 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
@@ -135,7 +141,88 @@ void freeUnused(PointFile& file) {
     for (Attribute& attribute : file.attributes) attribute.values.shrink_to_fit();
 }
 
+/// `count` finite numbers separated by commas, blanks around them allowed.
+std::optional<std::vector<double>> numbersIn(std::string_view text, std::size_t count) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        io::Fields fields(text.substr(0, comma));
+        double number = 0.0;
+        const bool good = io::parseDouble(fields.next(), number) && std::isfinite(number);
+        if (!good || !fields.next().empty()) return std::nullopt;
+        numbers.push_back(number);
+        if (comma == text.size()) break;
+        text.remove_prefix(comma + 1);
+    }
+    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
+std::string plainText(double value) {
+    std::string text;
+    appendPlainNumber(text, value);
+    return text;
+}
+
+/// The shortest decimal number that reads back as this float.
+std::string floatText(float value) {
+    std::array<char, 32> out{};
+    for (int digits = 6; digits <= 9; ++digits) {
+        std::snprintf(out.data(), out.size(), "%.*g", digits, static_cast<double>(value));
+        if (std::strtof(out.data(), nullptr) == value) break;
+    }
+    return out.data();
+}
+
+/// "(0, -1, 2.5)", with as many digits as the file has.
+std::string cornerText(const Vec3& x, ScalarType type) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        const bool wide = type == ScalarType::Double;
+        text += i > 0 ? ", " : "(";
+        text += wide ? plainText(x[i]) : floatText(static_cast<float>(x[i]));
+    }
+    return text + ")";
+}
+
+/// Message for a box without points, with the box of all points.
+std::string emptyBoxText(const PointFile& file, const std::string& name) {
+    const std::string count =
+        std::to_string(file.position.size()) + (file.position.size() == 1 ? " point" : " points");
+    if (std::none_of(file.position.begin(), file.position.end(), isFinite))
+        return name + ": the position of none of its " + count + " is finite";
+    const WallBox bounds = boxAround(file.position);
+    return "the box holds 0 of the " + count + " of " + name + ", which lie between " +
+           cornerText(bounds.low, file.positionType) + " and " +
+           cornerText(bounds.high, file.positionType) + "; give a box that meets these bounds";
+}
+
 }  // namespace
+
+Result<Box> cropFromText(std::string_view text) {
+    const auto n = numbersIn(text, 6);
+    if (!n) return Error{"expected six numbers separated by commas: X0,Y0,Z0,X1,Y1,Z1"};
+    Box box(Vec3((*n)[0], (*n)[1], (*n)[2]));
+    box.high = Vec3((*n)[3], (*n)[4], (*n)[5]);
+    for (int i = 0; i < 3; ++i) {
+        if (box.low[i] <= box.high[i]) continue;
+        const std::string axis(1, "XYZ"[i]);
+        return Error{"expected the lower corner first; " + axis + "0 = " + plainText(box.low[i]) +
+                     " is above " + axis + "1 = " + plainText(box.high[i])};
+    }
+    return box;
+}
+
+std::string pieceOptions(const Piece& piece) {
+    std::string text;
+    // Joined by =, since a value with a minus sign would be parsed as an option.
+    if (piece.crop) {
+        const Box& box = *piece.crop;
+        for (int i = 0; i < 6; ++i)
+            text += (i == 0 ? " --crop=" : ",") + plainText(i < 3 ? box.low[i] : box.high[i - 3]);
+    }
+    if (piece.thin > 0.0) text += " --thin=" + plainText(piece.thin);
+    return text;
+}
 
 std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
     assert(piece.thin >= 0.0 && std::isfinite(piece.thin));
@@ -167,6 +254,16 @@ PointFile keptPoints(PointFile file, const std::vector<bool>& keep) {
     addIndices(keep, file);
     freeUnused(file);
     return file;
+}
+
+Result<PointFile> cutPiece(PointFile file, const Piece& piece, const std::string& name) {
+    if (piece.crop && !file.position.empty()) {
+        // Not after the cut, since the message has the bounds of the file.
+        const std::vector<bool> keep = pointsIn(file.position, {piece.crop, 0.0});
+        if (std::find(keep.begin(), keep.end(), true) == keep.end())
+            return Error{emptyBoxText(file, name)};
+    }
+    return pieceOf(std::move(file), piece);
 }
 
 }  // namespace se

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/result.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/points/point_file.h"
 
@@ -26,6 +28,13 @@ struct Piece {
 /// Name of the column in which a piece holds the index of each point in its file.
 inline constexpr std::string_view kIndexColumn = "index";
 
+/// A box from six finite numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1, the lower corner first.
+/// Fails with a sentence that says what was expected.
+Result<Box> cropFromText(std::string_view text);
+/// The options that choose a piece, as words for a shell, each after a blank: " --thin=0.5". Empty
+/// for the whole file. Numbers read back as they are.
+std::string pieceOptions(const Piece& piece);
+
 /// For each point: true if it is in the piece. Requires finite and ordered corners of the box, and
 /// a finite spacing that is not negative. Depends on nothing but the arguments. Expected O(points),
 /// but for points farther than 2^54 spacings from the origin.
@@ -39,5 +48,8 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece);
 PointFile pieceOf(PointFile file, const Piece& piece);
 /// The marked points of `file`, with all that follows them as above. `keep` has a value for each.
 PointFile keptPoints(PointFile file, const std::vector<bool>& keep);
+/// pieceOf(). Fails if the box holds none of the points, with the box around them all; `name` is
+/// that of the file in the message.
+Result<PointFile> cutPiece(PointFile file, const Piece& piece, const std::string& name);
 
 }  // namespace se

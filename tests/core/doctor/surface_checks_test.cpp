@@ -139,7 +139,13 @@ TEST_CASE("doctor: two layers are dropped down to one surface, and a sound mesh 
     const Finding* finding = findingOf(before, "two_layers");
     REQUIRE(finding != nullptr);
     CHECK(finding->toDrop().size() < finding->points.size());
-    const PointFile single = applyFixes(layered, finding->toDrop()).file;
+    const FixedFile fixed = applyFixes(layered, finding->toDrop(), finding->dropReason);
+    REQUIRE(fixed.fixes.size() == 1);
+    CHECK(fixed.fixes[0].text ==
+          std::to_string(finding->toDrop().size()) + " of " +
+              std::to_string(layered.position.size()) +
+              " points dropped: the rest are 4.5 times the thickness of the layers apart");
+    const PointFile& single = fixed.file;
     CHECK(findingOf(examined(single), "two_layers") == nullptr);
     const auto faultsOf = [](const PointFile& file) {
         PrepareOptions options;
