@@ -14,8 +14,8 @@ namespace {
 /// user's own work come first. Elsewhere than on Linux, where that is one call, nothing changes.
 void lowerPriority() {
 #if defined(__linux__)
-    constexpr int kLowest = 19;
-    static_cast<void>(setpriority(PRIO_PROCESS, 0, kLowest));
+    constexpr int kLow = 10;
+    static_cast<void>(setpriority(PRIO_PROCESS, 0, kLow));
 #endif
 }
 
@@ -39,7 +39,8 @@ void TrialJob::start() {
         lowerPriority();
         double share = 0.0;
         const auto visit = [&](const Trials& trials, const SettingsChange& next) {
-            results.add({trials, wordsOf(next)});
+            const bool first = next == SettingsChange{};
+            results.add({trials, first ? "measuring this run" : "trying " + wordsOf(next)});
             results.report(share);
         };
         Result<Trials> all = tryChanges(*file, settings, visit, [&](double done) {

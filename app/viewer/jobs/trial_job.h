@@ -31,7 +31,7 @@ class TrialJob {
     const Trials& trials() const { return trials_; }
     /// The best of them; null if none is better than the open run.
     const Trial* best() const { return trials_.best > 0 ? &trials_.tried[trials_.best] : nullptr; }
-    /// The change in progress, in words.
+    /// The trial in progress: "trying rules of robust".
     const std::string& trying() const { return trying_; }
 
   private:

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view kFix = "spiraling-edge doctor IN --fix OUT.ply";
 constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply";
+constexpr std::string_view kBest = "spiraling-edge run IN --best -o OUT.ply";
 constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
 
 constexpr std::array kChecks{
@@ -41,8 +42,7 @@ constexpr std::array kChecks{
                 "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Fix::Drop, findInLine},
     DoctorCheck{"uneven_spacing", "3",
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
-                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", Fix::None,
-                findUnevenSpacing},
+                kBest, Fix::None, findUnevenSpacing},
     DoctorCheck{"noise", "6.1",
                 "Each point becomes a corner, so the mesh follows the noise: smooth the points "
                 "first, thin them, or use a method that approximates.",
@@ -55,9 +55,9 @@ constexpr std::array kChecks{
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",
-                "spiraling-edge run IN --check -o OUT.ply", Fix::None, findTies},
-    DoctorCheck{"no_normals", "3", "The normals are derived from the positions.",
-                "spiraling-edge run IN -o OUT.ply", Fix::None, findNoNormals},
+                kBest, Fix::None, findTies},
+    DoctorCheck{"no_normals", "3", "The normals are derived from the positions.", kBest, Fix::None,
+                findNoNormals},
     DoctorCheck{"zero_normals", "6.1",
                 "Angles are measured about the normal: points without are set aside.", kFix,
                 Fix::Repair, findZeroNormals},
@@ -72,8 +72,7 @@ constexpr std::array kChecks{
     DoctorCheck{"close_sheets", "3",
                 "Lists reach through to the other sheet: what opposes must be left out, and short "
                 "lists are better.",
-                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", Fix::None,
-                findCloseSheets},
+                kBest, Fix::None, findCloseSheets},
     DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, Fix::Repair,
                 findEntriesOutside},
     DoctorCheck{"repeated_entries", "3",

@@ -80,7 +80,7 @@ TEST_CASE("F5 and Shift+F5 stop at the same positions, for every preset") {
 TEST_CASE("Without a breakpoint F5 runs to the end, and Shift+F5 to the start") {
     Bench b;
     b.press("F5");
-    CHECK(b.place() == "122.done.1");
+    CHECK(b.place() == "123.finished.1");
     CHECK(b.session.atEnd());
     b.press("Shift+F5");
     CHECK(b.place() == "start");

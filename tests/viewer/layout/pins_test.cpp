@@ -13,7 +13,7 @@ using namespace se::view;
 
 namespace {
 
-constexpr float kEm = 16.0F;
+constexpr float kPinEm = 16.0F;
 const Rect kArea{{100.0F, 50.0F}, {800.0F, 500.0F}};
 
 std::vector<PinPlace> scattered(std::size_t count) {
@@ -36,7 +36,7 @@ bool same(const Pin& a, const Pin& b) {
 TEST_CASE("Pins: places near the most severe one share its pin, and are counted") {
     const std::vector<PinPlace> places{
         {{500, 300}, 1}, {{700, 300}, 1}, {{520, 300}, 1}, {{500, 270}, 1}, {{705, 305}, 1}};
-    const std::vector<Pin> pins = pinsOf(places, kArea, kEm);
+    const std::vector<Pin> pins = pinsOf(places, kArea, kPinEm);
     REQUIRE(pins.size() == 2);
     CHECK(pins[0].place == 0);
     CHECK(pins[0].count == 3);
@@ -48,7 +48,7 @@ TEST_CASE("Pins: places near the most severe one share its pin, and are counted"
 TEST_CASE("Pins: a place that is seen at its size has none, and one nearly seen fades") {
     const auto strength = [](float radius) {
         const std::vector<Pin> pins =
-            pinsOf(std::vector<PinPlace>{{{500, 300}, radius * kEm}}, kArea, kEm);
+            pinsOf(std::vector<PinPlace>{{{500, 300}, radius * kPinEm}}, kArea, kPinEm);
         return pins.empty() ? 0.0F : pins[0].strength;
     };
     CHECK(strength(0.1F) == 1.0F);
@@ -63,24 +63,24 @@ TEST_CASE("Pins: only places in the view have one, and each of them is counted o
     for (const glm::vec2 outside : {glm::vec2(99, 300), glm::vec2(500, 551), glm::vec2(-1, -1)})
         places.push_back({outside, 1.0F});
     std::size_t counted = 0;
-    for (const Pin& pin : pinsOf(places, kArea, kEm)) counted += pin.count;
+    for (const Pin& pin : pinsOf(places, kArea, kPinEm)) counted += pin.count;
     CHECK(counted == 3000);
 }
 
 TEST_CASE("Pins: equal places give equal pins, whose heads do not overlap") {
     const std::vector<PinPlace> places = scattered(3000);
-    const std::vector<Pin> pins = pinsOf(places, kArea, kEm);
-    const std::vector<Pin> again = pinsOf(places, kArea, kEm);
+    const std::vector<Pin> pins = pinsOf(places, kArea, kPinEm);
+    const std::vector<Pin> again = pinsOf(places, kArea, kPinEm);
     REQUIRE(pins.size() > 20);
     CHECK(std::equal(pins.begin(), pins.end(), again.begin(), again.end(), same));
     // Away from the edges, where heads may move.
-    const Rect inner{kArea.min + 5.0F * kEm, kArea.size - 10.0F * kEm};
+    const Rect inner{kArea.min + 5.0F * kPinEm, kArea.size - 10.0F * kPinEm};
     for (std::size_t i = 0; i < pins.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             if (!inner.contains(pins[i].tip) || !inner.contains(pins[k].tip)) continue;
-            CHECK(glm::distance(pins[i].tip, pins[k].tip) > 2.0F * kEm);
-            CHECK_FALSE(overlap(headOf(pins[i], 1.5F * kEm, kArea, kEm),
-                                headOf(pins[k], 1.5F * kEm, kArea, kEm)));
+            CHECK(glm::distance(pins[i].tip, pins[k].tip) > 2.0F * kPinEm);
+            CHECK_FALSE(overlap(headOf(pins[i], 1.5F * kPinEm, kArea, kPinEm),
+                                headOf(pins[k], 1.5F * kPinEm, kArea, kPinEm)));
         }
     }
 }
@@ -89,9 +89,9 @@ TEST_CASE("Pins: the head is within the view and never covers what its tip marks
     for (const PinPlace& place : scattered(500)) {
         for (const float text : {0.0F, 8.0F, 40.0F}) {
             const Pin pin{0, 1, place.at, 1.0F};
-            const Rect head = headOf(pin, text, kArea, kEm);
+            const Rect head = headOf(pin, text, kArea, kPinEm);
             CHECK(within(head, kArea));
-            CHECK(glm::distance(nearestIn(head, pin.tip), pin.tip) > kSeenFrom * kEm);
+            CHECK(glm::distance(nearestIn(head, pin.tip), pin.tip) > kSeenFrom * kPinEm);
         }
     }
 }

@@ -100,7 +100,7 @@ void drawTrials(const PanelContext& context) {
         dimText("then: " + numbersText(best->numbers, model));
     }
     if (job.busy()) {
-        const std::string text = job.trying().empty() ? "trying other settings" : job.trying();
+        const std::string text = job.trying().empty() ? "measuring this run" : job.trying();
         if (progressAndStop(context, job.share(), text.c_str(), "verdict stop")) job.stop();
     } else if (job.best() == nullptr && !tried.empty()) {
         dimText("No better settings among " + withS(tried.size() - 1, "change") + " tried.");

@@ -169,7 +169,7 @@ void drawSteps(const PanelContext& context) {
     keepSteps(context);
     heading(context, "Steps",
             !ready ? std::string{}
-                   : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
+                   : withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     if (!ready) return dimText("Open a file, or a scene, to see its steps here.");
     drawStepFilter(context);
     const StepTree& tree = context.state<Navigation>().steps;
