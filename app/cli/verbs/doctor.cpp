@@ -86,22 +86,6 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
                            [&](const Progress& progress) { return examine(file, progress); });
 }
 
-/// What the findings of the checks that are to be dropped propose.
-struct ProposedDrop {
-    std::vector<Index> points;
-    std::string reason;
-};
-
-ProposedDrop proposedDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
-    ProposedDrop drop{pointsToDrop(findings, names), {}};
-    for (const Finding& finding : findings.findings) {
-        if (std::find(names.begin(), names.end(), finding.check->name) == names.end()) continue;
-        if (drop.reason.find(finding.dropReason) == std::string::npos)
-            appendPart(drop.reason, finding.dropReason);
-    }
-    return drop;
-}
-
 // ---- text ---------------------------------------------------------------------------------------
 
 std::string placesText(const std::vector<Index>& points) {

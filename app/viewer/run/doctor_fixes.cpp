@@ -51,12 +51,11 @@ std::vector<Index> takeNumbers(PointFile& file) {
     return numbers;
 }
 
-/// Repairs the file as the doctor does, and drops the points `drop`, for the fix `name`.
-void repair(const std::string& name, std::span<const Index> drop, PointFile& file,
-            FixesDone& done) {
+/// Repairs the file as the doctor does, and drops the points of `drop`, for the fix `name`.
+void repair(const std::string& name, const ProposedDrop& drop, PointFile& file, FixesDone& done) {
     PointFile before = std::move(file);
     numberPoints(before);
-    FixedFile fixed = applyFixes(before, drop);
+    FixedFile fixed = applyFixes(before, drop.points, drop.reason);
     file = asWritten(std::move(fixed.file));
     const std::vector<Index> left = takeNumbers(file);
     std::vector<bool> keep(before.position.size(), false);
@@ -111,7 +110,7 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& 
         if (check->fix != Fix::Drop) continue;
         const Result<Diagnosis> found = examine(file, progress);
         if (!found) return found.error();
-        repair(name, pointsToDrop(found.value(), {&name, 1}), file, done);
+        repair(name, proposedDrop(found.value(), {&name, 1}), file, done);
     }
     if (has(fixes, Fix::Orient)) options.normals = NormalSource::Oriented;
     if (has(fixes, Fix::NewLists)) {

@@ -165,15 +165,17 @@ bool hasProblem(const Diagnosis& diagnosis) {
                        [](const Finding& finding) { return finding.isProblem(); });
 }
 
-std::vector<Index> pointsToDrop(const Diagnosis& diagnosis, std::span<const std::string> checks) {
-    std::vector<Index> points;
+ProposedDrop proposedDrop(const Diagnosis& diagnosis, std::span<const std::string> checks) {
+    ProposedDrop drop;
     for (const Finding& finding : diagnosis.findings) {
         if (std::find(checks.begin(), checks.end(), finding.check->name) == checks.end()) continue;
-        points.insert(points.end(), finding.toDrop().begin(), finding.toDrop().end());
+        drop.points.insert(drop.points.end(), finding.toDrop().begin(), finding.toDrop().end());
+        if (drop.reason.find(finding.dropReason) != std::string::npos) continue;
+        drop.reason.append(drop.reason.empty() ? "" : ", ").append(finding.dropReason);
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
+    std::sort(drop.points.begin(), drop.points.end());
+    drop.points.erase(std::unique(drop.points.begin(), drop.points.end()), drop.points.end());
+    return drop;
 }
 
 double ExaminedFile::distance(Index p, Index q) const {

@@ -95,8 +95,13 @@ std::string sizeText(const Diagnosis& diagnosis);
 /// True if some finding is a problem.
 bool hasProblem(const Diagnosis& diagnosis);
 
-/// The points that the findings of these checks propose to drop (Finding::toDrop()), ascending.
-std::vector<Index> pointsToDrop(const Diagnosis& diagnosis, std::span<const std::string> checks);
+/// Points to drop, ascending, with the reason as a piece of a sentence.
+struct ProposedDrop {
+    std::vector<Index> points;
+    std::string reason;
+};
+/// What the findings of these checks propose to drop (Finding::toDrop()).
+ProposedDrop proposedDrop(const Diagnosis& diagnosis, std::span<const std::string> checks);
 
 /// Runs all checks. Fails if the columns of the file differ in length, or if cancelled.
 /// Deterministic. O(points log points); a million points take some seconds.

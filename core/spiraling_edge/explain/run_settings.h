@@ -25,7 +25,7 @@ struct RunSettings {
 /// The params of the settings. Fails if there is no such set or rule.
 Result<Params> paramsOf(const RunSettings& settings);
 /// The options of prepare() for the settings: RunSettings::prepare with what the rules decide.
-/// Points of `drops` are not in `leaveOut`: pointsToDrop() finds them.
+/// Points of `drops` are not in `leaveOut`: proposedDrop() finds them.
 PrepareOptions prepareOptionsOf(const RunSettings& settings, const Params& params);
 
 /// A change of settings. What is empty stays as it is.

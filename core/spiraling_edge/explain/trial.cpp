@@ -186,7 +186,7 @@ class TrialRuns {
     Status leaveOutDropped(const RunSettings& settings, PrepareOptions& options) {
         if (settings.drops.empty()) return success();
         if (const Status examined = diagnose(); !examined) return examined.error();
-        options.leaveOut = pointsToDrop(*diagnosis_, settings.drops);
+        options.leaveOut = proposedDrop(*diagnosis_, settings.drops).points;
         return success();
     }
 
