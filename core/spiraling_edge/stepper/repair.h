@@ -34,8 +34,8 @@ struct NearMarks {
 /// The numbers of a RepairState.
 struct RepairNumbers {
     std::size_t queueFront = 0;  ///< The next side to examine: a position in RepairState::queue.
-    /// The next place for the present phase to look at: a position in PointSet::order, a triangle,
-    /// or a side.
+    /// The next place for the present phase to look at: a position in PointSet::order (twice
+    /// over all from kSettlingRound on), a triangle, or a side.
     Index next = 0;
     std::uint32_t takenOut = 0;
     std::uint32_t round = 0;  ///< The phases are repeated kRepairRounds times.
@@ -85,8 +85,12 @@ struct RepairState : RepairNumbers {
     void moveTo(const RepairPlace& place);
 };
 
-/// Number of rounds: flips make room for more points, and new points for more flips.
-inline constexpr std::uint32_t kRepairRounds = 3;
+/// Number of rounds: flips make room for more points, and new points for more flips. In the last
+/// one, points are put in and nothing else is done.
+inline constexpr std::uint32_t kRepairRounds = 4;
+/// From this round on, no point is taken out, and one that fits nowhere without a fault may add as
+/// many as it is itself.
+inline constexpr std::uint32_t kSettlingRound = 2;
 
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
@@ -104,8 +108,9 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
 std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
-/// a side of the border or beside it, if no new triangle has a fault. Nothing if no point is left
-/// to try.
+/// a side of the border or beside it, if no new triangle has a fault; from kSettlingRound on, else
+/// where the mesh has the fewest faults, but no more than before, the point counted. Nothing if no
+/// point is left to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most

@@ -64,10 +64,10 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
     CHECK(flippedIn(input.points, m.triangles) == 0);
 }
 
-TEST_CASE("reseat: no point in the last round, after which it could not be put back") {
+TEST_CASE("reseat: no point in the last rounds, after which it could not be put back") {
     const Misplaced input = misplaced();
     RepairState m = beginRepair(11, input.triangles);
-    m.round = kRepairRounds - 1;
+    m.round = kSettlingRound;
     CHECK(takeOutNext(input.points, m) == kNone);
 }
 

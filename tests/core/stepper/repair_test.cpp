@@ -118,13 +118,13 @@ TEST_CASE("reinsert: no point that would make a fault, none without a list, none
     CHECK(reinsertAll(flatPoints(bare.position), used).empty());
 }
 
-TEST_CASE("reinsert: in the last round a triangle may be against the normal of one corner") {
+TEST_CASE("reinsert: in the last rounds a triangle may be against the normal of one corner") {
     PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
     points.normal[3] = glm::normalize(Vec3(1, 0, -0.2));
     for (std::uint32_t round = 0; round < kRepairRounds; ++round) {
         RepairState m = beginRepair(4, {{0, 1, 2}});
         m.round = round;
-        CHECK(reinsertAll(points, m).empty() == (round + 1 < kRepairRounds));
+        CHECK(reinsertAll(points, m).empty() == (round < kSettlingRound));
     }
 }
 
@@ -233,6 +233,75 @@ TEST_CASE("reinsert: with the rule, points that a run stranded are used, without
     MESSAGE("unused: ", with, " with, ", without, " without");
     CHECK(without > 0);
     CHECK(with < without);
+}
+
+namespace {
+
+/// A grid with a point over it, number 49, and upright triangles beside that point: whatever
+/// triangles the point makes with the grid, each of these cuts one.
+struct Pierced {
+    PointSet points;
+    Triangles triangles;
+};
+Pierced pierced(std::initializer_list<Vec3> places, double height = 0.1) {
+    std::vector<Vec3> position = gridPoints();
+    Triangles triangles = gridWithout({});
+    position.emplace_back(2.6, 2.3, 0.3);
+    for (const Vec3& place : places) {
+        const auto first = static_cast<Index>(position.size());
+        triangles.push_back({first, first + 1, first + 2});
+        for (const Vec3& corner :
+             {Vec3(-0.01, 0, -height), Vec3(0.01, 0, -height), Vec3(0, 0, height)})
+            position.push_back(place + corner);
+    }
+    PointSet points = flatPoints(position);
+    const NeighborLists all = points.neighbors;
+    points.neighbors = {};
+    for (Index p = 0; p < points.size(); ++p) {
+        Points list(all[p].begin(), all[p].end());
+        if (p == 49) std::erase_if(list, [](Index q) { return q > 49; });
+        points.neighbors.append(list);
+    }
+    return {points, triangles};
+}
+
+}  // namespace
+
+TEST_CASE("reinsert: in the last rounds at the price of one fault, not of two") {
+    const auto in = [](std::initializer_list<Vec3> places, std::uint32_t round) {
+        const auto [points, triangles] = pierced(places);
+        RepairState m = beginRepair(points.size(), triangles);
+        m.round = round;
+        const bool found = !reinsertAll(points, m).empty();
+        CHECK(manifoldFault(m) == "");
+        CHECK(findFaults(points, m.triangles).size() == (found ? places.size() : 0));
+        return found;
+    };
+    const Vec3 right(2.65, 2.3, 0.28);
+    const Vec3 left(2.55, 2.3, 0.28);
+    CHECK_FALSE(in({right}, kSettlingRound - 1));
+    CHECK(in({right}, kSettlingRound));
+    CHECK(in({right}, kRepairRounds - 1));
+    CHECK_FALSE(in({right, left}, kSettlingRound));
+}
+
+TEST_CASE("reinsert: in the last rounds a place may have as many faults as it had before") {
+    // Each of the two is so high that it cuts a triangle of the grid, too.
+    const auto [points, triangles] = pierced({{2.65, 2.3, 0.2}, {2.55, 2.3, 0.2}}, 0.25);
+    RepairState m = beginRepair(points.size(), triangles);
+    const std::size_t before = findFaults(points, triangles).size();
+    REQUIRE(before == 2);
+    m.round = kSettlingRound;
+    CHECK(reinsertAll(points, m) == Points{49});
+    CHECK(findFaults(points, m.triangles).size() <= before + 1);
+}
+
+TEST_CASE("reinsert: in the last rounds no triangle is flipped") {
+    PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
+    points.normal[3] = Vec3(0, 0, -3);
+    RepairState m = beginRepair(4, {{0, 1, 2}});
+    m.round = kSettlingRound;
+    CHECK(reinsertAll(points, m).empty());
 }
 
 // ---- all together -------------------------------------------------------------------------------

@@ -41,11 +41,11 @@ struct RepairPhase {
     bool (*isOn)(const RobustRules& rules, std::uint32_t round);
 };
 constexpr RepairPhase kOrder[] = {
-    // Only in the last round: until then, filling the holes that meet at a point may leave it one
+    // Only in the last but one: until then, filling the holes that meet at a point may leave it one
     // fan.
     {Phase::DropFans,
      [](const RobustRules& rules, std::uint32_t round) {
-         return rules.dropPatches && round + 1 == kRepairRounds;
+         return rules.dropPatches && round == kSettlingRound;
      }},
     // Fans that are dropped may leave a patch.
     {Phase::DropPatch, [](const RobustRules& rules, std::uint32_t) { return rules.dropPatches; }},
@@ -60,7 +60,8 @@ constexpr RepairPhase kOrder[] = {
 bool enterFrom(StepContext& context, std::size_t from) {
     RepairState& m = context.state.repair;
     for (std::size_t i = from; i < std::size(kOrder); ++i) {
-        if (!kOrder[i].isOn(context.params.robust, m.round)) continue;
+        const bool late = m.round + 1 == kRepairRounds && kOrder[i].phase != Phase::Reinsert;
+        if (late || !kOrder[i].isOn(context.params.robust, m.round)) continue;
         context.state.phase = kOrder[i].phase;
         m.next = 0;
         return true;
@@ -74,7 +75,9 @@ void enterNext(AnyContext auto& context) {
     std::size_t place = 0;
     while (kOrder[place].phase != s.phase) ++place;
     if (enterFrom(context, place + 1)) return;
-    if (++s.repair.round < kRepairRounds && enterFrom(context, 0)) return;
+    while (++s.repair.round < kRepairRounds) {
+        if (enterFrom(context, 0)) return;
+    }
     finishRun(context);
 }
 

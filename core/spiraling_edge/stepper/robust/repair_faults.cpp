@@ -93,7 +93,7 @@ std::vector<Index> pointsAbout(const RepairState& m, Index t) {
 
 std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRules& rules,
                                         RepairState& m) {
-    const bool mayTakeOut = rules.removeFolded && m.round + 1 < kRepairRounds;
+    const bool mayTakeOut = rules.removeFolded && m.round < kSettlingRound;
     m.sound.resize(m.triangles.size(), Triangle{kNone, kNone, kNone});
     for (; m.next < m.triangles.size(); ++m.next) {
         const Index t = m.next;

@@ -326,9 +326,9 @@ class PlaceSearch {
     bool isFaulty(Change& change, std::size_t i) {
         const Index mine = numberOf(change, i);
         const NewTriangle& t = made_[mine];
-        // In the last round a single corner's normal may be against it, as in the last circuit of
+        // In the last rounds a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
-        if (t.faults > (m_.round + 1 < kRepairRounds ? 0 : 1) || t.cosine >= kThin) return true;
+        if (t.faults > (m_.round < kSettlingRound ? 0 : 1) || t.cosine >= kThin) return true;
         // What is known already comes first.
         const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
         if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
@@ -355,15 +355,25 @@ class PlaceSearch {
     Insertion best_;
 };
 
+bool putWithoutFault(const PointSet& points, RepairState& m, Index x) {
+    const std::optional<Change> change = PlaceSearch(points, m, x).find();
+    if (change) change->apply(m);
+    return change.has_value();
+}
+
 }  // namespace
 
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& m) {
-    for (; m.next < points.size(); ++m.next) {
-        const Index x = points.inOrder(m.next);
+    const auto count = static_cast<Index>(points.size());
+    // At a price only when every other point has had its turn: one without a fault may use the
+    // same place.
+    const Index end = m.round < kSettlingRound ? count : 2 * count;
+    for (; m.next < end; ++m.next) {
+        const Index x = points.inOrder(m.next % count);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
-        const std::optional<Change> change = PlaceSearch(points, m, x).find();
-        if (!change) continue;
-        change->apply(m);
+        const bool found =
+            m.next < count ? putWithoutFault(points, m, x) : putAtLeastCost(points, m, x);
+        if (!found) continue;
         ++m.reinserted;
         ++m.next;
         return ReinsertEvidence{x};

@@ -84,6 +84,10 @@ void dropTriangles(RepairState& m, std::vector<Index> list);
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
 
+/// Puts a point in no triangle where the mesh has the fewest faults, if they are no more than
+/// before, the point counted. False if there is no such place.
+bool putAtLeastCost(const PointSet& points, RepairState& m, Index x);
+
 /// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
 bool isFaulty(const PointSet& points, RepairState& m, Index t);
 

@@ -1,0 +1,240 @@
+/// RobustRules::reinsert, at the end: a point that fits nowhere without a fault takes the place
+/// where the new triangles have at most one fault more than those they replace, since the point
+/// itself, in no triangle, is one. Of several places the one with the fewest faults is taken, then
+/// the one with the best angles. A new triangle is never flipped.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/stepper/robust/hole_filling.h"
+
+namespace se {
+namespace {
+
+/// Largest number of triangles that make room for a point.
+constexpr std::size_t kMostGone = 3;
+constexpr std::size_t kMostMade = kMostGone + 2;
+/// The most faults that a place may add: those of a point in no triangle.
+constexpr int kMostAdded = 1;
+/// A new triangle with this many faults is not counted to the end.
+constexpr int kTooMany = 8;
+
+/// The faults of a pair of triangles, by the classes of mesh/faults.h.
+int faultsOfPair(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    if (!conflict(points, a, b)) return 0;
+    const bool meet =
+        a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle);
+    const bool layer = isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
+    return (meet ? 1 : 0) + (layer ? 1 : 0);
+}
+
+/// A triangle with its faults.
+struct Counted {
+    ShapedTriangle shaped;
+    int own = 0;  ///< Of its shape.
+    /// With others of the mesh: their indices and the number of faults.
+    std::vector<std::pair<Index, int>> pairs;
+};
+
+/// The triangles that a point makes with the sides of a ring, or with one side of the border.
+struct CheapPlace {
+    HoleRing ring;
+    bool beside = false;  ///< At the border: one triangle, at the first side of the ring.
+
+    std::size_t size() const { return beside ? 1 : ring.size(); }
+    Triangle triangle(std::size_t i, Index x) const {
+        return {ring.points[i], ring.points[(i + 1) % ring.size()], x};
+    }
+};
+
+CheapPlace insideOf(const RepairState& m, Index t) {
+    const Triangle& old = m.triangles[t];
+    return {{{old.a, old.b, old.c}, {m.twin[3 * t], m.twin[3 * t + 1], m.twin[3 * t + 2]}, {t}}};
+}
+
+CheapPlace besideOf(const RepairState& m, HalfEdge border) {
+    return {{{cornerOf(m, following(border)), cornerOf(m, border)}, {border, kNone}, {}}, true};
+}
+
+/// Finds the place for one point that adds the fewest faults.
+class CheapestPlace {
+  public:
+    CheapestPlace(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {
+        for (const Index t : trianglesNear(points, m, std::array{x}))
+            near_.push_back({ShapedTriangle(points, m.triangles[t]), t});
+    }
+
+    std::optional<CheapPlace> find() {
+        std::vector<Index> begins;
+        for (const Index p : points_.neighbors[x_])
+            forEachSideOf(m_, p, [&](HalfEdge side) { begins.push_back(side / 3); });
+        std::sort(begins.begin(), begins.end());
+        begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
+        for (const Index t : begins) {
+            const Triangle& old = m_.triangles[t];
+            if (m_.pinched[old.a] || m_.pinched[old.b] || m_.pinched[old.c]) continue;
+            consider(insideOf(m_, t));
+            for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+                if (m_.twin[h] == kNone) consider(besideOf(m_, h));
+            }
+        }
+        return leastAdded_ <= kMostAdded ? best_ : std::nullopt;
+    }
+
+  private:
+    struct NearTriangle {
+        ShapedTriangle shaped;
+        Index index;
+    };
+    using Faults = std::array<int, kMostMade>;  ///< Of each new triangle with old ones.
+
+    /// Counts the faults with the triangles near, until there are too many.
+    void countPairs(Counted& t, Index itself) const {
+        int count = t.own;
+        for (const NearTriangle& near : near_) {
+            if (near.index == itself || count >= kTooMany) continue;
+            const int faults = faultsOfPair(points_, t.shaped, near.shaped);
+            if (faults > 0) t.pairs.emplace_back(near.index, faults);
+            count += faults;
+        }
+    }
+    /// A new triangle; the reference stays valid.
+    const Counted& made(const Triangle& t) {
+        const auto [found, isNew] = made_.try_emplace(std::uint64_t{t.a} << 32U | t.b,
+                                                      Counted{ShapedTriangle(points_, t), 0, {}});
+        Counted& counted = found->second;
+        if (!isNew) return counted;
+        const bool isBad =
+            shapeFaults(points_, t) >= kFlippedFault || leastAngleCosine(points_, t) >= kThin;
+        counted.own = isBad ? kTooMany : 0;
+        countPairs(counted, kNone);
+        return counted;
+    }
+    const Counted& old(Index t) {
+        const Triangle& corners = m_.triangles[t];
+        const auto [found, isNew] =
+            old_.try_emplace(t, Counted{ShapedTriangle(points_, corners), 0, {}});
+        Counted& counted = found->second;
+        if (!isNew) return counted;
+        counted.own = shapeFaults(points_, corners) >= kFlippedFault ? 1 : 0;
+        countPairs(counted, t);
+        return counted;
+    }
+
+    /// The faults of the triangles that a place replaces.
+    int faultsOfGone(const HoleRing& ring) {
+        int sum = 0;
+        for (const Index t : ring.gone) {
+            const Counted& each = old(t);
+            sum += each.own;
+            for (const auto& [other, faults] : each.pairs) {
+                if (other > t || !isGone(ring, other)) sum += faults;
+            }
+        }
+        return sum;
+    }
+    Faults faultsWithOld(const CheapPlace& place) {
+        Faults faults{};
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const Counted& t = made(place.triangle(i, x_));
+            faults[i] = t.own;
+            for (const auto& [other, count] : t.pairs) {
+                if (!isGone(place.ring, other)) faults[i] += count;
+            }
+            const HalfEdge outer = place.ring.outer[i];
+            if (outer != kNone && folded(points_, t.shaped.triangle, m_.triangles[outer / 3]))
+                ++faults[i];
+        }
+        return faults;
+    }
+    int faultsAmongNew(const CheapPlace& place) {
+        int sum = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const ShapedTriangle& a = made(place.triangle(i, x_)).shaped;
+            for (std::size_t k = i + 1; k < place.size(); ++k) {
+                const ShapedTriangle& b = made(place.triangle(k, x_)).shaped;
+                sum += faultsOfPair(points_, a, b);
+                const bool share = k == i + 1 || (i == 0 && k + 1 == place.size());
+                sum += share && folded(points_, a.triangle, b.triangle) ? 1 : 0;
+            }
+        }
+        return sum;
+    }
+    double worstAngle(const CheapPlace& place) const {
+        double worst = -1.0;
+        for (std::size_t i = 0; i < place.size(); ++i)
+            worst = std::max(worst, leastAngleCosine(points_, place.triangle(i, x_)));
+        return worst;
+    }
+
+    /// Counts a place, and those that are wider by one triangle across a side with a fault.
+    void consider(const CheapPlace& place) {
+        const Faults faults = faultsWithOld(place);
+        int added = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) added += faults[i];
+        if (added < kTooMany) {
+            added += faultsAmongNew(place) - faultsOfGone(place.ring);
+            const double angle = worstAngle(place);
+            if (added < leastAdded_ || (added == leastAdded_ && angle < bestAngle_)) {
+                leastAdded_ = added;
+                bestAngle_ = angle;
+                best_ = place;
+            }
+        }
+        if (place.beside || place.ring.gone.size() == kMostGone) return;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            CheapPlace wider = place;
+            if (faults[i] > 0 && widenByTriangle(m_, i, wider.ring)) consider(wider);
+        }
+    }
+
+    const PointSet& points_;
+    RepairState& m_;
+    Index x_;
+    std::vector<NearTriangle> near_;
+    std::unordered_map<std::uint64_t, Counted> made_;  ///< By their old edges.
+    std::unordered_map<Index, Counted> old_;
+    std::optional<CheapPlace> best_;
+    int leastAdded_ = std::numeric_limits<int>::max();
+    double bestAngle_ = 2.0;  ///< The cosine of its least angle.
+};
+
+/// Stores the new triangles in the places of the old ones and at the end of the list.
+void putPlace(RepairState& m, const CheapPlace& place, Index x) {
+    const HoleRing& ring = place.ring;
+    std::array<HalfEdge, kMostMade> base{};
+    const std::size_t count = place.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool reuse = i < ring.gone.size();
+        const auto t = reuse ? ring.gone[i] : static_cast<Index>(m.triangles.size());
+        if (!reuse) {
+            m.triangles.push_back({});
+            m.twin.resize(m.twin.size() + 3, kNone);
+        }
+        base[i] = 3 * t;
+        m.triangles.set(t, place.triangle(i, x));
+        for (HalfEdge h = base[i]; h < base[i] + 3; ++h) m.twin.set(h, kNone);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        pair(m, base[i], ring.outer[i]);
+        if (!place.beside) pair(m, base[i] + 1, base[(i + 1) % count] + 2);
+        m.sideOf.set(cornerOf(m, base[i]), base[i]);
+        m.sideOf.set(cornerOf(m, base[i] + 1), base[i] + 1);
+        m.queue.push_back(base[i]);
+        m.queue.push_back(base[i] + 1);
+    }
+    m.sideOf.set(x, base[0] + 2);
+}
+
+}  // namespace
+
+bool putAtLeastCost(const PointSet& points, RepairState& m, Index x) {
+    const std::optional<CheapPlace> place = CheapestPlace(points, m, x).find();
+    if (place) putPlace(m, *place, x);
+    return place.has_value();
+}
+
+}  // namespace se
