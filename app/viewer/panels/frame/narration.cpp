@@ -89,8 +89,9 @@ void drawNarration(const PanelContext& context, const char* window) {
         // Other messages are shown in the view for a while: see drawNotices().
         const bool finished =
             showsFinishedMesh(context.commands) && session.alerts().search().done();
-        const std::string whole =
-            finished ? verdictSentence(session.alerts()) : sentenceOf(session);
+        const std::string whole = finished && !session.showsEarlierMesh()
+                                      ? verdictSentence(session.alerts())
+                                      : sentenceOf(session);
         const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;
         if (finished) {

@@ -1,5 +1,6 @@
 // The card over the finished mesh: its faults, and the next actions.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <span>
 #include <utility>
@@ -63,27 +64,44 @@ std::string meshText(const RunFailureSearch& found, const Model& model) {
     return text;
 }
 
-/// "points lost 3 · openings closed 1 of 2 · distances to 0.4, mean 0.01": the numbers by which
-/// trials are compared, besides faults. Distances in spacings.
-std::string numbersText(const MeshNumbers& numbers, const Model& model) {
-    const auto spacings = [&](double length) {
-        return formatted("%.2g", length * model.scale / model.spacing);
-    };
-    std::string text =
-        grouped(faultCount(numbers.totals)) + " faults \xC2\xB7 " + grouped(numbers.lost) + " lost";
-    if (numbers.setAside > 0) text += " \xC2\xB7 " + grouped(numbers.setAside) + " set aside";
-    if (numbers.openings > 0) {
-        text += " \xC2\xB7 " + grouped(numbers.closed) + " of " + grouped(numbers.openings) +
-                " openings closed";
+/// The numbers by which trials are compared, of the open run and of the best, one row each.
+/// Distances in spacings.
+void drawNumbers(const PanelContext& context, const MeshNumbers& now, const MeshNumbers& best) {
+    const Model& model = context.session().model();
+    constexpr std::array kHeads{"", "faults", "lost", "aside", "closed", "farthest", "mean"};
+    if (!ImGui::BeginTable("##numbers", static_cast<int>(kHeads.size()),
+                           ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
+        return;
+    for (const char* head : kHeads) {
+        ImGui::TableNextColumn();
+        dimText(head);
     }
-    return text + " \xC2\xB7 up to " + spacings(numbers.fidelity.greatestDistance) +
-           " spacings off, " + spacings(numbers.fidelity.meanDistance) + " in the mean";
+    const auto row = [&](const char* name, const MeshNumbers& numbers) {
+        const auto spacings = [&](double length) {
+            return formatted("%.2g", length * model.scale / model.spacing);
+        };
+        const std::string closed =
+            numbers.openings == 0 ? "-"
+                                  : grouped(numbers.closed) + " of " + grouped(numbers.openings);
+        for (const std::string& cell :
+             {std::string(name), grouped(faultCount(numbers.totals)), grouped(numbers.lost),
+              grouped(numbers.setAside), closed, spacings(numbers.fidelity.greatestDistance),
+              spacings(numbers.fidelity.meanDistance)}) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(cell.c_str());
+        }
+    };
+    row("now", now);
+    row("then", best);
+    ImGui::EndTable();
+    nameItem(context, "verdict numbers",
+             "Faults; points lost, and set aside as noise or layers; openings of the scan that the "
+             "mesh closes; greatest and mean distance of the points from the mesh, in spacings");
 }
 
 /// The trials of other settings: what is tried, and the numbers of the open run and of the best.
 void drawTrials(const PanelContext& context) {
     TrialJob& job = context.session().trials();
-    const Model& model = context.session().model();
     const bool idle = !job.busy() && !job.ended();
     if (idle && !context.session().input().spec().whatIf.empty()) return;
     ImGui::Spacing();
@@ -96,8 +114,7 @@ void drawTrials(const PanelContext& context) {
     const std::vector<Trial>& tried = job.trials().tried;
     if (const Trial* best = job.best()) {
         wrappedText("Better: " + wordsOf(best->change));
-        dimText("now: " + numbersText(tried.front().numbers, model));
-        dimText("then: " + numbersText(best->numbers, model));
+        drawNumbers(context, tried.front().numbers, best->numbers);
     }
     if (job.busy()) {
         const std::string text = job.trying().empty() ? "measuring this run" : job.trying();
@@ -190,8 +207,8 @@ bool isShown(const PanelContext& context) {
     return session.ready() && session.input().phase() == SessionPhase::Ready && session.atEnd() &&
            !session.moves().busy() &&
            (session.alerts().search().done() || session.alerts().search().busy()) &&
-           !context.state<VerdictCard>().closed && !context.ui().coversView() &&
-           context.rects.layoutPreset == LayoutPreset::Debug;
+           !context.state<VerdictCard>().closed && !session.showsEarlierMesh() &&
+           !context.ui().coversView() && context.rects.layoutPreset == LayoutPreset::Debug;
 }
 
 }  // namespace
