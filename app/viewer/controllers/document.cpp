@@ -51,15 +51,9 @@ SessionFile captureSession(const CommandContext& context) {
 
 Edits captureEdits(const CommandContext& context) {
     const UiState& ui = context.ui;
-    return {ui.settings.theme,
-            ui.settings.uiScale,
-            ui.settings.legend,
-            ui.settings.layers,
-            ui.layoutPreset,
-            context.camera.pose(),
-            context.session.selection(),
-            annotationsOf(ui),
-            context.session.input().spec()};
+    return {ui.settings.theme,           ui.settings.uiScale, ui.settings.legend,
+            ui.settings.layers,          ui.layoutPreset,     context.camera.pose(),
+            context.session.selection(), annotationsOf(ui),   context.session.input().spec()};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
