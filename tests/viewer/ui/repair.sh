@@ -4,8 +4,9 @@
 . "$(dirname "$0")/harness.sh"
 cli=$(dirname "$viewer")/spiraling-edge
 [ -x "$cli" ] || { echo "skipped: no spiraling-edge beside the viewer"; exit 77; }
-bench=$(dirname "${BASH_SOURCE[0]}")/../../bench
-shared=$(dirname "${BASH_SOURCE[0]}")/../../../../shared/data/points
+tests=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+bench=$tests/bench
+shared=$tests/../../shared/data/points
 cd "$work" || fail "no folder"
 
 # variant NAME FILE VARIANT: the points of FILE made worse, as NAME.off.

@@ -189,7 +189,9 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     drawClose(context);
     if (!isSmall(context)) {
         if (faulty) wrappedText(classesText(*alerts.found()));
-        dimText(meshText(*alerts.found(), context.session().model()));
+        // The table of the trials has the distances too.
+        if (context.session().trials().best() == nullptr)
+            dimText(meshText(*alerts.found(), context.session().model()));
         if (faulty) drawTrials(context);
         ImGui::Spacing();
     }
