@@ -147,7 +147,7 @@ void DocumentController::open(const std::string& path) {
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
-    spec.leftOut.clear();
+    spec.leftOut = {};
     if (std::exchange(spec.source, path) != path) {
         // These options were chosen for another input.
         spec.normals = NormalSource::AsGiven;

@@ -169,7 +169,7 @@ void SamplingController::use() {
     InputSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
-    spec.leftOut.clear();
+    spec.leftOut = {};
     // These options were chosen for another input: sampled points have normals and walls.
     spec.normals = NormalSource::AsGiven;
     spec.walls = {};

@@ -23,7 +23,7 @@ std::optional<IndexRange> rangeFromText(std::string_view text) {
 }  // namespace
 
 IndexRanges rangesOf(std::span<const Index> indices) {
-    IndexRanges ranges;
+    std::vector<IndexRange> ranges;
     for (const Index i : indices) {
         if (!ranges.empty() && ranges.back().last + 1 == i) {
             ranges.back().last = i;
@@ -31,12 +31,12 @@ IndexRanges rangesOf(std::span<const Index> indices) {
             ranges.push_back({i, i});
         }
     }
-    return ranges;
+    return IndexRanges(std::move(ranges));
 }
 
 std::string rangesText(const IndexRanges& ranges) {
     std::string text;
-    for (const auto& [first, last] : ranges) {
+    for (const auto& [first, last] : ranges.all()) {
         if (!text.empty()) text += ',';
         text += std::to_string(first);
         if (last == first) continue;
@@ -47,7 +47,7 @@ std::string rangesText(const IndexRanges& ranges) {
 }
 
 std::optional<IndexRanges> rangesFromText(std::string_view text) {
-    IndexRanges ranges;
+    std::vector<IndexRange> ranges;
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
         const std::optional<IndexRange> range = rangeFromText(text.substr(0, comma));
@@ -61,12 +61,12 @@ std::optional<IndexRanges> rangesFromText(std::string_view text) {
         text.remove_prefix(comma + 1);
         if (text.empty()) return std::nullopt;
     }
-    return ranges;
+    return IndexRanges(std::move(ranges));
 }
 
 std::vector<bool> marksOf(const IndexRanges& ranges, std::size_t count) {
     std::vector<bool> marks(count, false);
-    for (const auto& [first, last] : ranges) {
+    for (const auto& [first, last] : ranges.all()) {
         for (std::size_t i = first; i < count && i <= last; ++i) marks[i] = true;
     }
     return marks;

@@ -1,10 +1,13 @@
 /// A set of point indices as ranges: compact where neighbors in a file are neighbors in space.
 #pragma once
 
+#include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "spiraling_edge/base/types.h"
@@ -18,8 +21,29 @@ struct IndexRange {
     friend bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
-/// Ascending, with a gap between any two.
-using IndexRanges = std::vector<IndexRange>;
+/// Ascending ranges with a gap between any two. Copies share them: there may be a hundred thousand,
+/// and every undo entry has a copy.
+class IndexRanges {
+  public:
+    IndexRanges() = default;
+    IndexRanges(std::initializer_list<IndexRange> ranges)
+        : IndexRanges(std::vector<IndexRange>(ranges)) {}
+    explicit IndexRanges(std::vector<IndexRange> ranges) {
+        if (!ranges.empty())
+            ranges_ = std::make_shared<const std::vector<IndexRange>>(std::move(ranges));
+    }
+
+    bool empty() const { return ranges_ == nullptr; }
+    std::span<const IndexRange> all() const {
+        return empty() ? std::span<const IndexRange>{} : std::span<const IndexRange>(*ranges_);
+    }
+    friend bool operator==(const IndexRanges& a, const IndexRanges& b) {
+        return a.ranges_ == b.ranges_ || (!a.empty() && !b.empty() && *a.ranges_ == *b.ranges_);
+    }
+
+  private:
+    std::shared_ptr<const std::vector<IndexRange>> ranges_;  ///< Null: none.
+};
 
 /// The ranges of `indices`, which ascend.
 IndexRanges rangesOf(std::span<const Index> indices);

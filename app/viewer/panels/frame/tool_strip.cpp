@@ -68,6 +68,8 @@ void drawStripContent(const PanelContext& context, PieceTool& tool) {
 bool handlePieceTool(const PanelContext& context) {
     PieceTool& tool = context.state<PieceTool>();
     const ImGuiIO& io = ImGui::GetIO();
+    // The camera does not follow a drag that began here, even if Esc ends the tool meanwhile.
+    if (ImGui::IsItemActivated()) context.state<ViewDrag>().begin();
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyCtrl)
         tool.begin(pieceMouse(), io.KeyShift ? PieceShape::Lasso : tool.shape);
     if (!tool.drawing) return false;
