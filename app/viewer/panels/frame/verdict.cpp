@@ -74,7 +74,7 @@ void drawNumbers(const PanelContext& context, const MeshNumbers& now, const Mesh
         return;
     for (const char* head : kHeads) {
         ImGui::TableNextColumn();
-        dimText(head);
+        ImGui::TextColored(toVec4(context.palette.textDim), "%s", head);
     }
     const auto row = [&](const char* name, const MeshNumbers& numbers) {
         const auto spacings = [&](double length) {
