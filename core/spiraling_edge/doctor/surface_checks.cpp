@@ -113,11 +113,11 @@ std::string spacingsText(const ExaminedFile& examined, double spacings) {
 }
 
 /// Distance of the points that are left, in heights of the surface.
-constexpr double kApart = 4.5;
+constexpr double kThicknessesApart = 4.5;
 
 /// "the rest are 4.5 times the height of the noise apart"
 std::string surplusReason(const std::string& height) {
-    return "the rest are " + shortNumber(kApart) + " times " + height + " apart";
+    return "the rest are " + shortNumber(kThicknessesApart) + " times " + height + " apart";
 }
 
 /// Of these points those to leave out, so that the rest are 4.5 times as far apart as the surface
@@ -127,7 +127,7 @@ std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Ind
     std::vector<Vec3> position;
     position.reserve(points.size());
     for (const Index p : points) position.push_back(examined.file.position[p]);
-    const Piece piece{{}, kApart * height * examined.middleSpacing};
+    const Piece piece{{}, kThicknessesApart * height * examined.middleSpacing};
     const std::vector<bool> kept = pointsIn(position, piece);
     std::vector<Index> surplus;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -40,9 +40,9 @@ constexpr std::array kChanges{
     SettingsChange{.rules = "robust", .ruleOff = "fill"},
     SettingsChange{.rules = "robust", .ruleOff = "shelve"},
 };
-constexpr std::size_t kMaxDrops = 3;  ///< Findings of the doctor that are tried.
-constexpr std::size_t kMaxPairs = 3;  ///< Pairs of the best changes.
-static_assert(1 + kSets.size() + kMaxDrops + kChanges.size() + kMaxPairs <= kMaxTrials);
+constexpr std::size_t kMaxTriedDrops = 3;  ///< Findings of the doctor that are tried.
+constexpr std::size_t kMaxTriedPairs = 3;  ///< Pairs of the best changes.
+static_assert(1 + kSets.size() + kMaxTriedDrops + kChanges.size() + kMaxTriedPairs <= kMaxTrials);
 
 std::size_t totalOf(const std::vector<ClassTotal>& totals, std::string_view name) {
     return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
@@ -116,7 +116,7 @@ class TrialRuns {
         std::size_t drops = 0;
         for (const Finding& finding : diagnosis_->findings) {
             const bool tried = finding.check->fix == Fix::Drop && finding.isProblem();
-            if (!tried || ++drops > kMaxDrops) continue;
+            if (!tried || ++drops > kMaxTriedDrops) continue;
             addTo(changes, {.rules = "robust", .drop = finding.check->name});
         }
         changes.erase(changes.begin(), changes.begin() + known);
@@ -138,7 +138,7 @@ class TrialRuns {
         });
         std::vector<SettingsChange> pairs;
         for (std::size_t i = 1; i < single.size(); ++i) {
-            for (std::size_t j = 0; j < i && pairs.size() < kMaxPairs; ++j) {
+            for (std::size_t j = 0; j < i && pairs.size() < kMaxTriedPairs; ++j) {
                 if (const auto both = bothOf(single[j].change, single[i].change))
                     pairs.push_back(*both);
             }

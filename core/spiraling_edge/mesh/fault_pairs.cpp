@@ -85,8 +85,8 @@ struct PairInput {
 };
 
 /// A triangle with the values that its pairs are tested by.
-struct Candidate {
-    Candidate(const PairInput& input, Index number)
+struct PairCandidate {
+    PairCandidate(const PairInput& input, Index number)
         : triangle(number),
           shape(layerShape(input.points, input.triangles[number])),
           box(boxOf(input.points, input.triangles[number])),
@@ -126,12 +126,12 @@ class PairTester {
     void testLarge(std::span<const Index> large) {
         for (const Index each : large) {
             if (isOver()) return;
-            const Candidate a(input_, each);
+            const PairCandidate a(input_, each);
             for (Index b = 0; b < input_.triangles.size(); ++b) {
                 ++counts_.visits;
                 if (b == each || input_.usable[b] == 0) continue;
                 if (mayConflict(a.box, boxOf(input_.points, input_.triangles[b])))
-                    testPair(a, Candidate(input_, b));
+                    testPair(a, PairCandidate(input_, b));
             }
         }
     }
@@ -144,7 +144,7 @@ class PairTester {
     };
 
     void testBlock(std::span<const InBlock> block);
-    void testPair(const Candidate& a, const Candidate& b);
+    void testPair(const PairCandidate& a, const PairCandidate& b);
     void add(FaultKind kind, Index a, Index b) {
         faults_.push_back({kind, std::min(a, b), std::max(a, b)});
     }
@@ -153,8 +153,8 @@ class PairTester {
     const PairInput& input_;
     PairCounts counts_;
     std::vector<Fault> faults_;
-    std::vector<Candidate> candidates_;  ///< Of one block.
-    std::vector<InCell> inCells_;        ///< Of one block.
+    std::vector<PairCandidate> candidates_;  ///< Of one block.
+    std::vector<InCell> inCells_;            ///< Of one block.
 };
 
 void PairTester::testBlock(std::span<const InBlock> block) {
@@ -162,7 +162,7 @@ void PairTester::testBlock(std::span<const InBlock> block) {
     inCells_.clear();
     for (const InBlock& each : block) {
         const auto number = static_cast<Index>(candidates_.size());
-        const Candidate& candidate = candidates_.emplace_back(input_, each.triangle);
+        const PairCandidate& candidate = candidates_.emplace_back(input_, each.triangle);
         input_.grid.forEachCell(candidate.wide.low, candidate.wide.high, [&](std::uint64_t cell) {
             if (BoxCells::blockOf(cell) == each.block) inCells_.push_back({cell, number});
         });
@@ -172,16 +172,16 @@ void PairTester::testBlock(std::span<const InBlock> block) {
     });
     for (std::size_t i = 0; i < inCells_.size() && !isOver(); ++i) {
         const std::uint64_t cell = inCells_[i].cell;
-        const Candidate& a = candidates_[inCells_[i].candidate];
+        const PairCandidate& a = candidates_[inCells_[i].candidate];
         for (std::size_t j = i + 1; j < inCells_.size() && inCells_[j].cell == cell; ++j) {
-            const Candidate& b = candidates_[inCells_[j].candidate];
+            const PairCandidate& b = candidates_[inCells_[j].candidate];
             ++counts_.visits;
             if (input_.grid.cellOfPair(a.wide.low, b.wide.low) == cell) testPair(a, b);
         }
     }
 }
 
-void PairTester::testPair(const Candidate& a, const Candidate& b) {
+void PairTester::testPair(const PairCandidate& a, const PairCandidate& b) {
     if (isOver() || !a.wide.meets(b.wide)) return;
     counts_.visits += kLayerTestWork;
     const Triangle& one = input_.triangles[a.triangle];

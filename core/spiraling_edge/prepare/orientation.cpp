@@ -58,14 +58,14 @@ std::vector<bool> listedWell(const SidesInput& input) {
 }
 
 /// Sides along a forest, with what speaks for them, by component.
-struct Candidate {
+struct SideChoice {
     PointSides sides;
     std::vector<double> contradictions;
     std::vector<FacingVote> votes;
 };
 
-Candidate candidateOf(const SidesInput& input, PointSides sides,
-                      const std::optional<Vec3>& scanner) {
+SideChoice candidateOf(const SidesInput& input, PointSides sides,
+                       const std::optional<Vec3>& scanner) {
     std::vector<Vec3> normal(input.normal.begin(), input.normal.end());
     for (std::size_t p = 0; p < normal.size(); ++p) {
         if (sides.opposed[p] != 0) normal[p] = -normal[p];
@@ -83,7 +83,7 @@ constexpr double kDoubt = 0.01;
 
 /// True if the second candidate is to be taken for component c. A thin plate has contradictions as
 /// two layers have, but is a body along the first forest, and a sheet along the second.
-bool isBetter(const Candidate& second, const Candidate& first, Index c) {
+bool isBetter(const SideChoice& second, const SideChoice& first, Index c) {
     constexpr double kClearly = 0.57;
     if (!(first.contradictions[c] > kDoubt)) return false;
     const bool clearly = second.contradictions[c] < kClearly * first.contradictions[c];
@@ -91,18 +91,18 @@ bool isBetter(const Candidate& second, const Candidate& first, Index c) {
 }
 
 /// The sides along the first forest, or the second one in components where that is clearly better.
-Result<Candidate> findSides(const SidesInput& input, const std::optional<Vec3>& scanner,
-                            const Progress& progress) {
+Result<SideChoice> findSides(const SidesInput& input, const std::optional<Vec3>& scanner,
+                             const Progress& progress) {
     constexpr double kFirstShare = 0.95;  // Few inputs need the second forest.
     Result<PointSides> sides = sidesAlongForest(input, 0.0, partOf(progress, 0.0, kFirstShare));
     if (!sides) return sides.error();
-    Candidate first = candidateOf(input, std::move(sides.value()), scanner);
+    SideChoice first = candidateOf(input, std::move(sides.value()), scanner);
     if (std::none_of(first.contradictions.begin(), first.contradictions.end(),
                      [](double c) { return c > kDoubt; }))
         return first;
     sides = sidesAlongForest(input, kSteepCost, partOf(progress, kFirstShare, 1.0));
     if (!sides) return sides.error();
-    const Candidate second = candidateOf(input, std::move(sides.value()), scanner);
+    const SideChoice second = candidateOf(input, std::move(sides.value()), scanner);
     std::vector<bool> better(first.votes.size());
     for (Index c = 0; c < better.size(); ++c) better[c] = isBetter(second, first, c);
     for (std::size_t p = 0; p < first.sides.opposed.size(); ++p) {
@@ -140,7 +140,7 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const OrientationOptions& options,
                                         const Progress& progress) {
     const SidesInput input{position, normal, neighbors, listersOf(neighbors), options.threads};
-    const Result<Candidate> found = findSides(input, options.scanner, progress);
+    const Result<SideChoice> found = findSides(input, options.scanner, progress);
     if (!found) return found.error();
     const PointSides& sides = found.value().sides;
     const std::vector<FacingVote>& votes = found.value().votes;
