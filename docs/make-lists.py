@@ -147,7 +147,7 @@ def view(program, viewer):
     intro = help_text.split("\n")[0]
     page = ["## view", "", textwrap.fill(f"`spiraling-edge view [OPTIONS] [FILE]`. {intro}", 118)]
     page += [item(text) for text in positionals(help_text)]
-    page.append(item("the [shared options](#shared-options), but for `--crop`, `--thin` and `--what-if`"))
+    page.append(item("the [shared options](#shared-options), but for `--crop`, `--thin`, `--scanner` and `--what-if`"))
     page += [item(text) for head, text in own if re.findall(r"--[a-z-]+", head)[0] not in shared]
     return page
 

@@ -1,5 +1,7 @@
 #include "best_settings.h"
 
+#include <cassert>
+
 namespace se::cli {
 
 Trials tryOthers(const PointFile& file, const RunSettings& settings, const std::string& input,
@@ -14,6 +16,7 @@ Trials tryOthers(const PointFile& file, const RunSettings& settings, const std::
 }
 
 RunSettings bestOf(const Trials& trials, const RunSettings& settings) {
+    assert(trials.best < trials.tried.size());
     const Trial& best = trials.tried[trials.best];
     RunSettings chosen = changed(settings, best.change);
     chosen.prepare.leaveOut = best.leaveOut;

@@ -17,8 +17,8 @@ bool interrupted();
 void releaseInterrupts();
 
 /// Writes to stderr if that is a terminal, at most ten times a second, and erases the line at the
+/// end.
 class ProgressLine {
-    /// end.
   public:
     /// Never writes anything if not `wanted`.
     explicit ProgressLine(bool wanted);

@@ -498,7 +498,7 @@ EOF
     expect 0 run scene:uneven-density --best
     says err "  tried      "
     says err "  before     341 faults; "
-    says err "  options    $options"
+    says err "  instead    $options"
     # A sound mesh needs no other.
     icosahedron >points.xyz
     expect 0 run points.xyz --best

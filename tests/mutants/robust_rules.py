@@ -157,7 +157,7 @@ TABLE = {
         ("repair.not-restarted", "m.next = 0;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_cheapest.cpp": [
-        ("cheapest.any-price", "return leastAdded_ <= kMostAdded ?", "return MUT || leastAdded_ <= kMostAdded ?"),
+        ("cheapest.any-price", "return leastAdded_ <= kMaxAdded ?", "return MUT || leastAdded_ <= kMaxAdded ?"),
         ("cheapest.old-faults-stay", "- faultsOfGone(place.ring);", "- (MUT ? 0 : faultsOfGone(place.ring));"),
         ("cheapest.flipped", "shapeFaults(points_, t) >= kFlippedFault ||", "(!MUT && shapeFaults(points_, t) >= kFlippedFault) ||"),
         ("cheapest.no-wider-place", "if (faults[i] > 0 && widen", "if (!MUT && faults[i] > 0 && widen"),

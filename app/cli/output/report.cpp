@@ -275,7 +275,8 @@ std::string faultSentence(const RunOutcome& outcome) {
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
-    if (!outcome.trials) text += "; --best may avoid them";
+    const bool whole = outcome.ending == Ending::Finished && outcome.params.whatIf.empty();
+    if (!outcome.trials && whole) text += "; --best may avoid them";
     return text;
 }
 
@@ -305,6 +306,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
     addAlerts(outcome.state.alerts, json);
     json["seconds"] = {{"read", outcome.seconds.read},
+                       {"trials", outcome.seconds.trials},
                        {"prepare", outcome.seconds.prepare},
                        {"triangulate", outcome.seconds.triangulate},
                        {"write", outcome.seconds.write}};

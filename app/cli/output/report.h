@@ -22,6 +22,7 @@ enum class Ending { Finished, Capped, MaxPivots, Interrupted };
 /// Wall clock of the parts of a run.
 struct Seconds {
     double read = 0.0;
+    double trials = 0.0;  ///< Of --best.
     double prepare = 0.0;
     double triangulate = 0.0;
     double write = 0.0;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cassert>
+
 #include "sentences.h"
 
 namespace se::cli {
@@ -11,12 +13,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// "--rules robust --neighbors 10, after doctor --fix --drop noise"; "as given" without a change.
+/// "--rules robust, on the points of doctor --fix OUT.ply --drop noise". Requires a change.
 std::string optionsText(const SettingsChange& change) {
-    if (change == SettingsChange{}) return "as given";
+    assert(change != SettingsChange{});
     std::string text = fmt::format("{}", fmt::join(optionsOf(change), " "));
     if (change.drop.empty()) return text;
-    return fmt::format("{}, on the points of doctor --fix OUT.ply --drop {}", text, change.drop);
+    return fmt::format("{}on the points of doctor --fix OUT.ply --drop {}",
+                       text.empty() ? "" : text + ", ", change.drop);
 }
 
 Json trialJson(const Trial& trial) {
@@ -48,7 +51,7 @@ std::string trialsText(const Trials& trials) {
         line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
         line("before", describe(first.numbers));
     if (trials.best == 0) return text + line("best", "as given; no change is better");
-    return text + line("best", describe(best.numbers)) + line("options", optionsText(best.change));
+    return text + line("best", describe(best.numbers)) + line("instead", optionsText(best.change));
 }
 
 Json trialsJson(const Trials& trials) {

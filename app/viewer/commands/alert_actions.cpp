@@ -226,7 +226,9 @@ std::optional<SettingsChange> bestChange(const CommandContext& context) {
     const TrialJob& job = context.session.trials();
     if (job.best() != nullptr) return job.best()->change;
     constexpr SettingsChange kRobust{.rules = "robust"};
-    const bool open = !job.ended() && context.session.input().spec().rules != kRobust.rules;
+    // It is the first change that is tried.
+    const bool untried = job.trials().tried.size() < 2;
+    const bool open = untried && context.session.input().spec().rules != kRobust.rules;
     return open ? std::optional(kRobust) : std::nullopt;
 }
 

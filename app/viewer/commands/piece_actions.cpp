@@ -37,8 +37,7 @@ std::vector<bool> enclosedInFile(const Model& model, std::span<const Index> insi
     return enclosed;
 }
 
-/// Requests a run without these points of the file. What-ifs name points by their numbers, which
-/// change: they are removed.
+/// Requests a run without these points of the file.
 void requestWithout(CommandContext& c, const std::vector<bool>& without) {
     Session& session = c.session;
     std::vector<Index> indices;
@@ -48,8 +47,6 @@ void requestWithout(CommandContext& c, const std::vector<bool>& without) {
     if (indices.size() == without.size())
         return session.messages().say("No point would be left to run with.");
     c.ui.requests.leftOut = rangesOf(indices);
-    RuleSet rules = rulesOf(session.input().spec());
-    if (!std::exchange(rules.whatIf, {}).empty()) c.ui.requests.rules = std::move(rules);
     endPieceTool(c);
 }
 

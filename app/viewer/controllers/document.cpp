@@ -327,6 +327,8 @@ void DocumentController::takeChanges(UiRequests& requests) {
     if (rules) spec = withRules(std::move(spec), *rules);
     if (fixes) spec.fixes = *fixes;
     if (leftOut) spec.leftOut = *leftOut;
+    // What-ifs name points by their numbers, which change.
+    if (leftOut) spec.whatIf.clear();
     expectArrival({});
     arrival_.toEnd = true;
     const std::string said = c_.session.messages().notice();

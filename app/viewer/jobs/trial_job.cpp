@@ -25,11 +25,12 @@ void TrialJob::open(std::shared_ptr<const PointFile> file, RunSettings settings)
     job_.cancel();
     file_ = std::move(file);
     settings_ = std::move(settings);
-    // One core stays free for the window.
+    // Preparing takes one thread; the search for faults takes all, at low priority.
     settings_.prepare.neighbors.threads = 1;
     started_ = false;
     trials_ = {};
     trying_.clear();
+    complaint_.clear();
 }
 
 void TrialJob::start() {
@@ -47,7 +48,11 @@ void TrialJob::start() {
             share = done;
             return results.report(done);
         });
-        if (all) results.add({std::move(all.value()), {}});
+        if (all) {
+            results.add({std::move(all.value()), {}});
+        } else {
+            results.add({{}, {}, all.error().message});
+        }
     });
 }
 
@@ -60,11 +65,14 @@ bool TrialJob::poll() {
     if (!job_.busy()) return false;
     const bool ended = job_.ended();
     std::vector<Progressed> found = job_.take();
-    if (!found.empty()) {
-        trials_ = std::move(found.back().trials);
-        trying_ = std::move(found.back().next);
+    for (Progressed& each : found) {
+        complaint_ = std::move(each.complaint);
+        if (!complaint_.empty()) break;
+        trials_ = std::move(each.trials);
+        trying_ = std::move(each.next);
     }
     if (ended) {
+        if (!job_.complaint().empty()) complaint_ = job_.complaint();
         trying_.clear();
         job_.close();
     }

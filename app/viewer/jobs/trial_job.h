@@ -31,6 +31,8 @@ class TrialJob {
     const Trials& trials() const { return trials_; }
     /// The best of them; null if none is better than the open run.
     const Trial* best() const { return trials_.best > 0 ? &trials_.tried[trials_.best] : nullptr; }
+    /// A sentence why the trials ended early; empty if they did not.
+    const std::string& complaint() const { return complaint_; }
     /// The trial in progress: "trying rules of robust".
     const std::string& trying() const { return trying_; }
 
@@ -38,6 +40,7 @@ class TrialJob {
     struct Progressed {
         Trials trials;
         std::string next;
+        std::string complaint = {};
     };
 
     std::shared_ptr<const PointFile> file_;
@@ -45,6 +48,7 @@ class TrialJob {
     bool started_ = false;
     Trials trials_;
     std::string trying_;
+    std::string complaint_;
     BackgroundJob<Progressed> job_;
 };
 

@@ -26,7 +26,7 @@ bool isOff(const RunSettings& settings, std::string_view rule) {
     return !params || setting == nullptr || !setting->isOn(params.value());
 }
 
-/// Sets `merged` to the value of whichever of both has one. False if they differ.
+/// Sets `merged` to the one of both that is set. False if both are, to different values.
 template <typename Value>
 bool merge(const Value& a, const Value& b, Value& merged) {
     merged = a == Value{} ? b : a;

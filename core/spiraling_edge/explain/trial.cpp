@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -186,7 +187,10 @@ class TrialRuns {
     Status leaveOutDropped(const RunSettings& settings, PrepareOptions& options) {
         if (settings.drops.empty()) return success();
         if (const Status examined = diagnose(); !examined) return examined.error();
-        options.leaveOut = proposedDrop(*diagnosis_, settings.drops).points;
+        const std::vector<Index> kept = std::exchange(options.leaveOut, {});
+        const std::vector<Index> drop = proposedDrop(*diagnosis_, settings.drops).points;
+        std::set_union(kept.begin(), kept.end(), drop.begin(), drop.end(),
+                       std::back_inserter(options.leaveOut));
         return success();
     }
 

@@ -18,9 +18,11 @@ struct MeshNumbers {
     std::size_t points = 0;    ///< All, used or not.
     std::size_t lost = 0;      ///< Points in no triangle that were not set aside.
     std::size_t setAside = 0;  ///< Usable points that were set aside: noise, SettingsChange::drop.
-    std::size_t openings = 0;  ///< Openings of the scan: chains of findRim() over its points.
-    std::size_t closed = 0;    ///< Of these, those that the mesh covers.
-    Fidelity fidelity;         ///< Distances of all points from the mesh, of those set aside too.
+    /// Openings of the scan: chains of findRim() over its points, with the lists of the run without
+    /// a change.
+    std::size_t openings = 0;
+    std::size_t closed = 0;  ///< Of these, those that the mesh covers.
+    Fidelity fidelity;       ///< Distances of all points from the mesh, of those set aside too.
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::size_t triangles = 0;
     bool capped = false;  ///< The run was stopped: Params::maxTrianglesPerPoint.
@@ -32,7 +34,8 @@ std::string describe(const MeshNumbers& numbers);
 /// A run with changed settings.
 struct Trial {
     SettingsChange change;
-    std::vector<Index> leaveOut;  ///< Points of SettingsChange::drop, ascending.
+    /// PrepareOptions::leaveOut of the run: with the points of SettingsChange::drop, ascending.
+    std::vector<Index> leaveOut;
     MeshNumbers numbers;
 };
 
@@ -59,7 +62,8 @@ bool isBetter(const MeshNumbers& trial, const MeshNumbers& best, const MeshNumbe
 /// and the best of these two at a time. Ends early after a sound mesh that loses no point and
 /// closes no opening. Calls `visit`, unless it is empty, before each trial, with all trials so far
 /// and the change to be tried. Fails if the settings do not exist, if the points cannot be
-/// prepared, or if cancelled. Deterministic: equal input and settings give equal trials.
+/// prepared, or if cancelled, which is checked between the parts of a trial. Deterministic: equal
+/// input and settings give equal trials.
 Result<Trials> tryChanges(
     const PointFile& file, const RunSettings& present,
     const std::function<void(const Trials&, const SettingsChange&)>& visit = {},

@@ -126,11 +126,10 @@ struct Prepared {
 };
 
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
-/// are put in order and cleaned. Fails if k is 0, the radius not positive or
-/// the scanner not finite, if a list names a
-/// point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties by
-/// index: the result does not depend on the search method. Requires `leaveOut` to name existing
-/// points.
+/// are put in order and cleaned. Fails if k is 0, if the radius is not positive or the scanner not
+/// finite, if a list names a point that does not exist, or if cancelled. Neighbor lists are ordered
+/// by distance, ties by index: the result does not depend on the search method. Requires `leaveOut`
+/// to name existing points.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress = {});
 /// Stores in `file` the normals and types that prepare() has derived, so that a mesh is written

@@ -55,7 +55,7 @@ std::string classesText(const RunFailureSearch& found) {
     return text;
 }
 
-/// "19 304 triangles · farthest point 0.4 spacings from the mesh".
+/// "19 304 triangles · farthest point 0.4 spacings away".
 std::string meshText(const RunFailureSearch& found, const Model& model) {
     std::string text = withS(found.triangles, "triangle");
     const double farthest = found.fidelity.greatestDistance * model.scale / model.spacing;
@@ -106,8 +106,9 @@ void drawTrials(const PanelContext& context) {
     if (idle && !context.session().input().spec().whatIf.empty()) return;
     ImGui::Spacing();
     if (idle) {
-        if (smallButton(context, "Try other settings", "verdict try",
-                        "Rules, neighbors, normals and more: up to 20 runs, in the background"))
+        if (smallButton(
+                context, "Try other settings", "verdict try",
+                "Rules, neighbors, normals and more: up to 19 more runs, in the background"))
             job.start();
         return;
     }
@@ -119,6 +120,8 @@ void drawTrials(const PanelContext& context) {
     if (job.busy()) {
         const std::string text = job.trying().empty() ? "measuring this run" : job.trying();
         if (progressAndStop(context, job.share(), text.c_str(), "verdict stop")) job.stop();
+    } else if (!job.complaint().empty()) {
+        dimText(job.complaint());
     } else if (job.best() == nullptr && !tried.empty()) {
         dimText("No better settings among " + withS(tried.size() - 1, "change") + " tried.");
     }

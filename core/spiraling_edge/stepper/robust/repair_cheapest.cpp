@@ -15,10 +15,10 @@ namespace se {
 namespace {
 
 /// Largest number of triangles that make room for a point.
-constexpr std::size_t kMostGone = 3;
-constexpr std::size_t kMostMade = kMostGone + 2;
+constexpr std::size_t kMaxGone = 3;
+constexpr std::size_t kMaxMade = kMaxGone + 2;
 /// The most faults that a place may add: those of a point in no triangle.
-constexpr int kMostAdded = 1;
+constexpr int kMaxAdded = 1;
 /// A new triangle with this many faults is not counted to the end.
 constexpr int kTooMany = 8;
 
@@ -81,7 +81,7 @@ class CheapestPlace {
                 if (m_.twin[h] == kNone) consider(besideOf(m_, h));
             }
         }
-        return leastAdded_ <= kMostAdded ? best_ : std::nullopt;
+        return leastAdded_ <= kMaxAdded ? best_ : std::nullopt;
     }
 
   private:
@@ -89,10 +89,10 @@ class CheapestPlace {
         ShapedTriangle shaped;
         Index index;
     };
-    using Faults = std::array<int, kMostMade>;  ///< Of each new triangle with old ones.
+    using Faults = std::array<int, kMaxMade>;  ///< Of each new triangle with old ones.
 
-    /// Counts the faults with the triangles near, until there are too many.
-    void countPairs(Counted& t, Index itself) const {
+    /// Counts the faults with the triangles near, until there are too many; returns their number.
+    int countPairs(Counted& t, Index itself) const {
         int count = t.own;
         for (const NearTriangle& near : near_) {
             if (near.index == itself || count >= kTooMany) continue;
@@ -100,6 +100,7 @@ class CheapestPlace {
             if (faults > 0) t.pairs.emplace_back(near.index, faults);
             count += faults;
         }
+        return count;
     }
     /// A new triangle; the reference stays valid.
     const Counted& made(const Triangle& t) {
@@ -110,7 +111,8 @@ class CheapestPlace {
         const bool isBad =
             shapeFaults(points_, t) >= kFlippedFault || leastAngleCosine(points_, t) >= kThin;
         counted.own = isBad ? kTooMany : 0;
-        countPairs(counted, kNone);
+        // With faults that were not counted it stays out, whatever goes.
+        if (countPairs(counted, kNone) >= kTooMany) counted.own = kTooMany;
         return counted;
     }
     const Counted& old(Index t) {
@@ -120,7 +122,7 @@ class CheapestPlace {
         Counted& counted = found->second;
         if (!isNew) return counted;
         counted.own = shapeFaults(points_, corners) >= kFlippedFault ? 1 : 0;
-        countPairs(counted, t);
+        static_cast<void>(countPairs(counted, t));
         return counted;
     }
 
@@ -184,7 +186,7 @@ class CheapestPlace {
                 best_ = place;
             }
         }
-        if (place.beside || place.ring.gone.size() == kMostGone) return;
+        if (place.beside || place.ring.gone.size() == kMaxGone) return;
         for (std::size_t i = 0; i < place.size(); ++i) {
             CheapPlace wider = place;
             if (faults[i] > 0 && widenByTriangle(m_, i, wider.ring)) consider(wider);
@@ -205,7 +207,7 @@ class CheapestPlace {
 /// Stores the new triangles in the places of the old ones and at the end of the list.
 void putPlace(RepairState& m, const CheapPlace& place, Index x) {
     const HoleRing& ring = place.ring;
-    std::array<HalfEdge, kMostMade> base{};
+    std::array<HalfEdge, kMaxMade> base{};
     const std::size_t count = place.size();
     for (std::size_t i = 0; i < count; ++i) {
         const bool reuse = i < ring.gone.size();
