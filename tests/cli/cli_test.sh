@@ -670,7 +670,7 @@ crop_keeps_the_points_in_a_box() {
     expect 0 run square.xyz --crop -1,1,0,2,3,0 --max-pivots 0 -q -o piece.ply
     expect 1 doctor piece.ply --crop 1,0,0,9,9,0 --fix last.ply
     says out "kept     6 of 9 points: crop"
-    says out "try: spiraling-edge run piece.ply --crop=1,0,0,9,9,0 --check -o OUT.ply"
+    says out "try: spiraling-edge run piece.ply --crop=1,0,0,9,9,0 --best -o OUT.ply"
     is "$(tail -c 12 last.ply | od -An -tu4 | awk '{ print $NF }')" 13 "last index"
 }
 
