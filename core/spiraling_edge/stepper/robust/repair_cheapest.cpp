@@ -15,8 +15,8 @@ namespace se {
 namespace {
 
 /// Largest number of triangles that make room for a point.
-constexpr std::size_t kMaxGone = 3;
-constexpr std::size_t kMaxMade = kMaxGone + 2;
+constexpr std::size_t kMaxCheapGone = 3;
+constexpr std::size_t kMaxCheapMade = kMaxCheapGone + 2;
 /// The most faults that a place may add: those of a point in no triangle.
 constexpr int kMaxAdded = 1;
 /// A new triangle with this many faults is not counted to the end.
@@ -89,7 +89,7 @@ class CheapestPlace {
         ShapedTriangle shaped;
         Index index;
     };
-    using Faults = std::array<int, kMaxMade>;  ///< Of each new triangle with old ones.
+    using Faults = std::array<int, kMaxCheapMade>;  ///< Of each new triangle with old ones.
 
     /// Counts the faults with the triangles near, until there are too many; returns their number.
     int countPairs(Counted& t, Index itself) const {
@@ -186,7 +186,7 @@ class CheapestPlace {
                 best_ = place;
             }
         }
-        if (place.beside || place.ring.gone.size() == kMaxGone) return;
+        if (place.beside || place.ring.gone.size() == kMaxCheapGone) return;
         for (std::size_t i = 0; i < place.size(); ++i) {
             CheapPlace wider = place;
             if (faults[i] > 0 && widenByTriangle(m_, i, wider.ring)) consider(wider);
@@ -207,7 +207,7 @@ class CheapestPlace {
 /// Stores the new triangles in the places of the old ones and at the end of the list.
 void putPlace(RepairState& m, const CheapPlace& place, Index x) {
     const HoleRing& ring = place.ring;
-    std::array<HalfEdge, kMaxMade> base{};
+    std::array<HalfEdge, kMaxCheapMade> base{};
     const std::size_t count = place.size();
     for (std::size_t i = 0; i < count; ++i) {
         const bool reuse = i < ring.gone.size();
