@@ -124,6 +124,7 @@ bool runOnPieceTool(const KeyChord& chord, CommandContext& context) {
 void showAside(CommandContext& context, const AsidePoints& group) {
     const Model& model = context.session.model();
     std::vector<glm::vec3> places;
+    places.reserve(group.position.size() + group.points.size());
     for (const Vec3& p : group.position) places.push_back(model.toView(p));
     for (const Index p : group.points) {
         if (model.drawable[p]) places.push_back(model.place[p]);
