@@ -8,7 +8,7 @@ Trials tryOthers(const PointFile& file, const RunSettings& settings, const std::
                  ProgressLine& line) {
     std::string what = "trying settings";
     const auto visit = [&](const Trials& trials, const SettingsChange& next) {
-        what = "trying " + wordsOf(next) + ", run " + std::to_string(trials.tried.size() + 1);
+        what = trialText(next) + ", run " + std::to_string(trials.tried.size() + 1);
     };
     return runWithProgress(what, input, line, [&](const Progress& progress) {
         return tryChanges(file, settings, visit, progress);

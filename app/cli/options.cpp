@@ -4,9 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/what_if_check.h"
 
 namespace se::cli {
@@ -104,28 +103,8 @@ void DerivedArguments::addTo(CLI::App& app) {
                  "boundary points");
 }
 
-std::optional<std::vector<double>> numbersFromText(const std::string& text, std::size_t count) {
-    std::vector<double> numbers(count);
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    for (std::size_t i = 0; i < count; ++i) {
-        char comma = ',';
-        if (i > 0) stream >> comma;
-        if (!(stream >> numbers[i]) || comma != ',' || !std::isfinite(numbers[i]))
-            return std::nullopt;
-    }
-    stream >> std::ws;
-    return stream.eof() ? std::optional(numbers) : std::nullopt;
-}
-
-std::optional<SixNumbers> sixNumbersFromText(const std::string& text) {
-    const auto n = numbersFromText(text, 6);
-    if (!n) return std::nullopt;
-    return SixNumbers{Vec3((*n)[0], (*n)[1], (*n)[2]), Vec3((*n)[3], (*n)[4], (*n)[5])};
-}
-
 Vec3 DerivedArguments::scanner(const PointFile& file) const {
-    const auto n = numbersFromText(scanner_, 3);
+    const auto n = numbersIn(scanner_, 3);
     if (!n) {
         throw Failure(ExitCode::Usage,
                       fmt::format("--scanner {}: expected three numbers separated by commas: X,Y,Z",
@@ -140,16 +119,16 @@ Vec3 DerivedArguments::scanner(const PointFile& file) const {
 }
 
 WallBox boxFromText(const std::string& text) {
-    const std::optional<SixNumbers> numbers = sixNumbersFromText(text);
-    if (!numbers) {
+    const auto n = numbersIn(text, 6);
+    if (!n) {
         throw Failure(ExitCode::Usage,
                       fmt::format("--box {}: expected auto, or six numbers separated by commas: "
                                   "X0,Y0,Z0,X1,Y1,Z1",
                                   text));
     }
     WallBox box;
-    box.low = numbers->first;
-    box.high = numbers->second;
+    box.low = {(*n)[0], (*n)[1], (*n)[2]};
+    box.high = {(*n)[3], (*n)[4], (*n)[5]};
     if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z)) {
         throw Failure(ExitCode::Usage,
                       fmt::format("--box {}: expected six numbers, the lower corner first", text));
@@ -218,6 +197,7 @@ Params RuleArguments::params() const {
 
 std::vector<RuleValue> RuleArguments::choices() const {
     std::vector<RuleValue> values;
+    values.reserve(switches_.size());
     for (const std::string& text : switches_) values.push_back(ruleFrom(text));
     return values;
 }
@@ -248,11 +228,7 @@ Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors
 
 PrepareOptions prepareOptionsFrom(const Params& params, const NeighborArguments& neighbors,
                                   const DerivedArguments& derived, const PointFile& file) {
-    NeighborOptions lists = neighbors.options();
-    lists.dropOpposingNormals = params.dropOpposingNormals;
-    PrepareOptions options = derived.options(lists, file);
-    options.setNoiseAside = params.setNoiseAside;
-    return options;
+    return prepareOptionsFor(derived.options(neighbors.options(), file), params);
 }
 
 }  // namespace se::cli

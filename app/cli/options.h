@@ -23,14 +23,6 @@ inline constexpr long long kMaxNeighbors = 1'000'000;
 /// to exit with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
-/// `count` finite numbers separated by commas; nothing if the text is anything else.
-std::optional<std::vector<double>> numbersFromText(const std::string& text, std::size_t count);
-
-/// Two corners.
-using SixNumbers = std::pair<Vec3, Vec3>;
-/// Finite numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1; nothing if the text is anything else.
-std::optional<SixNumbers> sixNumbersFromText(const std::string& text);
-
 /// A box from six numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1. Throws Failure otherwise.
 WallBox boxFromText(const std::string& text);
 

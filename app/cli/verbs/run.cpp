@@ -301,7 +301,7 @@ ExitCode runVerb(const Arguments& words) {
                       nameOfInput(arguments.input) + ": holds no points to triangulate");
     const RunSettings settings = chooseSettings(arguments, file, line, outcome);
     outcome.seconds.trials = watch.lap();
-    const PrepareOptions prepareOptions = prepareOptionsOf(settings, outcome.params);
+    const PrepareOptions prepareOptions = prepareOptionsFor(settings.prepare, outcome.params);
     Prepared prepared = runWithProgress(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });

@@ -144,9 +144,7 @@ PointSet preparedFor(const PointFile& file, const TableArguments& arguments, con
     } else {
         options.neighbors.reach = WithinSpacings{arguments.reach};
     }
-    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
-    options.setNoiseAside = params.setNoiseAside;
-    Result<Prepared> prepared = prepare(file, options);
+    Result<Prepared> prepared = prepare(file, prepareOptionsFor(options, params));
     if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
     return std::move(prepared.value().points);
 }

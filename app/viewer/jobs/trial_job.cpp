@@ -36,12 +36,12 @@ void TrialJob::open(std::shared_ptr<const PointFile> file, RunSettings settings)
 void TrialJob::start() {
     if (started_ || file_ == nullptr) return;
     started_ = true;
+    trying_ = trialText({});
     job_.start([file = file_, settings = settings_](auto& results) {
         lowerPriority();
         double share = 0.0;
         const auto visit = [&](const Trials& trials, const SettingsChange& next) {
-            const bool first = next == SettingsChange{};
-            results.add({trials, first ? "measuring this run" : "trying " + wordsOf(next)});
+            results.add({trials, trialText(next)});
             results.report(share);
         };
         Result<Trials> all = tryChanges(*file, settings, visit, [&](double done) {

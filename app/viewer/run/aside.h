@@ -43,7 +43,7 @@ std::size_t countOf(const std::vector<AsidePoints>& groups);
 std::string nameOf(const AsidePoints& group);
 /// The reason in words, after a number of points: "set aside for noise".
 std::string reasonText(const AsidePoints& group);
-/// What a click does that returns them to the run, as a sentence; empty if nothing can.
+/// The effect of a click that returns them to the run, as a sentence; empty if nothing can.
 std::string_view returnText(AsideReason reason);
 
 }  // namespace se::view

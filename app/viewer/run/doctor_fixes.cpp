@@ -12,9 +12,6 @@ namespace se::view {
 
 namespace {
 
-/// Number of nearest points in the doctor's advice.
-constexpr std::size_t kAdvisedNeighbors = 12;
-
 bool has(const Fixes& fixes, Fix kind) {
     return std::any_of(fixes.begin(), fixes.end(), [kind](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
@@ -97,8 +94,7 @@ Fixes safeFixes(std::span<const Finding> findings) {
     return fixes;
 }
 
-Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& options,
-                           const Progress& progress) {
+Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress) {
     FixesDone done;
     done.kept.resize(file.position.size());
     std::iota(done.kept.begin(), done.kept.end(), Index{0});
@@ -112,14 +108,6 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& 
         if (!found) return found.error();
         repair(name, proposedDrop(found.value(), {&name, 1}), file, done);
     }
-    if (has(fixes, Fix::Orient)) options.normals = NormalSource::Oriented;
-    if (has(fixes, Fix::NewLists)) {
-        options.neighbors.reach = KNearest{kAdvisedNeighbors};
-        options.neighbors.recompute = true;
-    }
-    if (has(fixes, Fix::Symmetric)) options.neighbors.symmetric = true;
-    if (has(fixes, Fix::Walls)) options.walls = boxAround(file.position);
-    if (has(fixes, Fix::Rim)) options.rim = true;
     return done;
 }
 

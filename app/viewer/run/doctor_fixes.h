@@ -29,10 +29,9 @@ struct FixesDone {
     std::vector<Index> kept;           ///< Index before, of each point that is left.
 };
 
-/// Applies the fixes: repairs `file`, and sets in `options` what preparing is to do. Fails if there
-/// is no such check, if it has no fix, or if cancelled. Deterministic.
-Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, PrepareOptions& options,
-                           const Progress& progress = {});
+/// Applies the fixes that change the file; withFixOptions() has the others. Fails if there is no
+/// such check, if it has no fix, or if cancelled. Deterministic.
+Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress = {});
 /// Copies derived data back into the file after preparing, so that the doctor examines the input
 /// of the run. Returns one sentence for each change.
 std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,

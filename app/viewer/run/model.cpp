@@ -15,6 +15,7 @@
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "strings.h"
 
@@ -226,16 +227,29 @@ void placeModel(Model& model) {
     }
 }
 
+InputSpec withFixOptions(InputSpec spec) {
+    for (const std::string& name : spec.fixes) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        if (check == nullptr) continue;
+        if (check->fix == Fix::Orient) spec.normals = NormalSource::Oriented;
+        if (check->fix == Fix::Symmetric) spec.neighbors.symmetric = true;
+        if (check->fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
+        if (check->fix == Fix::Rim) spec.rim = true;
+        if (check->fix != Fix::NewLists) continue;
+        spec.neighbors.reach = KNearest{};
+        spec.neighbors.recompute = true;
+    }
+    return spec;
+}
+
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file) {
     PrepareOptions options;
     options.neighbors = spec.neighbors;
-    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
     options.normals = spec.normals;
     options.rim = spec.rim;
-    options.setNoiseAside = params.setNoiseAside;
     if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
     if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
-    return options;
+    return prepareOptionsFor(std::move(options), params);
 }
 
 namespace {
@@ -271,16 +285,14 @@ void takeFixed(FixesDone done, Model& model) {
 Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model& model,
                                   const LoadProgress& progress) {
     if (const Status some = leaveOut(spec.leftOut, file, model); !some) return some.error();
-    PrepareOptions options = prepareOptions(spec, model.params, file);
     model.fixed = !spec.fixes.empty();
     Result<FixesDone> done =
-        fixInput(file, spec.fixes, options, [&](double) { return !progress.cancelled.load(); });
+        fixInput(file, spec.fixes, [&](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
     if (!done) return done.error();
     takeFixed(std::move(done.value()), model);
     // Around the points that are left, like the file that the doctor writes.
-    if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
-    return options;
+    return prepareOptions(withFixOptions(spec), model.params, file);
 }
 
 }  // namespace

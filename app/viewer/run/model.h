@@ -72,6 +72,8 @@ struct InputSpec {
     IndexRanges leftOut = {};         ///< Points of the file to run without, by their indices.
     friend bool operator==(const InputSpec&, const InputSpec&) = default;
 };
+/// `spec` with the options that its fixes choose, besides those that change the file.
+InputSpec withFixOptions(InputSpec spec);
 /// Options for prepare(), for points of `file`.
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model.h"
+#include "spiraling_edge/explain/run_settings.h"
 
 namespace se::view {
 
@@ -34,13 +35,8 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules) {
 }
 
 Result<Params> paramsOf(const InputSpec& spec) {
-    std::optional<Params> params = paramsByName(spec.rules);
-    if (!params) return Error{"There is no rule set \"" + spec.rules + "\"."};
-    if (const Status known = applyRuleValues(spec.choices, *params); !known) return known.error();
-    if (spec.keepOpposing) params->dropOpposingNormals = false;
-    if (spec.keepNoise) params->setNoiseAside = false;
-    params->whatIf = spec.whatIf;
-    return *params;
+    return se::paramsOf(
+        RunSettings{spec.rules, spec.choices, spec.whatIf, spec.keepOpposing, spec.keepNoise});
 }
 
 RuleSet withRule(const RuleSet& rules, std::string_view name, double value) {

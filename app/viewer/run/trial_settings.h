@@ -6,8 +6,6 @@
 
 namespace se::view {
 
-/// `spec` with the options that its fixes choose, besides those that change the file.
-InputSpec withFixOptions(InputSpec spec);
 /// The settings of the run of an input; `given` is the file that is prepared, with its fixes.
 RunSettings settingsOf(const InputSpec& spec, const PointFile& given);
 /// The input after a change of its settings; points that the change drops become a fix.

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "run/number_format.h"
-#include "run/trial_settings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "spiraling_edge/base/result.h"
 
@@ -178,6 +179,23 @@ std::optional<Number> numberIn(std::string_view text) {
         if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     }
     return number;
+}
+
+/// `count` finite numbers separated by commas, blanks around them allowed; empty if the text is
+/// anything else.
+inline std::optional<std::vector<double>> numbersIn(std::string_view text, std::size_t count) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        io::Fields fields(text.substr(0, comma));
+        double number = 0.0;
+        const bool good = io::parseDouble(fields.next(), number) && std::isfinite(number);
+        if (!good || !fields.next().empty()) return std::nullopt;
+        numbers.push_back(number);
+        if (comma == text.size()) break;
+        text.remove_prefix(comma + 1);
+    }
+    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
 }  // namespace se

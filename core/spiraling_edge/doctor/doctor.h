@@ -100,7 +100,7 @@ struct ProposedDrop {
     std::vector<Index> points;
     std::string reason;
 };
-/// What the findings of these checks propose to drop (Finding::toDrop()).
+/// The points that the findings of these checks propose to drop (Finding::toDrop()).
 ProposedDrop proposedDrop(const Diagnosis& diagnosis, std::span<const std::string> checks);
 
 /// Runs all checks. Fails if the columns of the file differ in length, or if cancelled.

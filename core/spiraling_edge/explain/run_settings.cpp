@@ -46,11 +46,19 @@ Result<Params> paramsOf(const RunSettings& settings) {
     return *params;
 }
 
-PrepareOptions prepareOptionsOf(const RunSettings& settings, const Params& params) {
-    PrepareOptions options = settings.prepare;
+PrepareOptions prepareOptionsFor(PrepareOptions options, const Params& params) {
     options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
     options.setNoiseAside = params.setNoiseAside;
     return options;
+}
+
+NeighborOptions changedLists(NeighborOptions lists, const SettingsChange& change) {
+    if (change.nearest > 0) {
+        lists.reach = KNearest{change.nearest};
+        lists.recompute = true;
+    }
+    lists.symmetric = lists.symmetric || change.symmetric;
+    return lists;
 }
 
 RunSettings changed(RunSettings settings, const SettingsChange& change) {
@@ -61,12 +69,8 @@ RunSettings changed(RunSettings settings, const SettingsChange& change) {
                       [&](const RuleValue& each) { return each.name == change.ruleOff; });
         settings.choices.push_back({std::string(change.ruleOff), 0.0});
     }
-    if (change.nearest > 0) {
-        prepare.neighbors.reach = KNearest{change.nearest};
-        prepare.neighbors.recompute = true;
-    }
+    prepare.neighbors = changedLists(prepare.neighbors, change);
     prepare.normals = change.normals.value_or(prepare.normals);
-    prepare.neighbors.symmetric = prepare.neighbors.symmetric || change.symmetric;
     prepare.rim = prepare.rim || change.rim;
     if (!change.drop.empty()) settings.drops.emplace_back(change.drop);
     return settings;

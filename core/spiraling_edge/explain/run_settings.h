@@ -17,16 +17,17 @@ struct RunSettings {
     std::string rules = "paper";          ///< A name that paramsByName() knows.
     std::vector<RuleValue> choices = {};  ///< Single rules that differ from that set.
     std::vector<WhatIf> whatIf = {};
-    bool keepOpposing = false;  ///< Overrides the rules: also neighbors with opposing normals.
-    bool keepNoise = false;     ///< Overrides the rules: no point is set aside for noise.
-    PrepareOptions prepare = {};
-    std::vector<std::string> drops = {};  ///< Checks of the doctor whose points are set aside.
+    bool keepOpposing = false;    ///< Overrides the rules: also neighbors with opposing normals.
+    bool keepNoise = false;       ///< Overrides the rules: no point is set aside for noise.
+    PrepareOptions prepare = {};  ///< For prepareOptionsFor(), which the rules have a part in.
+    /// Checks of the doctor whose points are set aside; proposedDrop() finds them.
+    std::vector<std::string> drops = {};
 };
 /// The params of the settings. Fails if there is no such set or rule.
 Result<Params> paramsOf(const RunSettings& settings);
-/// The options of prepare() for the settings: RunSettings::prepare with what the rules decide.
-/// Points of `drops` are not in `leaveOut`: proposedDrop() finds them.
-PrepareOptions prepareOptionsOf(const RunSettings& settings, const Params& params);
+/// The options with what the rules decide: whether opposing normals are left out of lists, and
+/// noise is set aside.
+PrepareOptions prepareOptionsFor(PrepareOptions options, const Params& params);
 
 /// A change of settings. What is empty stays as it is.
 struct SettingsChange {
@@ -40,8 +41,9 @@ struct SettingsChange {
 
     friend bool operator==(const SettingsChange&, const SettingsChange&) = default;
 };
-/// The settings after a change.
+/// The settings, and their options for lists alone, after a change.
 RunSettings changed(RunSettings settings, const SettingsChange& change);
+NeighborOptions changedLists(NeighborOptions lists, const SettingsChange& change);
 /// The part of a change that `settings` of a run over `file` do not have already.
 SettingsChange withoutPresent(SettingsChange change, const RunSettings& settings,
                               const PointFile& file);

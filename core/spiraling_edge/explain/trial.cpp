@@ -22,7 +22,7 @@ namespace {
 
 using Chains = std::vector<std::vector<Index>>;
 
-/// Losing more than one point in so many is no gain, whatever the faults.
+/// Losing more than one point in this many is no gain, whatever the faults.
 constexpr std::size_t kPointsPerLost = 200;
 
 /// Changes of any input, in the order in which they are tried. Points that the doctor would drop
@@ -154,7 +154,7 @@ class TrialRuns {
         const RunSettings settings = changed(present_, change);
         const Result<Params> params = paramsOf(settings);
         if (!params) return params.error();
-        PrepareOptions options = prepareOptionsOf(settings, params.value());
+        PrepareOptions options = prepareOptionsFor(settings.prepare, params.value());
         if (const Status dropped = leaveOutDropped(settings, options); !dropped)
             return dropped.error();
         const Result<Prepared> prepared = prepareWith(options, part);
@@ -280,6 +280,10 @@ std::string faultText(const std::vector<ClassTotal>& totals) {
 }
 
 }  // namespace
+
+std::string trialText(const SettingsChange& next) {
+    return next == SettingsChange{} ? "measuring the run as given" : "trying " + wordsOf(next);
+}
 
 std::string describe(const MeshNumbers& numbers) {
     if (numbers.capped) return "stopped: too many triangles";

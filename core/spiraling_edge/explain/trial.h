@@ -39,6 +39,9 @@ struct Trial {
     MeshNumbers numbers;
 };
 
+/// The trial of a change as work in progress: "trying rules of robust".
+std::string trialText(const SettingsChange& next);
+
 /// Trials in the order in which they were made.
 struct Trials {
     std::vector<Trial> tried;  ///< The first is that without a change.

@@ -141,22 +141,6 @@ void freeUnused(PointFile& file) {
     for (Attribute& attribute : file.attributes) attribute.values.shrink_to_fit();
 }
 
-/// `count` finite numbers separated by commas, blanks around them allowed.
-std::optional<std::vector<double>> numbersIn(std::string_view text, std::size_t count) {
-    std::vector<double> numbers;
-    while (true) {
-        const std::size_t comma = std::min(text.find(','), text.size());
-        io::Fields fields(text.substr(0, comma));
-        double number = 0.0;
-        const bool good = io::parseDouble(fields.next(), number) && std::isfinite(number);
-        if (!good || !fields.next().empty()) return std::nullopt;
-        numbers.push_back(number);
-        if (comma == text.size()) break;
-        text.remove_prefix(comma + 1);
-    }
-    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
-}
-
 std::string plainText(double value) {
     std::string text;
     appendPlainNumber(text, value);
@@ -206,8 +190,10 @@ Result<Box> cropFromText(std::string_view text) {
     for (int i = 0; i < 3; ++i) {
         if (box.low[i] <= box.high[i]) continue;
         const std::string axis(1, "XYZ"[i]);
-        return Error{"expected the lower corner first; " + axis + "0 = " + plainText(box.low[i]) +
-                     " is above " + axis + "1 = " + plainText(box.high[i])};
+        std::string why = "expected the lower corner first; ";
+        why.append(axis).append("0 = ").append(plainText(box.low[i]));
+        why.append(" is above ").append(axis).append("1 = ").append(plainText(box.high[i]));
+        return Error{why};
     }
     return box;
 }

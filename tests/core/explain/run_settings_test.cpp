@@ -29,7 +29,7 @@ TEST_CASE("settings: a change of rules, lists, normals and rims is in the settin
     Params expected = *paramsByName("robust");
     expected.robust.fill = false;
     CHECK(params.value() == expected);
-    const PrepareOptions prepare = prepareOptionsOf(after, params.value());
+    const PrepareOptions prepare = prepareOptionsFor(after.prepare, params.value());
     CHECK(std::get<KNearest>(prepare.neighbors.reach).k == 10);
     CHECK(prepare.neighbors.recompute);
     CHECK(prepare.neighbors.symmetric);
@@ -54,7 +54,7 @@ TEST_CASE("settings: options override what the rules say of noise and opposing n
     settings.keepNoise = settings.keepOpposing = true;
     const Result<Params> params = paramsOf(settings);
     REQUIRE(params.ok());
-    const PrepareOptions prepare = prepareOptionsOf(settings, params.value());
+    const PrepareOptions prepare = prepareOptionsFor(settings.prepare, params.value());
     CHECK_FALSE(prepare.setNoiseAside);
     CHECK_FALSE(prepare.neighbors.dropOpposingNormals);
 }

@@ -111,7 +111,7 @@ TEST_CASE("trials: every one is made as the settings after its change are run") 
         CAPTURE(wordsOf(trial.change));
         const RunSettings settings = changed({}, trial.change);
         const Params params = paramsOf(settings).value();
-        PrepareOptions options = prepareOptionsOf(settings, params);
+        PrepareOptions options = prepareOptionsFor(settings.prepare, params);
         options.leaveOut = trial.leaveOut;
         const Prepared made = prepare(file, options).value();
         const Run run = runAll(made.points, params);

@@ -97,8 +97,7 @@ TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") 
 TEST_CASE("A fix that does not exist, or a check without one, is refused") {
     for (const char* name : {"no_such_check", "ties"}) {
         PointFile file = sphere();
-        PrepareOptions options;
-        CHECK_FALSE(fixInput(file, {name}, options));
+        CHECK_FALSE(fixInput(file, {name}));
     }
 }
 

@@ -118,8 +118,7 @@ void drawTrials(const PanelContext& context) {
         drawNumbers(context, tried.front().numbers, best->numbers);
     }
     if (job.busy()) {
-        const std::string text = job.trying().empty() ? "measuring this run" : job.trying();
-        if (progressAndStop(context, job.share(), text.c_str(), "verdict stop")) job.stop();
+        if (progressAndStop(context, job.share(), job.trying().c_str(), "verdict stop")) job.stop();
     } else if (!job.complaint().empty()) {
         dimText(job.complaint());
     } else if (job.best() == nullptr && !tried.empty()) {

@@ -80,7 +80,7 @@ class FillingSearch {
     template <typename Goal>
     friend class FillingTable;
 
-    /// What was found out about a triangle of the ring: it fits if it has no fault but maybe a
+    /// Result of the tests of a triangle of the ring: it fits if it has no fault but maybe a
     /// conflict.
     enum class Known : std::uint8_t { Nothing, Fit, Sound, Faulty };
     Known& known(const RingTriangle& t) {
