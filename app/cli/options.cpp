@@ -45,7 +45,7 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
 void NeighborArguments::addTo(CLI::App& app) {
     auto* count = app.add_option("-k,--neighbors", count_,
                                  "Neighbors of a point: the K nearest (default: the lists in the "
-                                 "file, or else 12)");
+                                 "file, or 12)");
     count->type_name("K")->check(CLI::Range(1LL, kMaxNeighbors));
     auto* radius =
         app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
@@ -61,7 +61,7 @@ void NeighborArguments::addTo(CLI::App& app) {
                  "Keep neighbors whose normal opposes that of the point");
     app.add_flag("--keep-noise", keepNoise_,
                  "Keep all points where noise is as wide as the spacing (--rules robust sets "
-                 "aside those that lie above or below others)");
+                 "aside those above or below others)");
 }
 
 NeighborOptions NeighborArguments::options() const {
@@ -95,7 +95,7 @@ void DerivedArguments::addTo(CLI::App& app) {
            "face outward)")
         ->type_name("POINT");
     app.add_option("--box", box_,
-                   "Points on the walls of this box are boundary points: auto (the box around all "
+                   "Points on the walls of this box are boundary points: auto (around all "
                    "points), or X0,Y0,Z0,X1,Y1,Z1")
         ->type_name("BOX");
     app.add_flag("--derive-rim", rim_,

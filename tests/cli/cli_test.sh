@@ -476,6 +476,24 @@ capped_run_ends_with_one() {
     absent mesh.ply
 }
 
+holes_are_closed_up_to_a_size() {
+    # A sheet of uneven points with a hole of its own, 9 across.
+    awk 'BEGIN { for (y = 0; y < 20; ++y) for (x = 0; x < 20; ++x)
+             if ((x - 10) ^ 2 + (y - 10) ^ 2 > 20) print x + 0.3 * sin(7 * x + 3 * y), y + 0.3 * sin(5 * x + 11 * y), 0, 0, 0, 1
+         }' >sheet.xyz
+    expect 0 run sheet.xyz --rules robust
+    says err "  open       2 loops, the widest "
+    expect 0 run sheet.xyz --rules robust --rule holewidth=5 --report narrow.json
+    is "$(number boundary_loops narrow.json)" 2 "loops"
+    expect 0 run sheet.xyz --rules robust --rule holewidth=12 --rule holeedges=40 --check
+    says err "  open       1 loop, "
+    # It is no opening that counts as closed against the wish of the user.
+    expect 0 run sheet.xyz --best --rule holewidth=12 --report wide.json
+    is "$(number boundary_loops wide.json)" 1 "loops"
+    expect 2 run sheet.xyz --rule holewidth=-1
+    says err "holewidth"
+}
+
 best_is_the_run_with_its_options() {
     # The paper's rules close the opening of the sheet and lose points; another change is better.
     expect 0 run scene:uneven-density --best -o best.ply --report best.json

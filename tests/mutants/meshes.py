@@ -83,8 +83,9 @@ TABLE = {
     ],
     "mesh/mesh_report.cpp": [
         ("report.loops",
-         "report.boundaryLoops = ends - joined;",
-         "report.boundaryLoops = ends - joined + (MUT && ends > 0 ? 1 : 0);"),
+         "report.boundaryLoops = loops.size();",
+         "report.boundaryLoops = loops.size() + (MUT && !loops.empty() ? 1 : 0);"),
+        ("report.narrowest-loop", "if (width < report.widestLoopWidth) continue;", "if (!MUT) OLD"),
         ("report.euler",
          "static_cast<long long>(report.edges) +",
          "static_cast<long long>(report.edges) * (MUT ? -1 : 1) +"),

@@ -70,6 +70,10 @@ void addMesh(const MeshReport& mesh, Json& json) {
     json["edges"] = mesh.edges;
     json["boundary_edges"] = mesh.boundaryEdges;
     json["boundary_loops"] = mesh.boundaryLoops;
+    json["widest_loop"] =
+        mesh.boundaryLoops == 0
+            ? Json()
+            : Json({{"width", mesh.widestLoopWidth}, {"edges", mesh.widestLoopEdges}});
     json["non_manifold_edges"] = mesh.nonManifoldEdges;
     json["non_manifold_vertices"] = mesh.nonManifoldVertices;
     json["inconsistent_edges"] = mesh.inconsistentEdges;
@@ -335,6 +339,7 @@ std::string summaryText(const RunOutcome& outcome) {
     addLine("set aside", setAsideSentence(outcome.prepared));
     addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));
+    addLine("open", openSentence(outcome.mesh));
     addLine("defects", defectSentence(outcome.mesh));
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) addLine("alerts", fmt::format("{}, listed by --report", alerts));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "spiraling_edge/base/number_text.h"
+
 namespace se::cli {
 
 std::string counted(std::size_t count, const std::string& noun, const std::string& plural) {
@@ -23,6 +25,13 @@ std::string meshSentence(const MeshReport& mesh) {
                                                    " in " + counted(mesh.boundaryLoops, "loop"));
     appendPart(text, fmt::format("Euler characteristic {}", mesh.eulerCharacteristic));
     return text;
+}
+
+std::string openSentence(const MeshReport& mesh) {
+    if (mesh.boundaryLoops == 0) return "";
+    return fmt::format("{}, {}{} across ({})", counted(mesh.boundaryLoops, "loop"),
+                       mesh.boundaryLoops == 1 ? "" : "the widest ",
+                       shortNumber(mesh.widestLoopWidth), counted(mesh.widestLoopEdges, "edge"));
 }
 
 std::string defectSentence(const MeshReport& mesh) {

@@ -10,6 +10,8 @@ namespace se::cli {
 
 /// "366 triangles in 2 components, 64 boundary edges in 4 loops, Euler characteristic 1".
 std::string meshSentence(const MeshReport& mesh);
+/// "4 loops, the widest 0.12 across (42 edges)": what stays open; empty if nothing does.
+std::string openSentence(const MeshReport& mesh);
 /// "2 non-manifold edges, 1 flipped triangle"; empty if there is none.
 std::string defectSentence(const MeshReport& mesh);
 /// "15 not finite, 50 duplicates"; empty if nothing was set aside.

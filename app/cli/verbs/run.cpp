@@ -53,7 +53,7 @@ struct RunArguments {
         auto* out = addOutputOption(app, "-o,--output", output,
                                     "Write the mesh to this file, as " +
                                         listText(meshFormats(), &MeshFormat::name, "or") +
-                                        " by its extension; - : as PLY to standard output");
+                                        " by its extension; - : PLY to standard output");
         out->type_name("OUT");
         app.add_flag(
             "--normals", writing.normals,

@@ -38,7 +38,7 @@ struct SampleArguments {
         addOutputOption(app, "-o,--output", output,
                         "Write the points to this file, as " +
                             listText(meshFormats(), &MeshFormat::name, "or", isReadable) +
-                            " by its extension; - : as PLY to standard output")
+                            " by its extension; - : PLY to standard output")
             ->type_name("OUT");
         auto* count =
             app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");

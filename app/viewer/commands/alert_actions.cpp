@@ -13,6 +13,7 @@
 #include "run/strings.h"
 #include "run/trial_settings.h"
 #include "session/playback.h"
+#include "spiraling_edge/base/number_text.h"
 
 namespace se::view {
 
@@ -236,6 +237,28 @@ void fixByTrials(CommandContext& context) {
     const auto change = bestChange(context);
     assert(change);
     actions::requestSettings(context, withChange(context.session.input().spec(), *change));
+    context.ui.requests.resume = Resume::End;
+}
+
+std::string openText(const RunFailureSearch& found) {
+    const MeshFailure* widest = nullptr;
+    std::size_t loops = 0;
+    for (const MeshFailure& each : found.all) {
+        if (!isLoop(each)) continue;
+        ++loops;
+        if (widest == nullptr || widthOf(each) > widthOf(*widest)) widest = &each;
+    }
+    if (widest == nullptr) return "";
+    return grouped(loops) + (loops == 1 ? " loop stays open, " : " loops stay open, the widest ") +
+           shortNumber(widthOf(*widest)) + " across (" + grouped(widest->edges.size()) + " edges)";
+}
+
+void closeHoles(CommandContext& context, double width) {
+    RuleSet rules = rulesOf(context.session.input().spec());
+    const RuleSetting* closes = findRuleSetting("closeholes");
+    assert(closes != nullptr);
+    if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.name = "robust";
+    context.ui.requests.rules = withRule(rules, "holewidth", width);
     context.ui.requests.resume = Resume::End;
 }
 

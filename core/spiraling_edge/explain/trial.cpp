@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/replay/reconstruct.h"
@@ -47,6 +48,13 @@ static_assert(1 + kSets.size() + kMaxTriedDrops + kChanges.size() + kMaxTriedPai
 
 std::size_t totalOf(const std::vector<ClassTotal>& totals, std::string_view name) {
     return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
+}
+
+/// True if the user wants an opening of this size closed.
+bool isToClose(const PointSet& points, const Params& params, const std::vector<Index>& chain) {
+    if (!params.limitsHoles()) return false;
+    const LoopShape shape = shapeOfLoop(points.position, points.normal, chain);
+    return params.isWithinHoleLimits(shape.width(), chain.size());
 }
 
 /// The number of chains that the mesh covers: most of their points in triangles are on no loop.
@@ -157,7 +165,7 @@ class TrialRuns {
         PrepareOptions options = prepareOptionsFor(settings.prepare, params.value());
         if (const Status dropped = leaveOutDropped(settings, options); !dropped)
             return dropped.error();
-        const Result<Prepared> prepared = prepareWith(options, part);
+        const Result<Prepared> prepared = prepareWith(options, params.value(), part);
         if (!prepared) return prepared.error();
         const auto made =
             reconstructed(prepared.value().points, params.value(), partOf(part, 0.3, 0.8));
@@ -195,7 +203,8 @@ class TrialRuns {
     }
 
     /// Prepares, and finds the openings of the scan in the first trial.
-    Result<Prepared> prepareWith(const PrepareOptions& options, const Progress& part) {
+    Result<Prepared> prepareWith(const PrepareOptions& options, const Params& params,
+                                 const Progress& part) {
         Result<Prepared> prepared = prepare(file_, options, partOf(part, 0.0, 0.3));
         if (!prepared || openings_) return prepared;
         const PointSet& points = prepared.value().points;
@@ -203,6 +212,9 @@ class TrialRuns {
                                   options.neighbors.threads);
         if (!rim) return rim.error();
         openings_ = std::move(rim.value().chains);
+        std::erase_if(*openings_, [&](const std::vector<Index>& chain) {
+            return isToClose(points, params, chain);
+        });
         return prepared;
     }
 

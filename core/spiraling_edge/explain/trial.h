@@ -19,7 +19,7 @@ struct MeshNumbers {
     std::size_t lost = 0;      ///< Points in no triangle that were not set aside.
     std::size_t setAside = 0;  ///< Usable points that were set aside: noise, SettingsChange::drop.
     /// Openings of the scan: chains of findRim() over its points, with the lists of the run without
-    /// a change.
+    /// a change; but for those within Params::isWithinHoleLimits(), which are to be closed.
     std::size_t openings = 0;
     std::size_t closed = 0;  ///< Of these, those that the mesh covers.
     Fidelity fidelity;       ///< Distances of all points from the mesh, of those set aside too.

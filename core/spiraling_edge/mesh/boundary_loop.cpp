@@ -46,18 +46,6 @@ bool endsAtMost(const PointSet& points, std::span<const LoopSide> loop) {
     return isMost(ends, loop.size());
 }
 
-/// True if most points lie on walls or rims, and no two others follow each other: a single one
-/// bulges past the chord.
-bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop) {
-    const auto onWall = [&](Index p) { return isBoundary(points.type[p]); };
-    std::size_t walls = 0;
-    for (const LoopSide& side : loop) {
-        if (!onWall(side.from) && !onWall(side.to)) return false;
-        walls += onWall(side.from) ? 1U : 0U;
-    }
-    return isMost(walls, loop.size());
-}
-
 }  // namespace
 
 LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop) {
@@ -69,6 +57,17 @@ LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop) {
                 points.position[side.to] - origin);
     }
     return sum.shape();
+}
+
+bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop) {
+    // No two others follow each other, since a single one bulges past the chord.
+    const auto onWall = [&](Index p) { return isBoundary(points.type[p]); };
+    std::size_t walls = 0;
+    for (const LoopSide& side : loop) {
+        if (!onWall(side.from) && !onWall(side.to)) return false;
+        walls += onWall(side.from) ? 1U : 0U;
+    }
+    return isMost(walls, loop.size());
 }
 
 bool isOpening(const PointSet& points, std::span<const LoopSide> loop, const LoopShape& shape) {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "spiraling_edge/geometry/loop_shape.h"
+#include "spiraling_edge/mesh/sorted_sides.h"
 #include "spiraling_edge/points/point_set.h"
 
 namespace se {
@@ -16,6 +17,9 @@ namespace se {
 struct LoopSide {
     Index from, to;
 };
+inline LoopSide loopSideOf(const TriangleSide& side) {
+    return side.ascending ? LoopSide{side.low, side.high} : LoopSide{side.high, side.low};
+}
 
 /// The shape of a loop: one closed chain of sides, or several with common points, in any order.
 /// Requires at least one side.
@@ -26,6 +30,10 @@ LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop);
 /// outline of a whole patch is an opening as well, which only the caller can tell: see
 /// largestPatch().
 bool isOpening(const PointSet& points, std::span<const LoopSide> loop, const LoopShape& shape);
+
+/// True if the loop runs along walls or rims: most of its points lie on them, and no two others
+/// follow each other.
+bool runsAlongWalls(const PointSet& points, std::span<const LoopSide> loop);
 
 /// The most triangles of a patch whose outline is a loop with LoopShape::turnsRoundPatch: more
 /// would be folded, since a round patch has 0.18 triangles per square of its border's length.

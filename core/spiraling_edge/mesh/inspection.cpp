@@ -264,6 +264,11 @@ bool isLoop(const MeshFailure& failure) {
     return failure.kind->find == inspect::holes || failure.kind->find == inspect::openings;
 }
 
+double widthOf(const MeshFailure& loop) {
+    assert(isLoop(loop));
+    return loop.length > 0.0 ? 4.0 * loop.area / loop.length : 0.0;
+}
+
 namespace {
 
 /// The kind of pairs that a class is of, if any.

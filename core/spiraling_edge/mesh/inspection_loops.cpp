@@ -10,10 +10,6 @@
 namespace se::inspect {
 namespace {
 
-LoopSide loopSide(const TriangleSide& side) {
-    return side.ascending ? LoopSide{side.low, side.high} : LoopSide{side.high, side.low};
-}
-
 bool isOutlineOfPatch(const InspectedMesh& mesh, const BoundaryLoop& loop) {
     return loop.shape.turnsRoundPatch &&
            mesh.trianglesAround(loop.sides.front().low) <= largestPatch(loop.shape);
@@ -52,7 +48,7 @@ std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
     std::vector<BoundaryLoop> loops;
     for (auto& [least, its] : sides) {
         std::vector<LoopSide> chain;
-        std::transform(its.begin(), its.end(), std::back_inserter(chain), loopSide);
+        std::transform(its.begin(), its.end(), std::back_inserter(chain), loopSideOf);
         BoundaryLoop loop{std::move(its), shapeOf(mesh.points, chain)};
         loop.isOpening = isOutlineOfPatch(mesh, loop) || isOpening(mesh.points, chain, loop.shape);
         loops.push_back(std::move(loop));

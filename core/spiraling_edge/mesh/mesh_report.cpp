@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -33,24 +35,36 @@ void countPieces(const MeshSides& mesh, MeshReport& report) {
     report.components = report.usedPoints - joined;
 }
 
+/// Counts the loops of the boundary, of which these are the sides, and measures the widest.
+void countLoops(const MeshSides& mesh, const std::vector<TriangleSide>& border,
+                MeshReport& report) {
+    DisjointSets joined(mesh.points.size());
+    for (const TriangleSide& side : border) joined.unite(side.low, side.high);
+    std::map<Index, std::vector<LoopSide>> loops;
+    for (const TriangleSide& side : border)
+        loops[joined.find(side.low)].push_back(loopSideOf(side));
+    report.boundaryLoops = loops.size();
+    for (const auto& [root, loop] : loops) {
+        const double width = shapeOf(mesh.points, loop).width();
+        if (width < report.widestLoopWidth) continue;
+        report.widestLoopWidth = width;
+        report.widestLoopEdges = loop.size();
+    }
+}
+
 /// Counts the edges by the number of their triangles, and the loops of the boundary.
 void countEdges(const MeshSides& mesh, MeshReport& report) {
-    DisjointSets boundary(mesh.points.size());
-    std::vector<bool> onBoundary(mesh.points.size(), false);
-    std::size_t joined = 0;
+    std::vector<TriangleSide> border;
     forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
         ++report.edges;
         if (edge.size() > 2) ++report.nonManifoldEdges;
         if (isInconsistent(edge)) ++report.inconsistentEdges;
         if (edge.size() == 1) {
             ++report.boundaryEdges;
-            onBoundary[edge[0].low] = onBoundary[edge[0].high] = true;
-            if (boundary.unite(edge[0].low, edge[0].high)) ++joined;
+            border.push_back(edge[0]);
         }
     });
-    const auto ends =
-        static_cast<std::size_t>(std::count(onBoundary.begin(), onBoundary.end(), true));
-    report.boundaryLoops = ends - joined;
+    countLoops(mesh, border, report);
 }
 
 void countFans(const MeshSides& mesh, MeshReport& report) {

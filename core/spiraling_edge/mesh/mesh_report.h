@@ -16,8 +16,11 @@ struct MeshReport {
     std::size_t usedPoints = 0;    ///< Points in at least one triangle.
     std::size_t unusedPoints = 0;  ///< Points in none.
     std::size_t edges = 0;
-    std::size_t boundaryEdges = 0;        ///< Edges of exactly one triangle.
-    std::size_t boundaryLoops = 0;        ///< Connected components of the boundary edges.
+    std::size_t boundaryEdges = 0;  ///< Edges of exactly one triangle.
+    std::size_t boundaryLoops = 0;  ///< Connected components of the boundary edges.
+    /// Of the loops, the width (LoopShape::width()) and the number of edges of the widest.
+    double widestLoopWidth = 0.0;
+    std::size_t widestLoopEdges = 0;
     std::size_t nonManifoldEdges = 0;     ///< Edges of three or more triangles.
     std::size_t nonManifoldVertices = 0;  ///< Points whose triangles form more than one fan.
     std::size_t inconsistentEdges = 0;    ///< Edges passed twice in the same direction.

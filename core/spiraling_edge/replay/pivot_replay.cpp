@@ -185,8 +185,8 @@ DecisionState stateBefore(const PivotRecord& record) {
     DecisionState state;
     state.status = record.before.status;
     state.rings = ringPaths(record.before.rings);
-    state.finishedTriangles = record.before.triangleCount;
     state.repaired = record.before.repaired;
+    state.finishedTriangles = state.repaired ? state.repaired->size() : record.before.triangleCount;
     return state;
 }
 

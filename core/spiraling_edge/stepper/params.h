@@ -1,6 +1,7 @@
 /// The parameters of a run, with the paper's values as defaults.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -210,6 +211,11 @@ struct Params {
     std::uint32_t maxFillLength = 64;
     /// ... and of at most this width, in mean distances of its points to their nearest neighbor.
     double maxFillWidth = 48.0;
+    /// The user's limit: RobustRules::closeHoles fills openings of at most this width as well, and
+    /// wider holes stay open. In the unit of the points, as LoopShape::width(); 0: no limit.
+    double maxHoleWidth = 0.0;
+    /// ... and of at most this many edges; 0: no limit.
+    std::uint32_t maxHoleEdges = 0;
     RobustThresholds thresholds;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
@@ -217,6 +223,14 @@ struct Params {
     bool setNoiseAside = false;
     /// Overrides of single decisions by the user; empty: the rules decide everything.
     std::vector<WhatIf> whatIf = {};
+
+    /// True if the user limits the holes that are closed.
+    bool limitsHoles() const { return maxHoleWidth > 0.0 || maxHoleEdges > 0; }
+    /// True if a loop of this width and number of edges is within the user's limits.
+    bool isWithinHoleLimits(double width, std::size_t edges) const {
+        return (maxHoleWidth == 0.0 || width <= maxHoleWidth) &&
+               (maxHoleEdges == 0 || edges <= maxHoleEdges);
+    }
 
     friend bool operator==(const Params&, const Params&) = default;
 };

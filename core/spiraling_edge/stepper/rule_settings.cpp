@@ -317,6 +317,14 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     robust<&RobustRules::reinsert>("reinsert", "4",
                                    "stranded points take the place of triangles nearby"),
     robust<&RobustRules::closeHoles>("closeholes", "6.5", "holes of the finished mesh are filled"),
+    beyondPaper(number<&Params::maxHoleWidth>(
+        "holewidth", "6.5",
+        "holes up to this width are closed, openings of the scan too; wider ones stay; 0: by the "
+        "rules",
+        0.0, 1e12, "in the file's unit")),
+    beyondPaper(number<&Params::maxHoleEdges>("holeedges", "6.5",
+                                              "... and of at most this many edges; 0: by the rules",
+                                              0.0, 64.0, "edges")),
     robust<&RobustRules::flip>("flip", "6.3",
                                "edges that are better the other way round are flipped"),
     beyondPaper(number<kThresholds, &RobustThresholds::flipFlatCosine>(

@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "spiraling_edge/mesh/fresh_triangles.h"
 #include "spiraling_edge/replay/timeline.h"
 #include "support/clouds.h"
+#include "support/random_points.h"
 
 using namespace se;
 
@@ -147,6 +149,21 @@ TEST_CASE("A refused candidate keeps its cross until the pivot ends") {
     const std::size_t emit = indexOf(*record, Stage::Emit);
     REQUIRE(crosses(emit) > 0);
     CHECK(crosses(record->events.size() - 2) == crosses(emit));
+}
+
+TEST_CASE("The end of a run has as many triangles as its mesh") {
+    int edited = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Timeline timeline(test::randomPoints(seed), *paramsByName("robust"));
+        timeline.seek(std::numeric_limits<std::uint32_t>::max());
+        const auto record = timeline.record(timeline.lastPivot());
+        const DecisionState state = PivotReplay(record).after(record->events.size() - 1);
+        const std::size_t triangles = timeline.state().mesh().size();
+        edited += triangles != timeline.state().triangles.size() ? 1 : 0;
+        CHECK(state.finishedTriangles + state.newTriangles.size() == triangles);
+    }
+    CHECK(edited > 0);
 }
 
 TEST_CASE("After the last pivot, triangles with only rotated corners are not new") {

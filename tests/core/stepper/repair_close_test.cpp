@@ -94,6 +94,47 @@ TEST_CASE("closeholes: a wide hole where the surface ends at most points stays o
     const PointSet points = flatPoints(gridPoints());
     RepairState m = beginRepair(points.size(), gridWithout(gone));
     CHECK(closeAll(points, robust(), m).empty());
+    // The user may want it closed: 14 edges, 4.05 across.
+    for (const double width : {4.0, 4.1}) {
+        Params limited = robust();
+        limited.maxHoleWidth = width;
+        RepairState mesh = beginRepair(points.size(), gridWithout(gone));
+        CHECK(closeAll(points, limited, mesh) == (width < 4.05 ? Points{} : Points{14}));
+    }
+}
+
+TEST_CASE("closeholes: of holes of 6 and 8 edges, those within the limits of the user are filled") {
+    const PointSet points = flatPoints(gridPoints());
+    const Triangles six = gridWithout({gridPoint(3, 3)});
+    const Triangles eight = gridWithout({gridPoint(3, 3), gridPoint(4, 3)});
+    const auto closed = [&](const Triangles& mesh, double width, std::uint32_t edges) {
+        Params limited = robust();
+        limited.maxHoleWidth = width;
+        limited.maxHoleEdges = edges;
+        RepairState m = beginRepair(points.size(), mesh);
+        return closeAll(points, limited, m);
+    };
+    CHECK(closed(six, 0.0, 6) == Points{6});
+    CHECK(closed(eight, 0.0, 6).empty());
+    CHECK(closed(eight, 0.0, 8) == Points{8});
+    // 1.76 and 2.08 across.
+    CHECK(closed(six, 1.9, 0) == Points{6});
+    CHECK(closed(eight, 1.9, 0).empty());
+    CHECK(closed(six, 1.9, 5).empty());
+}
+
+TEST_CASE("closeholes: the limits of the user close no loop along walls, and no outline") {
+    // A strip of two rows whose outline lies on the walls but for one point of the inner hole.
+    PointSet points = flatPoints(gridPoints());
+    Params limited = robust();
+    limited.maxHoleWidth = 100.0;
+    RepairState outline = beginRepair(points.size(), gridWithout({}));
+    CHECK(closeAll(points, limited, outline).empty());
+    for (const auto& [column, row] :
+         {std::pair<Index, Index>{2, 2}, {3, 2}, {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {2, 3}})
+        points.type[gridPoint(column, row)] = kNegativeX;
+    RepairState walls = beginRepair(points.size(), gridWithout({gridPoint(3, 3)}));
+    CHECK(closeAll(points, limited, walls).empty());
 }
 
 TEST_CASE("closeholes: an edge of two triangles that has no twins gets no third") {

@@ -66,4 +66,15 @@ for input in "${inputs[@]}"; do
     [[ $change == *without* ]] || cmp "$saved" best.ply || fail "$input: run --best writes another mesh"
     echo "$input: ${change:-no change is better}"
 done
+
+# An opening of the scan is closed up to a width, as the command line closes it.
+start sheet.xyz; says alert_search done; says at_end true; says trials_ended true
+click_on "verdict close holes"; says typing true
+xdotool type 12; press Return; leaves verdict "$(field verdict)"
+says alert_search done; says at_end true
+press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'; says typing true
+xdotool type closed.ply; press Return; says mesh_dialog false
+stop
+"$cli" run sheet.xyz --rules robust --rule holewidth=12 -q -o same.ply || fail "holewidth"
+cmp closed.ply same.ply || fail "the window closes other holes than the command line"
 well

@@ -126,6 +126,25 @@ void drawTrials(const PanelContext& context) {
     }
 }
 
+/// What stays open, and the width up to which it is to be closed.
+void drawOpen(const PanelContext& context, const RunFailureSearch& found) {
+    static const RuleSetting& limit = *findRuleSetting("holewidth");
+    double width = valueOf(context.session().input().rules(), limit);
+    const std::string text = openText(found);
+    if (text.empty() && width == 0.0) return;
+    ImGui::Spacing();
+    dimText(text.empty() ? "Nothing stays open." : text + ".");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Close holes up to");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(6.0F * context.em);
+    if (ImGui::InputDouble("across", &width, 0.0, 0.0, "%.4g", kEntered) && isValue(limit, width))
+        closeHoles(context.commands, width);
+    nameItem(context, "verdict close holes",
+             "The largest hole to close, openings of the scan too, in the unit of the file; 0: as "
+             "the rules say. Enter runs the points again.");
+}
+
 struct CardAction {
     const char* label;
     const char* name;
@@ -195,6 +214,7 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));
         if (faulty) drawTrials(context);
+        drawOpen(context, *alerts.found());
         ImGui::Spacing();
     }
     drawActions(context, alerts);

@@ -188,6 +188,7 @@ bool mayFill(const StepContext& context) {
     const Index length = rings.length(rings.active());
     if (length <= 2 || length > context.params.maxFillLength) return false;
     const LoopShape shape = shapeOfRing(context);
+    if (!context.params.isWithinHoleLimits(shape.width(), length)) return false;
     return !isTooWide(context, shape) && (length <= kNeverAnOpening || !isOpening(context, shape));
 }
 

@@ -82,15 +82,27 @@ double spacingAt(const PointSet& points, const std::vector<LoopSide>& loop) {
     return count > 0.0 ? sum / count : 0.0;
 }
 
-bool isHole(const PointSet& points, const Params& params, const RepairState& m,
-            const std::vector<HalfEdge>& border) {
+/// True if the loop is no wider than Params::maxFillWidth.
+bool isNarrow(const PointSet& points, const Params& params, const std::vector<LoopSide>& loop,
+              const LoopShape& shape) {
+    const double spacing = spacingAt(points, loop);
+    return spacing <= 0.0 || shape.width() <= params.maxFillWidth * spacing;
+}
+
+/// True if the loop is to be closed: a hole or, where the user limits those, any loop within the
+/// limits that neither runs along walls nor around a patch.
+bool isToClose(const PointSet& points, const Params& params, const RepairState& m,
+               const std::vector<HalfEdge>& border) {
     std::vector<LoopSide> loop;
     loop.reserve(border.size());
     for (const HalfEdge h : border) loop.push_back({cornerOf(m, h), cornerOf(m, following(h))});
     const LoopShape shape = shapeOf(points, loop);
-    const double spacing = spacingAt(points, loop);
-    if (spacing > 0.0 && shape.width() > params.maxFillWidth * spacing) return false;
-    if (isOpening(points, loop, shape)) return false;
+    if (params.limitsHoles()) {
+        if (!params.isWithinHoleLimits(shape.width(), loop.size())) return false;
+        if (runsAlongWalls(points, loop)) return false;
+    } else if (!isNarrow(points, params, loop, shape) || isOpening(points, loop, shape)) {
+        return false;
+    }
     const std::size_t largest = largestPatch(shape);
     return !(shape.turnsRoundPatch &&
              patchAt(m, border.front() / 3, largest + 1).size() <= largest);
@@ -172,7 +184,7 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
         const HalfEdge first = m.next++;
         if (m.twin[first] != kNone) continue;
         const std::vector<HalfEdge> border = loopFrom(points, m, first, longest);
-        if (border.empty() || !isHole(points, params, m, border)) continue;
+        if (border.empty() || !isToClose(points, params, m, border)) continue;
         HoleRing ring = ringInside(m, border);
         const Filling filling = widenUntilFilled(points, m, ring);
         if (filling.empty()) continue;
