@@ -9,6 +9,7 @@
 #include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
@@ -76,11 +77,23 @@ struct RawOptions {
     std::string stateDump;
     bool actions = false;
     std::string box;
+    std::string crop;
+    std::string scanner;
     bool orient = false;
     bool deriveNormals = false;
     SampleSpec grow;
     double iso = 0.0;
 };
+
+/// Options for a piece of the file; names as in `spiraling-edge run`.
+void addPiece(CLI::App& app, Options& o, RawOptions& raw) {
+    app.add_option("--crop", raw.crop, "Only the points in this box, X0,Y0,Z0,X1,Y1,Z1")
+        ->type_name("BOX");
+    app.add_option("--thin", o.input.piece.thin,
+                   "Then only points no nearer than this to one before")
+        ->type_name("SPACING")
+        ->check(CLI::PositiveNumber);
+}
 
 /// Options for what is derived from the points; names as in `spiraling-edge run`.
 void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
@@ -105,6 +118,9 @@ void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag("--derive-normals", raw.deriveNormals,
                  "Derive normals from the positions even if the file has some")
         ->excludes(orient);
+    app.add_option("--scanner", raw.scanner,
+                   "Derived or flipped normals face this position, X,Y,Z, part by part")
+        ->type_name("POINT");
     app.add_flag("--derive-rim", o.input.rim,
                  "Find where the surface ends without a wall, and treat the points there as "
                  "boundary points");
@@ -154,6 +170,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
+    addPiece(app, o, raw);
     addPreparing(app, o, raw);
     addGrowing(app, raw);
     app.add_option("--goto", o.goTo,
@@ -220,6 +237,19 @@ void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
     if (raw.orient) o.input.normals = NormalSource::Oriented;
     if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
     o.normalsGiven = raw.orient || raw.deriveNormals;
+    if (!raw.scanner.empty()) {
+        const auto at = numbersIn(raw.scanner, 3);
+        if (!at) {
+            throw CLI::ValidationError("--scanner " + raw.scanner,
+                                       "expected three numbers separated by commas: X,Y,Z");
+        }
+        o.input.scanner = Vec3((*at)[0], (*at)[1], (*at)[2]);
+    }
+    if (!raw.crop.empty()) {
+        const Result<Box> crop = cropFromText(raw.crop);
+        if (!crop) throw CLI::ValidationError("--crop " + raw.crop, crop.error().message);
+        o.input.piece.crop = crop.value();
+    }
     if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
         o.grow = SampleSpec{};
         o.grow->surface = std::exchange(o.input.source, {});
@@ -350,7 +380,11 @@ Status adoptSession(Options& o) {
     const bool symmetric = o.input.neighbors.symmetric || kept.neighbors.symmetric;
     if (!o.reachGiven) o.input.neighbors = kept.neighbors;
     o.input.fixes = kept.fixes;
-    o.input.leftOut = kept.leftOut;
+    if (o.input.piece.isWhole()) {
+        o.input.piece = kept.piece;
+        o.input.leftOut = kept.leftOut;
+    }
+    if (!o.input.scanner) o.input.scanner = kept.scanner;
     o.input.neighbors.symmetric = symmetric;
     if (!o.normalsGiven) o.input.normals = kept.normals;
     if (!o.wallsGiven) o.input.walls = kept.walls;

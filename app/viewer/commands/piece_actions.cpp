@@ -32,8 +32,8 @@ void markEnclosed(Session& session, std::span<const Index> points) {
 
 /// For each point of the file: true if it is enclosed.
 std::vector<bool> enclosedInFile(const Model& model, std::span<const Index> inside) {
-    std::vector<bool> enclosed(model.pointsInFile, false);
-    for (const Index p : inside) enclosed[model.numberInFile(p)] = true;
+    std::vector<bool> enclosed(model.pointsInPiece, false);
+    for (const Index p : inside) enclosed[model.numberInPiece(p)] = true;
     return enclosed;
 }
 

@@ -1,6 +1,7 @@
 #include "alerts.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "commands/alert_actions.h"
@@ -26,6 +27,21 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
                                         : "no such failure is listed; the run has ";
     return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +
            " in all.";
+}
+
+/// What has become of the place that was shown in the mesh before: "1 hole of 3 edges is gone. ";
+/// empty if none was shown. The place is still there if a new one reaches its most severe fault.
+std::string changeOfPlace(const Session& session) {
+    const EarlierMesh& earlier = session.earlierMesh();
+    if (!earlier.place || !earlier.faults) return "";
+    const FaultPlace& place = earlier.faults->places[*earlier.place];
+    const RunFailureSearch& now = *session.alerts().search().found();
+    const bool stays =
+        std::any_of(now.places.begin(), now.places.end(), [&](const FaultPlace& each) {
+            return glm::length(each.center - place.center) <= each.radius + place.radius;
+        });
+    return "The place that was shown (" + describe(place, earlier.faults->all) +
+           (stays ? ") still has faults. " : ") is gone. ");
 }
 
 }  // namespace
@@ -72,7 +88,8 @@ void AlertController::reportChange() {
                                                   : "Now " + verdict_ + "; before, " + before + ".";
     const char* look =
         c_.session.hasEarlierMesh() ? " Hold the back-quote key to see the mesh before." : "";
-    c_.session.messages().say(said + (said.empty() ? "" : " ") + change + look);
+    c_.session.messages().say(said + (said.empty() ? "" : " ") + changeOfPlace(c_.session) +
+                              change + look);
 }
 
 /// Other settings are tried without a request where that is quick, and the addresses of what-ifs

@@ -148,10 +148,12 @@ void DocumentController::open(const std::string& path) {
     InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
     spec.leftOut = {};
+    spec.piece = {};
     if (std::exchange(spec.source, path) != path) {
         // These options were chosen for another input.
         spec.normals = NormalSource::AsGiven;
         spec.walls = {};
+        spec.scanner.reset();
         spec.rim = false;
         spec.points = nullptr;
         spec.whatIf.clear();

@@ -170,9 +170,11 @@ void SamplingController::use() {
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
     spec.leftOut = {};
+    spec.piece = {};
     // These options were chosen for another input: sampled points have normals and walls.
     spec.normals = NormalSource::AsGiven;
     spec.walls = {};
+    spec.scanner.reset();
     spec.rim = false;
     c_.ui.requests.openSpec = std::move(spec);
 }

@@ -53,6 +53,8 @@ void PrepareForm::take(const InputSpec& spec, const Model& model) {
     keepNoise = spec.keepNoise;
     rim = spec.rim;
     normals = spec.normals;
+    for (int i = 0; spec.scanner && i < 3; ++i)
+        scanner[static_cast<std::size_t>(i)] = exact((*spec.scanner)[i]);
     walls = spec.walls.from;
     box = walls == WallChoice::From::Box ? boxFields(spec.walls.box)
                                          : proposedFields(boxAround(model.points.position));
@@ -83,6 +85,20 @@ void PrepareForm::show(Fix fix) {
     count = std::to_string(KNearest{}.k);
 }
 
+Status PrepareForm::setScanner(std::optional<Vec3>& at) const {
+    at.reset();
+    const auto isEmpty = [](const std::string& text) { return text.empty(); };
+    if (std::all_of(scanner.begin(), scanner.end(), isEmpty)) return success();
+    Vec3 read{};
+    for (int i = 0; i < 3; ++i) {
+        const auto number = numberFromText(scanner[static_cast<std::size_t>(i)]);
+        if (!number) return Error{"Scanner: expected three numbers, or none."};
+        read[i] = *number;
+    }
+    at = read;
+    return success();
+}
+
 Status PrepareForm::setReach(NeighborOptions& neighbors) const {
     neighbors = {};
     neighbors.symmetric = symmetric;
@@ -109,6 +125,7 @@ Status PrepareForm::setReach(NeighborOptions& neighbors) const {
 Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     if (const Status set = setReach(base.neighbors); !set) return set.error();
     base.normals = normals;
+    if (const Status set = setScanner(base.scanner); !set) return set.error();
     base.walls = {walls, {}};
     if (walls == WallChoice::From::Box) {
         const Result<WallBox> six = boxFromFields(box);

@@ -1,6 +1,7 @@
 /// The user's choice of what is derived from the points of the input. Plain values.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "growth_page.h"
@@ -19,6 +20,7 @@ struct PrepareForm {
     bool symmetric = false;
     bool keepOpposing = false;
     NormalSource normals = NormalSource::AsGiven;
+    std::array<std::string, 3> scanner{};  ///< x, y, z; all empty: normals face outward.
     WallChoice::From walls = WallChoice::From::File;
     BoxFields box{};
     bool rim = false;
@@ -36,6 +38,7 @@ struct PrepareForm {
 
   private:
     Status setReach(NeighborOptions& neighbors) const;
+    Status setScanner(std::optional<Vec3>& at) const;
     /// Makes the choices of a fix.
     void show(Fix fix);
 };

@@ -137,11 +137,19 @@ std::string fixesText(const Model& model) {
 }
 
 std::string changesText(const Model& model) {
-    std::string text = model.fixed ? "Repaired: " + fixesText(model) + "." : "";
+    std::string text;
+    const auto add = [&text](const std::string& sentence) {
+        text.append(text.empty() ? "" : " ").append(sentence);
+    };
+    if (model.pointsInPiece < model.pointsInFile) {
+        add("A piece: " + grouped(model.pointsInPiece) + " of " + grouped(model.pointsInFile) +
+            " points.");
+    }
+    if (model.fixed) add("Repaired: " + fixesText(model) + ".");
     for (const AsidePoints& each : model.aside) {
         if (each.reason != AsideReason::LeftOut) continue;
-        text += (text.empty() ? "" : " ") + ("Left out: " + grouped(each.count) + " of " +
-                                             grouped(model.pointsInFile) + " points.");
+        add("Left out: " + grouped(each.count) + " of " + grouped(model.pointsInPiece) +
+            " points.");
     }
     return text;
 }
@@ -247,6 +255,7 @@ PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const
     options.neighbors = spec.neighbors;
     options.normals = spec.normals;
     options.rim = spec.rim;
+    options.scanner = spec.scanner;
     if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
     if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
     return prepareOptionsFor(std::move(options), params);
@@ -254,10 +263,18 @@ PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const
 
 namespace {
 
-/// Leaves out the points that the user has chosen, by their indices in the file.
+/// Reads the piece of the source.
+Result<PointFile> readPiece(const InputSpec& spec, Model& model, LoadProgress& progress) {
+    Result<PointFile> file = readSource(spec, model, progress);
+    if (!file) return file;
+    model.pointsInFile = file.value().position.size();
+    return cutPiece(std::move(file.value()), spec.piece, model.name);
+}
+
+/// Leaves out the points that the user has chosen, by their indices in the piece.
 Status leaveOut(const IndexRanges& leftOut, PointFile& file, Model& model) {
     const std::size_t count = file.position.size();
-    model.pointsInFile = count;
+    model.pointsInPiece = count;
     if (leftOut.empty()) return success();
     std::vector<bool> keep = marksOf(leftOut, count);
     keep.flip();
@@ -265,7 +282,7 @@ Status leaveOut(const IndexRanges& leftOut, PointFile& file, Model& model) {
     if (aside.count == 0) return success();
     if (aside.count == count) return Error{"All " + grouped(count) + " points are left out."};
     for (Index p = 0; p < count; ++p) {
-        if (keep[p]) model.inFile.push_back(p);
+        if (keep[p]) model.inPiece.push_back(p);
     }
     model.aside.push_back(std::move(aside));
     file = keptPoints(std::move(file), keep);
@@ -276,14 +293,19 @@ Status leaveOut(const IndexRanges& leftOut, PointFile& file, Model& model) {
 void takeFixed(FixesDone done, Model& model) {
     model.fixesDone = std::move(done.texts);
     if (done.dropped.empty()) return;
-    for (Index& p : done.kept) p = model.numberInFile(p);
-    model.inFile = std::move(done.kept);
+    for (Index& p : done.kept) p = model.numberInPiece(p);
+    model.inPiece = std::move(done.kept);
     for (AsidePoints& each : done.dropped) model.aside.push_back(std::move(each));
 }
 
 /// Points that may take part in the run, and how to prepare them. Repaired if `spec` has fixes.
 Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model& model,
                                   const LoadProgress& progress) {
+    if (spec.scanner && file.hasNormals() && spec.normals == NormalSource::AsGiven) {
+        return Error{
+            "The points have normals; only flipped or derived ones can face a scanner (--orient, "
+            "--derive-normals)."};
+    }
     if (const Status some = leaveOut(spec.leftOut, file, model); !some) return some.error();
     model.fixed = !spec.fixes.empty();
     Result<FixesDone> done =
@@ -302,7 +324,7 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
     model->params = params.value();
-    Result<PointFile> file = readSource(spec, *model, progress);
+    Result<PointFile> file = readPiece(spec, *model, progress);
     if (!file) return file.error();
     progress.part = LoadPart::Preparing;
     progress.share = kParsedShare;

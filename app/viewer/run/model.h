@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
+#include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/params.h"
@@ -68,8 +70,10 @@ struct InputSpec {
     bool keepNoise = false;     ///< Overrides the rules: no point is set aside for noise.
     /// Points of `source`, if in memory already: then nothing is read or sampled.
     std::shared_ptr<const PointFile> points = nullptr;
-    std::vector<WhatIf> whatIf = {};  ///< Decisions that the user overrides.
-    IndexRanges leftOut = {};         ///< Points of the file to run without, by their indices.
+    std::vector<WhatIf> whatIf = {};   ///< Decisions that the user overrides.
+    std::optional<Vec3> scanner = {};  ///< PrepareOptions::scanner.
+    Piece piece = {};                  ///< The part of the file that is read.
+    IndexRanges leftOut = {};          ///< Points of the piece to run without, by their indices.
     friend bool operator==(const InputSpec&, const InputSpec&) = default;
 };
 /// `spec` with the options that its fixes choose, besides those that change the file.
@@ -88,8 +92,9 @@ struct Model {
     PrepareReport report;
     bool fixed = false;                  ///< The input has fixes.
     std::vector<std::string> fixesDone;  ///< Effects of the fixes, each a piece of a sentence.
-    std::size_t pointsInFile = 0;
-    std::vector<Index> inFile;  ///< Index in the file, of each point; empty: that of the point.
+    std::size_t pointsInFile = 0;        ///< Of the file, before a piece of it was taken.
+    std::size_t pointsInPiece = 0;       ///< Of the piece, the whole file by default.
+    std::vector<Index> inPiece;  ///< Index in the piece, of each point; empty: that of the point.
     std::vector<AsidePoints> aside;  ///< Points that take no part in the run.
     std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
     std::vector<glm::vec3> normal;
@@ -104,8 +109,8 @@ struct Model {
     /// A direction that shows the first steps: the run begins at the first usable point.
     glm::vec3 beginning{0.0F};
 
-    /// Index in the file.
-    Index numberInFile(Index point) const { return inFile.empty() ? point : inFile[point]; }
+    /// Index in the piece.
+    Index numberInPiece(Index point) const { return inPiece.empty() ? point : inPiece[point]; }
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
 };
 

@@ -47,6 +47,7 @@ struct Steps {
     std::string before;  ///< Ends where the next command may begin.
     std::string input;
     std::string note;
+    std::string piece{};  ///< Options that read the piece of the input.
 };
 
 Steps stepsToSource(const std::string& source, const MeshTarget& target) {
@@ -74,6 +75,9 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     return {command + " && ", points, "First the points are written to " + points + "."};
 }
 
+/// The input and its piece as words.
+std::string inputOf(const Steps& steps) { return shellQuoted(steps.input) + steps.piece; }
+
 /// The doctor's commands for the fixes that repair or drop points. Exit code 1 only means that
 /// findings are left; the next command must not run after any other failure.
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
@@ -91,12 +95,13 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         if (files > 1) file.append("-").append(std::to_string(files));
         std::string repaired = besideMesh(target, file.append(".ply"));
         steps.before.append("{ ").append(kProgram);
-        for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
+        for (const std::string& word : {std::string("doctor"), inputOf(steps),
                                         std::string("-q --fix"), shellQuoted(repaired)})
             steps.before.append(" ").append(word);
         if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; [ $? -le 1 ]; } && ";
         steps.input = std::move(repaired);
+        steps.piece.clear();
     }
     if (files == 0) return;
     if (!steps.note.empty()) steps.note += ' ';
@@ -121,6 +126,11 @@ std::string wallOption(const WallChoice& walls) {
     return {};
 }
 
+std::string scannerOption(const std::optional<Vec3>& at) {
+    if (!at) return {};
+    return " --scanner=" + exact(at->x) + "," + exact(at->y) + "," + exact(at->z);
+}
+
 std::string runOptions(const InputSpec& spec) {
     std::string text;
     const auto flag = [&text](bool on, const char* name) {
@@ -135,6 +145,7 @@ std::string runOptions(const InputSpec& spec) {
     flag(spec.keepNoise, "--keep-noise");
     flag(spec.normals == NormalSource::Oriented, "--orient");
     flag(spec.normals == NormalSource::Derived, "--derive-normals");
+    text += scannerOption(spec.scanner);
     text += wallOption(spec.walls);
     flag(spec.rim, "--derive-rim");
     return text;
@@ -150,8 +161,9 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     }
     Steps steps = stepsToSource(spec.source, target);
     if (steps.input.empty()) return {{}, steps.note};
+    steps.piece = pieceOptions(spec.piece);
     addDoctor(spec, target, steps);
-    MeshCommand command{steps.before + kProgram + " run " + shellQuoted(steps.input), steps.note};
+    MeshCommand command{steps.before + kProgram + " run " + inputOf(steps), steps.note};
     command.text += runOptions(withFixOptions(spec));
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";

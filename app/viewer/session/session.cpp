@@ -45,6 +45,7 @@ void Session::keepFinishedMesh(const Opened& opened) {
     earlier_.triangles = std::make_shared<const std::vector<Triangle>>(shown.begin(), shown.end());
     if (const RunFailureSearch* found = alerts_.search().found())
         earlier_.faults = std::make_shared<const RunFailureSearch>(*found);
+    earlier_.place = alerts_.place();
 }
 
 void Session::adopt(Opened opened) {

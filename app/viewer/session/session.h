@@ -38,6 +38,7 @@ class Questions;
 struct EarlierMesh {
     std::shared_ptr<const std::vector<Triangle>> triangles;
     std::shared_ptr<const RunFailureSearch> faults;  ///< Null: not searched.
+    std::optional<std::size_t> place = {};           ///< The place in `faults` that was shown.
 };
 
 class Session {
@@ -112,6 +113,7 @@ class Session {
     /// The picture is the finished mesh of the run before the last change: at the end of the run,
     /// while showBefore() is on, if that run was at its end and had the same points.
     bool showsEarlierMesh() const { return before_ && earlier_.triangles && atEnd(); }
+    const EarlierMesh& earlierMesh() const { return earlier_; }
     bool hasEarlierMesh() const { return earlier_.triangles != nullptr; }
     /// Faults of the finished mesh that is shown; null if they are not known.
     const RunFailureSearch* finishedFaults() const {

@@ -56,6 +56,42 @@ Complaint readLeftOut(const json& options, IndexRanges& out) {
     return std::nullopt;
 }
 
+/// The numbers of a list; none if it has something else, or is no list.
+std::vector<double> numbersOf(const json& list) {
+    std::vector<double> numbers;
+    if (!list.is_array()) return numbers;
+    for (const json& each : list) {
+        if (!each.is_number()) return {};
+        numbers.push_back(each.get<double>());
+    }
+    return numbers;
+}
+
+Complaint readPiece(const json& options, Piece& out) {
+    if (const json* crop = find(options, "crop"); crop != nullptr) {
+        const std::vector<double> at = numbersOf(*crop);
+        if (at.size() != 6 || at[0] > at[3] || at[1] > at[4] || at[2] > at[5])
+            return expected("options.crop", "six numbers, the lower corner first");
+        out.crop = Box({at[0], at[1], at[2]});
+        out.crop->add({at[3], at[4], at[5]});
+    }
+    const json* thin = find(options, "thin");
+    if (thin == nullptr) return std::nullopt;
+    if (!thin->is_number() || !(thin->get<double>() > 0.0))
+        return expected("options.thin", "a number > 0");
+    out.thin = thin->get<double>();
+    return std::nullopt;
+}
+
+Complaint readScanner(const json& options, std::optional<Vec3>& out) {
+    const json* scanner = find(options, "scanner");
+    if (scanner == nullptr) return std::nullopt;
+    const std::vector<double> at = numbersOf(*scanner);
+    if (at.size() != 3) return expected("options.scanner", "three numbers");
+    out = Vec3(at[0], at[1], at[2]);
+    return std::nullopt;
+}
+
 Complaint readBox(const json& options, WallChoice& out) {
     const json* box = find(options, "box");
     if (box == nullptr) return std::nullopt;
@@ -63,14 +99,8 @@ Complaint readBox(const json& options, WallChoice& out) {
         out = {WallChoice::From::Around, {}};
         return std::nullopt;
     }
-    std::vector<double> at;
-    if (box->is_array()) {
-        for (const json& each : *box) {
-            if (each.is_number()) at.push_back(each.get<double>());
-        }
-    }
-    const bool good =
-        at.size() == 6 && box->size() == 6 && at[0] < at[3] && at[1] < at[4] && at[2] < at[5];
+    const std::vector<double> at = numbersOf(*box);
+    const bool good = at.size() == 6 && at[0] < at[3] && at[1] < at[4] && at[2] < at[5];
     if (!good) return expected("options.box", "\"auto\", or six numbers, the lower corner first");
     out = {WallChoice::From::Box, {{at[0], at[1], at[2]}, {at[3], at[4], at[5]}}};
     return std::nullopt;
@@ -85,6 +115,7 @@ Complaint readPreparing(const json& options, InputSpec& out) {
         out.normals = *normals == "derived" ? NormalSource::Derived : NormalSource::Oriented;
     }
     if (Complaint c = readBox(options, out.walls)) return c;
+    if (Complaint c = readScanner(options, out.scanner)) return c;
     NeighborOptions& lists = out.neighbors;
     for (const auto& [name, on] : {std::pair{"symmetric", &lists.symmetric},
                                    {"rim", &out.rim},
@@ -145,6 +176,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
     }
     if (Complaint c = readWhatIfs(*options, out.whatIf)) return c;
     if (Complaint c = readFixes(*options, out.fixes)) return c;
+    if (Complaint c = readPiece(*options, out.piece)) return c;
     if (Complaint c = readLeftOut(*options, out.leftOut)) return c;
     if (Complaint c = readReach(*options, out.neighbors)) return c;
     return readPreparing(*options, out);
@@ -162,6 +194,7 @@ void preparingToJson(const InputSpec& input, json& options) {
         const WallBox& b = input.walls.box;
         options["box"] = {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
     }
+    if (input.scanner) options["scanner"] = {input.scanner->x, input.scanner->y, input.scanner->z};
     writeField(options, "symmetric", input.neighbors.symmetric, true);
     writeField(options, "rim", input.rim, true);
     writeField(options, "keep_opposing", input.keepOpposing, true);
@@ -183,6 +216,11 @@ json optionsToJson(const InputSpec& input, json options) {
     for (const char* name : {"switches", "neighbors", "radius", "reach", "what_if"})
         options.erase(name);
     writeField(options, "doctor", !input.fixes.empty(), input.fixes);
+    if (const auto& crop = input.piece.crop) {
+        options["crop"] = {crop->low.x,  crop->low.y,  crop->low.z,
+                           crop->high.x, crop->high.y, crop->high.z};
+    }
+    writeField(options, "thin", input.piece.thin > 0.0, input.piece.thin);
     writeField(options, "left_out", !input.leftOut.empty(), rangesText(input.leftOut));
     preparingToJson(input, options);
     for (const RuleValue& each : input.choices) options["switches"][each.name] = ruleToJson(each);

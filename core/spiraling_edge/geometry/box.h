@@ -15,6 +15,7 @@ struct Box {
     Vec3 low, high;
 
     explicit Box(const Vec3& p) : low(p), high(p) {}
+    friend bool operator==(const Box&, const Box&) = default;
     /// Grows the box so that it holds `p`.
     void add(const Vec3& p) {
         low = glm::min(low, p);

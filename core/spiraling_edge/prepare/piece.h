@@ -23,6 +23,7 @@ struct Piece {
 
     /// True if it is the whole file.
     bool isWhole() const { return !crop && thin == 0.0; }
+    friend bool operator==(const Piece&, const Piece&) = default;
 };
 
 /// Name of the column in which a piece holds the index of each point in its file.

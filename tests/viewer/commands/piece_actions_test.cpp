@@ -80,7 +80,7 @@ TEST_CASE("Enter keeps the enclosed points alone, the run goes to its end, the c
     const Index first = app.ui.piece.inside.front();
     CHECK(app.press("Enter"));
     CHECK(app.count() == inside);
-    CHECK(app.session.model().numberInFile(0) == first);
+    CHECK(app.session.model().numberInPiece(0) == first);
     CHECK(app.session.atEnd());
     CHECK(app.camera.pose() == camera);
     CHECK_FALSE(app.ui.piece.on);

@@ -107,11 +107,11 @@ TEST_CASE("Points dropped by a fix are listed with the fix, at their places") {
     CHECK(dropped.position.size() == 2);  // one is not finite
     CHECK(dropped.points.empty());
     CHECK(reasonText(dropped) == "dropped by the fix of duplicates");
-    CHECK(model.pointsInFile == file.position.size());
-    REQUIRE(model.inFile.size() == file.position.size() - 3);
-    CHECK(model.numberInFile(6) == 6);
-    CHECK(model.numberInFile(7) == 8);
-    CHECK(model.numberInFile(8) == 10);
+    CHECK(model.pointsInPiece == file.position.size());
+    REQUIRE(model.inPiece.size() == file.position.size() - 3);
+    CHECK(model.numberInPiece(6) == 6);
+    CHECK(model.numberInPiece(7) == 8);
+    CHECK(model.numberInPiece(8) == 10);
     // The file of the run has no column of ours.
     CHECK(loaded.value().given->attributes.empty());
 }
@@ -131,7 +131,7 @@ TEST_CASE("Points left out are not run, the others keep their index, place and s
     const Attribute& index = loaded.value().given->attributes.front();
     CHECK(index.name == "index");
     for (Index p = 0; p < model.points.size(); ++p) {
-        const Index q = model.numberInFile(p);
+        const Index q = model.numberInPiece(p);
         CHECK(index.values[p] == q);
         CHECK(model.place[p] == whole.value().model->place[q]);
     }
@@ -156,7 +156,7 @@ TEST_CASE("What is framed is the piece, and numbers in the file hold with fixes 
     CHECK(glm::length(whole.value().model->middle) < 1e-6F);
     REQUIRE(loaded.value().given->attributes.size() == 1);
     for (Index p = 0; p < model.points.size(); ++p)
-        CHECK(loaded.value().given->attributes.front().values[p] == model.numberInFile(p));
+        CHECK(loaded.value().given->attributes.front().values[p] == model.numberInPiece(p));
 }
 
 TEST_CASE("A run without any point is refused, indices beyond the file are passed over") {

@@ -67,8 +67,22 @@ TEST_CASE("The command has every option in which the input differs from the defa
     spec.neighbors = {WithinSpacings{1.6}, true, 0, true, false};
     spec.normals = NormalSource::Oriented;
     spec.walls.from = WallChoice::From::Around;
+    spec.scanner = Vec3(-1, 0.5, 2);
     CHECK(textOf(spec) ==
-          "spiraling-edge run scene:sphere --reach 1.6 --orient --box auto -o m.ply");
+          "spiraling-edge run scene:sphere --reach 1.6 --orient --scanner=-1,0.5,2 --box auto "
+          "-o m.ply");
+}
+
+TEST_CASE("A piece is read by the first command") {
+    InputSpec spec = specOf("/in/a.ply");
+    spec.piece.crop = cropFromText("-1,0,0,1,2,0.5").value();
+    spec.piece.thin = 0.25;
+    CHECK(textOf(spec) ==
+          "spiraling-edge run /in/a.ply --crop=-1,0,0,1,2,0.5 --thin=0.25 -o m.ply");
+    spec.fixes = {"duplicates"};
+    CHECK(textOf(spec) ==
+          "{ spiraling-edge doctor /in/a.ply --crop=-1,0,0,1,2,0.5 --thin=0.25 -q --fix "
+          "a-mended.ply; [ $? -le 1 ]; } && spiraling-edge run a-mended.ply -o m.ply");
 }
 
 TEST_CASE("Sampled points are written first, beside the mesh") {

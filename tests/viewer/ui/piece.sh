@@ -96,4 +96,15 @@ click_on "tab Doctor"; click_on "return noise"
 says aside '\{\}'; says choices '\[ "noise=off" \]'
 press ctrl+z; says aside '\{ "noise": [0-9]+ \}'
 stop
+# The options of the command line choose a piece as well, which sessions keep.
+"$cli" run "$work/sphere.xyz" --crop=-9,-9,0,9,9,9 --thin 0.1 -q --report "$work/piece.json" || fail "no piece"
+kept=$(sed -n 's/^  "points": \([0-9]*\),/\1/p' "$work/piece.json")
+[ "$kept" -gt 0 ] && [ "$kept" -lt "$all" ] || fail "$kept of $all points are in the piece"
+start "$work/sphere.xyz" --crop=-9,-9,0,9,9,9 --thin 0.1
+says phase ready; says points "$kept"
+press ctrl+s; says file_browser true
+type_text "$work/cut"; press Return; says file_browser false
+stop
+start "$work/cut.sesession"; says phase ready; says points "$kept"
+stop
 well

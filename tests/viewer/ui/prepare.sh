@@ -45,6 +45,18 @@ grep -q '"box": "auto"' "$work/kept.sesession" || fail "what was chosen before i
 press ctrl+shift+r; says prepare true
 read -r x y < <(inside "prepare spacings" 50 50); click "$x" "$y"; type_text "1.5"; press Return; says prepare false
 keeps '"reach": 1.5'
+# Normals that face a scanner are flipped ones; it takes three numbers.
+press ctrl+shift+r; says prepare true
+click_on "prepare From the input##m"
+read -r x y < <(inside "prepare scanner" 16 50); click "$x" "$y"; type_text "5"; press Return; says prepare true
+read -r x y < <(inside "prepare scanner" 50 50); click "$x" "$y"; type_text "0"
+read -r x y < <(inside "prepare scanner" 84 50); click "$x" "$y"; type_text "-3"; press Return
+says prepare false; says phase ready
+keeps '"scanner": ['
+grep -q '"normals": "oriented"' "$work/kept.sesession" || fail "a scanner turns no normals"
+stop
+start "$work/kept.sesession"; says phase ready
+keeps '"scanner": ['
 stop
 start sample:plane,n=400 --orient -k 8 --symmetric --box=-1,-1,-1,1,1,1
 says derived '\[ "neighbors", "orientation", "types" \]'

@@ -49,6 +49,7 @@ for input in "${inputs[@]}"; do
         verdict=$(field verdict)
         click_on "verdict fix"
         leaves verdict "$verdict"; says alert_search done; says at_end true
+        says notice ".*The place that was shown .*"
         # The mesh of before, at the same camera, while the key is held; it has the same points.
         if [[ $change != *without* ]]; then
             xdotool keydown grave; says shown_state "earlier mesh"; picture "before-$input"
@@ -69,8 +70,9 @@ done
 
 # An opening of the scan is closed up to a width, as the command line closes it.
 start sheet.xyz; says alert_search done; says at_end true; says trials_ended true
+verdict=$(field verdict)
 click_on "verdict close holes"; says typing true
-xdotool type 12; press Return; leaves verdict "$(field verdict)"
+xdotool type 12; press Return; leaves verdict "$verdict"
 says alert_search done; says at_end true
 press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'; says typing true
 xdotool type closed.ply; press Return; says mesh_dialog false

@@ -69,7 +69,9 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
-    return remedyFor(check, shellQuoted(input), shellQuoted(output));
+    return remedyFor(check,
+                     shellQuoted(input) + pieceOptions(context.session().input().spec().piece),
+                     shellQuoted(output));
 }
 
 /// Requests to open the input again, with these fixes besides those it has.

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 
 #include "session/session.h"
 #include "widgets.h"
@@ -91,7 +92,23 @@ bool drawNeighbors(const Fields& fields) {
     return entered;
 }
 
-void drawNormals(const Fields& fields) {
+/// Three fields beside each other. True if Enter was pressed in one.
+bool drawCoordinates(const PanelContext& context, const std::string& name,
+                     std::span<std::string> texts) {
+    bool entered = false;
+    const float gap = 0.3F * context.em;
+    const float width = (ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i > 0) ImGui::SameLine(0.0F, gap);
+        ImGui::SetNextItemWidth(width);
+        const std::string id = "##" + name + std::to_string(i);
+        constexpr const char* kHints[] = {"x", "y", "z"};
+        entered = textField(id.c_str(), kHints[i], texts[i], kEntered) || entered;
+    }
+    return entered;
+}
+
+bool drawNormals(const Fields& fields) {
     const auto& [context, form, prefix] = fields;
     const DerivedPieces& derived = context.session().model().report.derived;
     part(context, "Normals", derived.normals || derived.orientation);
@@ -103,6 +120,20 @@ void drawNormals(const Fields& fields) {
            "Those of the input, outward for closed parts (--orient)");
     choice(fields, "Derived from the positions", form.normals, NormalSource::Derived,
            "Planes through the nearest points, flipped to agree (--derive-normals)");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Facing a scanner at");
+    ImGui::SameLine(xOfFields(context));
+    const auto before = form.scanner;
+    ImGui::BeginGroup();
+    const bool entered = drawCoordinates(context, "scanner", form.scanner);
+    ImGui::EndGroup();
+    fields.name("scanner",
+                "Flipped and derived normals face this position, part by part; empty: they face "
+                "outward (--scanner)");
+    // Normals of the input stay as they are.
+    if (form.scanner != before && form.normals == NormalSource::AsGiven)
+        form.normals = NormalSource::Oriented;
+    return entered;
 }
 
 bool drawWalls(const Fields& fields) {
@@ -129,7 +160,7 @@ bool drawWalls(const Fields& fields) {
 bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix) {
     const Fields fields{context, form, prefix};
     bool entered = drawNeighbors(fields);
-    drawNormals(fields);
+    entered = drawNormals(fields) || entered;
     entered = drawWalls(fields) || entered;
     ImGui::Spacing();
     heading(context, "Noise");
@@ -140,18 +171,12 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
 
 bool drawBoxFields(const PanelContext& context, BoxFields& fields) {
     bool entered = false;
-    const float gap = 0.3F * context.em;
-    const float room = ImGui::GetContentRegionAvail().x - 3.0F * context.em;
     for (std::size_t row = 0; row < 2; ++row) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", row == 0 ? "from" : "to");
-        for (std::size_t i = 0; i < 3; ++i) {
-            ImGui::SameLine(i == 0 ? 3.0F * context.em : 0.0F, i == 0 ? -1.0F : gap);
-            ImGui::SetNextItemWidth((room - 2.0F * gap) / 3.0F);
-            const std::string id = "##box" + std::to_string(3 * row + i);
-            constexpr const char* kHints[] = {"x", "y", "z"};
-            entered = textField(id.c_str(), kHints[i], fields[3 * row + i], kEntered) || entered;
-        }
+        ImGui::SameLine(3.0F * context.em);
+        const auto texts = std::span(fields).subspan(3 * row, 3);
+        entered = drawCoordinates(context, row == 0 ? "low" : "high", texts) || entered;
     }
     return entered;
 }

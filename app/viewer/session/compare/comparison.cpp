@@ -109,7 +109,8 @@ Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Mode
 bool Comparison::fits(const Session& run) const {
     const InputSpec& spec = run.input().spec();
     return with_.kind != CompareWith::Kind::Run ||
-           (with_.run.source == spec.source && with_.run.leftOut == spec.leftOut);
+           (with_.run.source == spec.source && with_.run.piece == spec.piece &&
+            with_.run.leftOut == spec.leftOut);
 }
 
 void Comparison::start(const Session& run, CompareWith with) {
@@ -118,6 +119,7 @@ void Comparison::start(const Session& run, CompareWith with) {
     if (with_.kind != CompareWith::Kind::Run) return;
     with_.run.source = run.input().spec().source;
     with_.run.points = run.input().spec().points;
+    with_.run.piece = run.input().spec().piece;
     with_.run.leftOut = run.input().spec().leftOut;
     other_ = std::make_unique<Session>();
     other_->open(with_.run);
