@@ -89,8 +89,7 @@ struct RawOptions {
 void addPiece(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--crop", raw.crop, "Only the points in this box, X0,Y0,Z0,X1,Y1,Z1")
         ->type_name("BOX");
-    app.add_option("--thin", o.input.piece.thin,
-                   "Then only points no nearer than this to one before")
+    app.add_option("--thin", o.input.piece.thin, "Only points no nearer than this to one before")
         ->type_name("SPACING")
         ->check(CLI::PositiveNumber);
 }
