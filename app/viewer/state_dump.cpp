@@ -297,6 +297,7 @@ std::string Application::stateDump(const InputProgress& input) const {
                              : session_.showsBefore()    ? "before"
                                                          : "after"},
              {"blinking", ui_.look.blinking()},
+             {"section_degrees", ui_.section.turnDegrees},
              {"moving", painter_.moving()},
              {"motions", painter_.motions()}};
     out["prepare"] = ui_.prepare.open;

@@ -238,6 +238,12 @@ void openTab(C& c, std::string_view tab) {
     c.ui.tab.wanted = tab;
 }
 
+void turnSection(C& c, int direction) {
+    constexpr double kTurn = 15.0;
+    c.ui.section.turn(kTurn * direction);
+    if (c.ui.tab.title != kSectionTab) openTab(c, kSectionTab);
+}
+
 void goToBirth(C& c) {
     if (!c.session.ready()) return;
     if (c.session.selection().corners().size() < 2) {

@@ -56,6 +56,9 @@ void stepByUnit(CommandContext& c, int direction);
 void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 /// Opens a panel; if no panels are shown, in the layout that has all of them.
 void openTab(CommandContext& c, std::string_view tab);
+/// Turns the plane of the section by 15 degrees, counterclockwise (+1) or clockwise (-1), and opens
+/// its panel.
+void turnSection(CommandContext& c, int direction);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 

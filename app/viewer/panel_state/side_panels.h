@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "layout/panel_rects.h"
 #include "rows/lane_picture.h"
+#include "rows/normal_section.h"
 #include "rows/step_tree.h"
 #include "rows/watch_plot.h"
 #include "run/selection.h"
@@ -28,6 +30,9 @@ inline constexpr const char* kAlertsTab = "Alerts";
 
 /// The tab with all rules as switches.
 inline constexpr const char* kRulesTab = "Rules";
+
+/// The tab with the profile along the normal.
+inline constexpr const char* kSectionTab = "Section";
 
 /// The tab for overriding decisions.
 inline constexpr const char* kWhatIfTab = "What if";
@@ -142,6 +147,25 @@ struct QueryPanel {
     QueryList shown = QueryList::Found;
     LineList found;
     LineList closest;
+};
+
+/// The inputs of a section.
+struct SectionInputs {
+    std::uint32_t generation = 0;
+    std::uint32_t revision = 0;
+    double turnDegrees = 0.0;
+    friend bool operator==(const SectionInputs&, const SectionInputs&) = default;
+};
+
+struct SectionPanel {
+    double turnDegrees = 0.0;  ///< Of the plane about the normal, in (-180, 180].
+    SectionInputs inputs;      ///< Of the section as last made.
+    NormalSection made;
+
+    void turn(double degrees) {
+        const double sum = std::remainder(turnDegrees + degrees, 360.0);
+        turnDegrees = sum <= -180.0 ? 180.0 : sum;
+    }
 };
 
 /// Context menu of a thing in the view or in a list.

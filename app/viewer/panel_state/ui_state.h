@@ -82,6 +82,7 @@ struct UiState {
     Navigation navigation;
     LedgerPanel ledger;
     QueryPanel query;
+    SectionPanel section;
     SubjectMenu subjectMenu;
     KeyWalk walk;
     bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.

@@ -22,8 +22,8 @@ State& PanelContext::state() const {
     return std::get<State&>(std::tie(
         ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing, ui.click,
         ui.compare, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
-        ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.startPage, ui.subjectMenu,
-        ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+        ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.section, ui.startPage,
+        ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
@@ -49,6 +49,7 @@ template Navigation& PanelContext::state() const;
 template PieceTool& PanelContext::state() const;
 template PrepareForm& PanelContext::state() const;
 template QueryPanel& PanelContext::state() const;
+template SectionPanel& PanelContext::state() const;
 template StartPage& PanelContext::state() const;
 template SubjectMenu& PanelContext::state() const;
 template TypingWait& PanelContext::state() const;
@@ -76,6 +77,7 @@ constexpr auto kSidePanels = std::to_array<SidePanel>({
     {"Dial", false, 0.0F, drawDial},
     {"Inspect", false, 0.0F, drawInspect},
     {"Paper", false, 0.0F, drawPaper},
+    {kSectionTab, false, 0.0F, drawSection},
     {kRulesTab, false, 0.0F, drawRules},
     {kWhatIfTab, false, 0.0F, drawWhatIf},
     {"Counts", false, 0.0F, drawCounters},

@@ -100,6 +100,8 @@ void drawRings(const PanelContext& context);
 void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);
+/// The profile along the normal at the pivot.
+void drawSection(const PanelContext& context);
 void drawPaper(const PanelContext& context);
 /// Bookmarks, and the user's own text.
 void drawNotes(const PanelContext& context);

@@ -16,11 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-PointFile sphere() { return findScene("sphere")->build(); }
+PointFile sphereFile() { return findScene("sphere")->build(); }
 
 /// With a copy of point 3 at the end, two zero normals, and a patch that points inwards.
 PointFile flawed() {
-    PointFile file = sphere();
+    PointFile file = sphereFile();
     file.neighbors = {};
     file.normal[7] = file.normal[9] = Vec3(0.0);
     for (Vec3& normal : file.normal) {
@@ -96,7 +96,7 @@ TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") 
 
 TEST_CASE("A fix that does not exist, or a check without one, is refused") {
     for (const char* name : {"no_such_check", "ties"}) {
-        PointFile file = sphere();
+        PointFile file = sphereFile();
         CHECK_FALSE(fixInput(file, {name}));
     }
 }
