@@ -3,6 +3,7 @@
 #include "disc.h"
 #include "run/number_format.h"
 #include "run/rule_set.h"
+#include "sphere_contact.h"
 
 namespace se::view {
 
@@ -34,6 +35,19 @@ void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
     }
 }
 
+/// The line d from the center to q, with a mark where it leaves the sphere: q lies before or after
+/// it in every view.
+void addMeasure(const LayerInput& in, const SphereEvidence& test, const glm::vec3& center,
+                float radius, DrawList& out) {
+    const glm::vec3& q = in.at(test.q);
+    const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
+    out.dashed(center, q, verdict, 0.1F);
+    if (!(glm::distance(center, q) > 0.0F)) return;
+    const glm::vec3 surface = center + radius * glm::normalize(q - center);
+    out.line(surface, q, verdict, 0.3F, Depth::OnTop);
+    out.mark(surface, Shape::Diamond, in.palette.test, 0.55F);
+}
+
 }  // namespace
 
 void addCircumsphere(const LayerInput& in, DrawList& out) {
@@ -55,13 +69,12 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     const Color& color = in.palette.test;
     out.spheres.push_back({center, radius, color.withAlpha(0.10F)});
     out.circle(center, u, v, radius, color, 0.13F, Depth::XRay, 96);
-    out.circle(center, u, axis, radius, color.withAlpha(0.55F), 0.06F, Depth::XRay);
-    out.circle(center, v, axis, radius, color.withAlpha(0.55F), 0.06F, Depth::XRay);
+    addSphereContact(in, out.spheres.back(), in.at(test.q), out);
 
     out.mark(center, Shape::Disc, color, 0.36F);
     out.line(center, p, color, 0.08F, Depth::OnTop);
     const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
-    out.dashed(center, in.at(test.q), verdict, 0.1F);
+    addMeasure(in, test, center, radius, out);
     out.label(center, "c", color);
     out.label(0.5F * (center + p), "r", color, true);
     const bool inside = test.distance < test.radius;
