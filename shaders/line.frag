@@ -5,6 +5,7 @@ flat in float vLength;
 flat in vec3 vWidthDashArrow;
 
 uniform float uAlpha;
+uniform float uGap;
 
 out vec4 fragColor;
 
@@ -32,6 +33,12 @@ void main() {
         vec2 p = vec2(vPlace.x - 0.5 * vLength, abs(vPlace.y));
         float tip = 0.5 * arrow;
         d = min(d, max(-p.x - 0.42 * arrow, dot(p - vec2(tip, 0.0), normalize(vec2(0.5, 0.95)))));
+    }
+    if (uGap > 0.0) {
+        // Only beside the line: lines that meet at its ends are not cut.
+        if (d > uGap || vPlace.x < 0.0 || vPlace.x > vLength || vColor.a < 0.2) discard;
+        fragColor = vec4(0.0);
+        return;
     }
     float alpha = clamp(0.5 - d, 0.0, 1.0) * vColor.a * uAlpha;
     if (alpha < 0.01) discard;

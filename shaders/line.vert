@@ -11,6 +11,7 @@ uniform vec3 uEye;
 uniform vec3 uBackward;
 uniform bool uOrthographic;
 uniform float uBias;
+uniform float uGap;  // pixels; more than 0: the halo around the line
 
 out vec4 vColor;
 out vec2 vPlace;          // pixels along and across the line, from its start
@@ -40,7 +41,7 @@ void main() {
     along = vLength > 1e-3 ? along / vLength : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
 
-    float reach = 0.5 * max(aWidthDashArrow.x, aWidthDashArrow.z) + 1.5;
+    float reach = 0.5 * max(aWidthDashArrow.x, aWidthDashArrow.z) + 1.5 + uGap;
     int corner = gl_VertexID % 6;
     bool atEnd = corner == 1 || corner == 2 || corner == 4;
     float side = (corner == 0 || corner == 1 || corner == 3) ? -1.0 : 1.0;

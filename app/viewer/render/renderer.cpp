@@ -28,12 +28,6 @@ struct SpriteVertex {
     glm::vec4 color;
     glm::vec2 sizeShape;
 };
-struct LineInstance {
-    glm::vec3 from;
-    glm::vec3 to;
-    glm::vec4 color;
-    glm::vec3 widthDashArrow;
-};
 struct FaceVertex {
     glm::vec3 position;
     glm::vec4 color;
@@ -46,8 +40,8 @@ constexpr float kBiasShare = 0.12F;
 constexpr std::size_t kPlainDotsFrom = 100'000;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
-/// Strength of hidden lines.
-constexpr float kXRayAlpha = 0.28F;
+/// That of the halos of lines: less, so that lines that are nearly as near stay whole.
+constexpr float kHaloBiasShare = -0.06F;
 
 glm::vec4 vec(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 
@@ -124,8 +118,7 @@ Status Renderer::loadShaders(const std::filesystem::path& folder) {
     for (const Status& status :
          {loadInto(cloudShader_, "cloud.vert", "point.frag", folder),
           loadInto(spriteShader_, "sprite.vert", "point.frag", folder, "#define HALO\n"),
-          loadInto(lineShader_, "line.vert", "line.frag", folder),
-          loadInto(meshShader_, "mesh.vert", "mesh.frag", folder),
+          lines_.load(folder), loadInto(meshShader_, "mesh.vert", "mesh.frag", folder),
           loadInto(shellShader_, "shell.vert", "shell.frag", folder)}) {
         if (!status) return status;
     }
@@ -141,12 +134,7 @@ void Renderer::describeBatches() {
                       {{0, 3, offsetof(SpriteVertex, position)},
                        {1, 4, offsetof(SpriteVertex, color)},
                        {2, 2, offsetof(SpriteVertex, sizeShape)}});
-    lines_.describe(0, sizeof(LineInstance),
-                    {{0, 3, offsetof(LineInstance, from)},
-                     {1, 3, offsetof(LineInstance, to)},
-                     {2, 4, offsetof(LineInstance, color)},
-                     {3, 3, offsetof(LineInstance, widthDashArrow)}},
-                    true);
+    lines_.describe();
     faces_.describe(0, sizeof(FaceVertex),
                     {{0, 3, offsetof(FaceVertex, position)},
                      {1, 4, offsetof(FaceVertex, color)},
@@ -371,35 +359,9 @@ void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
 
 void Renderer::drawLines(const DrawList& list, const CameraMatrices& camera) {
     if (list.lines.empty()) return;
-    std::array<std::vector<Line>, 3> byDepth;
-    for (const Line& line : list.lines)
-        byDepth[static_cast<std::size_t>(line.depth)].push_back(line);
-    useCamera(lineShader_, camera, kBiasShare * spacing_);
-    lineShader_.set("uViewport", size_);
-    lineShader_.set("uAlpha", kXRayAlpha);
-    glDepthFunc(GL_GREATER);
-    drawLineRun(byDepth[1], lineShader_);
-    glDepthFunc(GL_LEQUAL);
-    lineShader_.set("uAlpha", 1.0F);
-    drawLineRun(byDepth[0], lineShader_);
-    drawLineRun(byDepth[1], lineShader_);
-    glDisable(GL_DEPTH_TEST);
-    drawLineRun(byDepth[2], lineShader_);
-    glEnable(GL_DEPTH_TEST);
-}
-
-void Renderer::drawLineRun(std::span<const Line> lines, Shader& shader) {
-    if (lines.empty()) return;
-    std::vector<LineInstance> instances;
-    instances.reserve(lines.size());
-    for (const Line& line : lines) {
-        const glm::vec3 sizes(std::max(1.0F, line.width * em_ * markZoom_), line.dash * em_,
-                              line.arrow * em_ * markZoom_);
-        instances.push_back({line.from, line.to, vec(line.color), sizes});
-    }
-    shader.use();
-    lines_.upload(0, instances.data(), instances.size() * sizeof(LineInstance));
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(instances.size()));
+    useCamera(lines_.shader(), camera, 0.0F);
+    lines_.shader().set("uViewport", size_);
+    lines_.draw(list.lines, {em_, markZoom_, kBiasShare * spacing_, kHaloBiasShare * spacing_});
 }
 
 void Renderer::drawSheets(const DrawList& list, const CameraMatrices& camera) {

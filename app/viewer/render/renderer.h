@@ -7,6 +7,7 @@
 #include <span>
 
 #include "gl_objects.h"
+#include "line_pass.h"
 #include "run/model.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
@@ -46,7 +47,6 @@ class Renderer {
     void uploadStyles(const BlockList<std::uint8_t>& styles);
     void drawCloud(const DrawList& list, const CameraMatrices& camera);
     void drawLines(const DrawList& list, const CameraMatrices& camera);
-    void drawLineRun(std::span<const Line> lines, Shader& shader);
     void drawSheets(const DrawList& list, const CameraMatrices& camera);
     void drawSpheres(const DrawList& list, const CameraMatrices& camera);
     void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);
@@ -56,12 +56,11 @@ class Renderer {
 
     Shader cloudShader_;
     Shader spriteShader_;
-    Shader lineShader_;
     Shader meshShader_;
     Shader shellShader_;
     Batch cloud_;
     Batch sprites_;
-    Batch lines_;
+    LinePass lines_;
     Batch mesh_;
     Batch repaired_;
     std::array<Batch, 2> tinted_;
