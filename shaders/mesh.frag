@@ -18,7 +18,23 @@ uniform bool uSmooth;      // light by the normals of the points
 uniform bool uWire;        // edges only
 uniform float uSoft;       // 1: no shade at all
 
+uniform vec4 uGhost;       // sphere of a decision; what hides it is drawn faintly; radius 0: none
+
 out vec4 fragColor;
+
+// 1 in front of the sphere, as seen from the eye, and outside of it.
+float hiding() {
+    vec3 offset = vPosition - uGhost.xyz;
+    vec3 toEye = uOrthographic ? uBackward : uEye - uGhost.xyz;
+    float distance = uOrthographic ? 1.0 : length(toEye);
+    toEye /= length(toEye);
+    float front = dot(offset, toEye);
+    // Lines of sight come together at the eye.
+    float narrow = uOrthographic ? 1.0 : max(1.0 - front / distance, 0.01);
+    float beside = length(offset - front * toEye) / narrow;
+    float outside = smoothstep(0.9, 1.0, length(offset) / uGhost.w);
+    return front > 0.0 ? outside * (1.0 - smoothstep(1.0, 1.08, beside / uGhost.w)) : 0.0;
+}
 
 void main() {
     vec4 color = vColor;
@@ -40,6 +56,7 @@ void main() {
         if (uLit) color.rgb *= mix(1.0, 0.72, between);
         else color.a *= mix(1.0, 0.35, between);
     }
+    float drawnEdge = 0.0;
     if (uEdgeColor.a > 0.0) {
         vec3 width = max(fwidth(vBarycentric), 1e-6);
         vec3 distance = vBarycentric / width;
@@ -49,7 +66,11 @@ void main() {
         float strength = uWire ? 1.0 : smoothstep(3.0, 12.0, height);
         float edge = 1.0 - smoothstep(0.5 * uEdgeWidth - 0.5, 0.5 * uEdgeWidth + 0.5, nearest);
         if (uWire && edge < 0.3) discard;
-        color.rgb = mix(color.rgb, uEdgeColor.rgb, edge * strength * uEdgeColor.a);
+        drawnEdge = edge * strength;
+        color.rgb = mix(color.rgb, uEdgeColor.rgb, drawnEdge * uEdgeColor.a);
     }
+    // An edge stays visible where its triangles fade.
+    float faint = uGhost.w > 0.0 ? hiding() : 0.0;
+    color.a *= mix(1.0, 0.2 + 0.35 * drawnEdge, faint);
     fragColor = color;
 }

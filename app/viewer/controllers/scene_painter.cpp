@@ -3,10 +3,12 @@
 // renderer uploads only the positions and triangles that are new.
 #include "scene_painter.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "commands/alert_actions.h"
 #include "jobs/questions.h"
+#include "scene/hiding.h"
 #include "session/playback.h"
 #include "session/session.h"
 
@@ -221,7 +223,14 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
     drawn_ = key;
     if (model_ && !particles_) renderer_->setTinted(*model_, list());
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    renderer_->draw(list(), context.camera.matrices(aspect), size, em, paletteOf(theme).background);
+    const CameraMatrices camera = context.camera.matrices(aspect);
+    if (session.ready() && drawList_.decision && !particles_) {
+        const std::span<const Triangle> all = session.triangles();
+        drawList_.ghosts =
+            isHidden(session.shown(), all.first(std::min(all.size(), drawList_.finishedTriangles)),
+                     camera, *drawList_.decision);
+    }
+    renderer_->draw(list(), camera, size, em, paletteOf(theme).background);
     return true;
 }
 

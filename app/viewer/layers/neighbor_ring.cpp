@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "disc.h"
+#include "run/neighborhood.h"
+#include "scene/hiding.h"
 
 namespace se::view {
 
@@ -76,6 +78,7 @@ void addNeighborRing(const LayerInput& in, DrawList& out) {
     const DecisionState& p = in.picture;
     // Seeds, stranded points and the steps after the last pivot have layers of their own.
     if (p.pivot == kNone) return;
+    out.decision = decisionPlace(in.model, p.pivot, neighborhoodOf(p));
     // Once the pivot is complete only the result of its tests is shown.
     if (!p.complete) addCandidates(in, out);
     if (!p.complete) addEnds(in, out);

@@ -260,14 +260,31 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
         repaired ? list.repaired->size() : std::min(list.finishedTriangles, meshTriangles_);
     if (list.meshVisible && count > 0) {
         repaired ? repaired_.bind() : mesh_.bind();
+        beginGhosts(list);
         drawStretches(list, count);
         drawTinted(list);
+        endGhosts();
     }
     meshShader_.set("uSmooth", false);
     meshShader_.set("uWire", false);
     meshShader_.set("uByBirth", false);
     meshShader_.set("uSoft", 0.0F);
     drawFaces(list.faces);
+}
+
+/// What hides the decision is drawn into some of the samples of each pixel only, which needs
+/// neither an order of the triangles nor a second pass.
+void Renderer::beginGhosts(const DrawList& list) {
+    if (!list.ghosts || !list.decision) return;
+    meshShader_.set("uGhost", glm::vec4(list.decision->center, list.decision->radius));
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+}
+
+void Renderer::endGhosts() {
+    meshShader_.set("uGhost", glm::vec4(0.0F));
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 /// Draws the finished triangles, each stretch in its color.

@@ -47,6 +47,8 @@ class Renderer {
     void uploadStyles(const BlockList<std::uint8_t>& styles);
     void drawCloud(const DrawList& list, const CameraMatrices& camera);
     void drawLines(const DrawList& list, const CameraMatrices& camera);
+    void beginGhosts(const DrawList& list);
+    void endGhosts();
     void drawSheets(const DrawList& list, const CameraMatrices& camera);
     void drawSpheres(const DrawList& list, const CameraMatrices& camera);
     void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -78,6 +79,13 @@ struct Sphere {
     Color color;
 };
 
+/// The place of the points of a decision, view units.
+struct DecisionPlace {
+    glm::vec3 center{0.0F};
+    float radius = 0.0F;
+    std::vector<glm::vec3> points;
+};
+
 /// Text beside a point.
 struct Label {
     glm::vec3 position{0.0F};
@@ -139,6 +147,9 @@ struct DrawList {
     std::shared_ptr<const std::vector<Triangle>> repaired;
 
     std::array<TintedTriangles, 2> tinted{};
+
+    std::optional<DecisionPlace> decision;
+    bool ghosts = false;  ///< Finished triangles that hide the decision are faint.
 
     std::vector<Face> faces;  ///< New triangles: lit, opaque.
     std::vector<Line> lines;
