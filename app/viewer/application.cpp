@@ -9,11 +9,12 @@
 
 #include "commands/alert_actions.h"
 #include "commands/break_commands.h"
+#include "commands/camera_actions.h"
 #include "commands/command_actions.h"
-#include "controllers/pivot_camera.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
+#include "scene/decision_view.h"
 #include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
@@ -38,6 +39,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
     ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
+    ui_.follow = rowOf(ui_.layoutPreset).follows;
     playback_.setRate(settings.playRate);
     camera_.home();
 }
@@ -117,7 +119,8 @@ bool Application::animating() const {
     return session_.moves().busy() || playback_.playing() || painter_.moving() ||
            ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
-           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0;
+           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
+           ui_.cameraMove.active();
 }
 
 std::string Application::title() const {
@@ -177,7 +180,21 @@ void Application::placeCamera(const PanelRects& rects) {
     if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
     if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
-    framePivotNeighborhood(session_, camera_, rects.view.size / imgui_->em());
+    lookAtDecision(session_.shown(), session_.picture(), session_.shownTriangles(), camera_,
+                   ui_.viewEms);
+}
+
+/// Smooth moves of the camera. While the decision is followed, one begins where the cursor comes to
+/// another pivot, or to a decision that another side shows best; never on opening.
+void Application::moveCamera() {
+    if (session_.ready() && !session_.moves().busy() && session_.picture().pivot != kNone) {
+        const FollowedDecision here{session_.generation(), session_.picture().pivot,
+                                    viewWayOf(session_.shown(), session_.picture())};
+        const FollowedDecision before = std::exchange(followed_, here);
+        if (ui_.follow && before != here && before.generation == here.generation)
+            moveToDecision(commands_, CameraMove::Kind::Followed);
+    }
+    ui_.cameraMove.apply(camera_, ui_.clock);
 }
 
 void Application::drawUserInterface(const PanelRects& rects) {
@@ -241,10 +258,12 @@ bool Application::frame(glm::ivec2 size, double seconds) {
                                                      ui_.layoutPreset, ui_.navigation.drawer);
     ui_.navigation.drawerFolded = rects.drawerFolded;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
+    ui_.viewEms = rects.view.size / imgui_->em();
     if (ui_.growth.open) {
         painter_.fillParticles(sampling_, ui_.settings.theme);
     } else {
         placeCamera(rects);
+        moveCamera();
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin)
             session_.questions().requestClosest();
         const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
@@ -322,7 +341,11 @@ void Application::observeEdits() {
         const bool changed = std::exchange(undoInput_, spec) != spec;
         if (!same || !changed) return undo_.begin(now);
     }
-    const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
+    // The user did not move the camera: there is nothing to undo.
+    if (cameraKind_ == CameraMove::Kind::Followed) undo_.acceptCamera(now.camera);
+    cameraKind_ = ui_.cameraMove.kind();
+    const bool changing =
+        ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput || ui_.cameraMove.active();
     const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
     undo_.observe(now, std::chrono::duration<double>(sinceStart).count(), changing);
 }

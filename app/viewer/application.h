@@ -16,6 +16,7 @@
 #include "panels/panel.h"
 #include "panels/ui.h"
 #include "scene/camera.h"
+#include "scene/decision_view.h"
 #include "session/playback.h"
 #include "session/session.h"
 
@@ -99,6 +100,7 @@ class Application {
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
     void placeCamera(const PanelRects& rects);
+    void moveCamera();
     void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
     void copyPosition();
@@ -128,7 +130,9 @@ class Application {
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
-    std::string homeOf_;             ///< Name of the input that the camera was reset for.
+    FollowedDecision followed_;      ///< Last decision at the cursor.
+    CameraMove::Kind cameraKind_ = CameraMove::Kind::None;  ///< Of the frame before.
+    std::string homeOf_;  ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;  ///< Address of the last sentence on stdout.
     /// Frames in which the camera goes to the chosen alert: in the first one at the end of the run

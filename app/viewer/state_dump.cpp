@@ -253,7 +253,7 @@ Status Application::writeState(const InputProgress& input) {
 
 std::string Application::stateDump(const InputProgress& input) const {
     json out{{"input_events", input.events},
-             {"settled", input.settled},
+             {"settled", input.settled && !ui_.cameraMove.active()},
              {"phase", phaseName(session_.input().phase())},
              {"message", session_.messages().last()},
              {"notice", session_.messages().notice()},
@@ -297,6 +297,7 @@ std::string Application::stateDump(const InputProgress& input) const {
                              : session_.showsBefore()    ? "before"
                                                          : "after"},
              {"blinking", ui_.look.blinking()},
+             {"follow", ui_.follow},
              {"section_degrees", ui_.section.turnDegrees},
              {"moving", painter_.moving()},
              {"motions", painter_.motions()}};

@@ -228,6 +228,7 @@ void toggle(C& c, LayerId layer) { toggleLayer(c.ui.settings.layers, layer, c.se
 void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     c.ui.layoutPreset = layoutPreset;
     const LayoutPresetRow& row = rowOf(layoutPreset);
+    c.ui.follow = row.follows;
     c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 

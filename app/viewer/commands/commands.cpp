@@ -6,6 +6,7 @@
 #include "alert_actions.h"
 #include "ask_actions.h"
 #include "break_commands.h"
+#include "camera_actions.h"
 #include "command_actions.h"
 #include "panel_state/side_panels.h"
 #include "piece_actions.h"
@@ -43,7 +44,7 @@ const auto kCommands = std::to_array<Command>({
      "Choose what is derived from the points, and how.", openPrepare,
      "neighbors orient walls import options"},
     {"file.save", "File", "Save session", "Ctrl+S",
-     "Save input, options, position, camera, layers, bookmarks and notes as a session file.",
+     "Save input, options, position, camera, layers and notes as a session file.",
      [](C& c) { c.ui.requests.saveSession = true; }, "store keep write project"},
     {"file.saveas", "File", "Save session as...", "Ctrl+Shift+S",
      "Save the session under another name.", saveAs, "store keep write project"},
@@ -63,7 +64,7 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.quit = true; }, "exit close leave"},
 
     {"edit.undo", "Edit", "Undo", "Ctrl+Z",
-     "Undo a change of points, layers, camera, selection, bookmarks, breakpoints, notes or looks.",
+     "Undo a change of points, layers, camera, selection, annotations or looks.",
      [](C& c) { c.ui.requests.undo = true; }, "revert back", kRepeats},
     {"edit.redo", "Edit", "Redo", "Ctrl+Y Ctrl+Shift+Z", "Redo the last undone change.",
      [](C& c) { c.ui.requests.redo = true; }, "repeat again", kRepeats},
@@ -174,7 +175,13 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.pastePosition = true; }, "clipboard jump"},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
-     "Show the selection, or the pivot and its neighbors.", frameFocus, "zoom focus center"},
+     "Show the selection, or the decision from the side that shows it best.", frameSmoothly,
+     "zoom focus center"},
+    {"view.follow", "View", "Follow the decision", "Shift+V",
+     "Move the camera to the view of each decision; on in Learn and Present.", toggleFollow,
+     "camera automatic move track"},
+    {"view.swing", "View", "Swing the view", "V", "Swing by 20 degrees and back, to show depth.",
+     swing, "parallax rotate depth camera rock"},
     {"view.pivot", "View", "Frame pivot", "", "Show the pivot and its neighbors.", framePivot},
     {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", frameAll,
      "zoom fit whole center"},
@@ -280,8 +287,7 @@ const auto kCommands = std::to_array<Command>({
      "Turn the plane of the section back by 15 degrees.", [](C& c) { turnSection(c, -1); },
      "rotate plane cut", kRepeats},
     {"view.panel.next", "View", "Next panel", "Tab Ctrl+Tab",
-     "Move the keyboard focus to the next panel: arrows choose a row, Enter goes there, Esc "
-     "returns.",
+     "Focus the next panel: arrows choose a row, Enter goes there, Esc returns.",
      [](C& c) { c.ui.requests.walk = 1; }, "", kRepeats},
     {"view.panel.previous", "View", "Previous panel", "Shift+Tab Ctrl+Shift+Tab",
      "Move the keyboard focus to the previous panel.", [](C& c) { c.ui.requests.walk = -1; }, "",
@@ -358,9 +364,7 @@ const auto kCommands = std::to_array<Command>({
     {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.",
      [](C& c) { c.ui.keyEditor = !c.ui.keyEditor; }, "shortcuts keyboard bindings"},
     {"help.leave", "Help", "Close popup, clear selection", "Esc",
-     "Close a popup, leave a panel, clear the selection, leave Present, in this order; never "
-     "quits.",
-     escape},
+     "Close a popup, leave a panel, clear the selection, leave Present; never quits.", escape},
 });
 
 }  // namespace

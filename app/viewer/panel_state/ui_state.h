@@ -15,6 +15,7 @@
 #include "input/tab_order.h"
 #include "input/view_drag.h"
 #include "piece_tool.h"
+#include "scene/camera_move.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
 #include "session/selection_facts.h"
@@ -92,8 +93,11 @@ struct UiState {
     std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
-    float scale = 1.0F;       ///< Of text and panels, as drawn.
-    float viewAspect = 1.3F;  ///< Of the view, as last drawn.
+    float scale = 1.0F;               ///< Of text and panels, as drawn.
+    float viewAspect = 1.3F;          ///< Of the view, as last drawn.
+    glm::vec2 viewEms{50.0F, 30.0F};  ///< Size of the view, in em, as last drawn.
+    bool follow = false;              ///< The camera goes to the view of each decision.
+    CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "tab
     /// Dial", "strip run"
     /// ... For --state-dump, so that test scripts find them.

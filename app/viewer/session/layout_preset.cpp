@@ -10,9 +10,9 @@ namespace {
 constexpr std::array<LayoutPresetRow, 4> kLayoutPresets = {{
     {LayoutPreset::Debug, "debug", "Debug", "All panels."},
     {LayoutPreset::Learn, "learn", "Learn",
-     "The rule beside a large view, the decision in large type. F2: next layout."},
+     "The rule beside a large view, the decision in large type. F2: next layout.", true},
     {LayoutPreset::Present, "present", "Present",
-     "Only view, caption and run. F2 brings the panels back; all keys work."},
+     "Only view, caption and run. F2 brings the panels back; all keys work.", true},
     {LayoutPreset::Compare, "compare", "Compare",
      "Two views on one timeline. D: first difference. Ctrl+D, F2: back."},
 }};

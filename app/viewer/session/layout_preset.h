@@ -21,6 +21,7 @@ struct LayoutPresetRow {
     std::string_view name;   ///< Name for --layout.
     std::string_view title;  ///< Name for the user.
     std::string_view help;   ///< Content of the layout, and how to leave it.
+    bool follows = false;    ///< The camera follows the decision unless that is turned off.
 };
 
 /// All layouts; F2 cycles through the first three in this order.

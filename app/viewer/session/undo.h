@@ -54,6 +54,9 @@ class UndoStack {
     /// State that resulted from a step, which may differ from its edits in the last digits.
     void accept(const Edits& now) { present_ = now; }
 
+    /// A pose that the camera took by itself, which is no change to undo.
+    void acceptCamera(const CameraPose& pose) { present_.camera = pose; }
+
     std::size_t undoDepth() const { return past_.size(); }
     std::size_t redoDepth() const { return future_.size(); }
 

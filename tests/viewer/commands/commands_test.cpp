@@ -150,6 +150,8 @@ TEST_CASE("Framing moves the camera to the selection or the pivot, stepping does
     CHECK(app.camera == before);
     app.open.session.select(9);
     app.press("F");
+    CHECK(app.ui.cameraMove.active());
+    for (const double now : {0.0, 2.0 * kMoveSeconds}) app.ui.cameraMove.apply(app.camera, now);
     CHECK(app.camera.target() == app.open.session.model().place[9]);
     app.press("Shift+F");
     CHECK(app.camera.target() == glm::vec3(0.0F));

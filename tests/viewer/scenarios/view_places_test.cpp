@@ -7,12 +7,12 @@
 #include <glm/geometric.hpp>
 
 #include "commands/commands.h"
-#include "controllers/pivot_camera.h"
 #include "layout/dial.h"
 #include "layout/overlays.h"
 #include "open_session.h"
 #include "panel_state/ui_state.h"
 #include "run/neighborhood.h"
+#include "scene/decision_view.h"
 #include "session/playback.h"
 
 using namespace se;
@@ -197,7 +197,7 @@ TEST_CASE("A close-up shows all points of a decision, with room for names") {
             open.session.moves().goToText(address);
             open.session.waitUntilDone();
             Camera camera;
-            framePivotNeighborhood(open.session, camera, size);
+            lookAtDecision(open.session.model(), open.session.picture(), {}, camera, size);
             const CameraMatrices matrices = camera.matrices(size.x / size.y);
             glm::vec2 farthest(0.0F);
             for (const Index point : neighborhoodOf(open.session.picture())) {

@@ -98,7 +98,7 @@ stop
 # From afar the places are too small to be seen: pins stand for them, and a click on one goes to its
 # most severe place, which is seen at its size then.
 start scene:noise
-press End; says at_end true; says alert_search done; press shift+f; denies "pin 1" "\[.*"
+press End; says at_end true; says alert_search done; press 1 shift+f; denies "pin 1" "\[.*"
 read -r x y < <(center "region view") || exit 1
 for _ in $(seq 8); do click "$x" "$y" 5; done
 says "pin 1" "\[.*"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Present shows the address, and in every layout an arrow leads to a pivot outside of the view. The
-# camera moves only by hand.
+# camera stays unless the decision is followed.
 . "$(dirname "$0")/harness.sh"
 start scene:sphere --goto 40.sort.1 --layout present
 says layout present
@@ -21,6 +21,9 @@ away() {
 }
 press f
 says pivot_arrow false
+# Present follows the decision, until that is turned off.
+press shift+v
+says follow false
 away
 camera=$(escaped)
 press F11 F11 F10

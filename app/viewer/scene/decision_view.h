@@ -1,0 +1,35 @@
+/// The view that shows a decision best: along the normal where angles in the tangent plane decide,
+/// along the surface where heights above it do.
+#pragma once
+
+#include <span>
+
+#include "camera.h"
+#include "run/model.h"
+#include "spiraling_edge/replay/pivot_replay.h"
+
+namespace se::view {
+
+enum class ViewWay : std::uint8_t { AlongNormal, AlongSurface };
+
+/// What the camera follows: it moves where one of these changes.
+struct FollowedDecision {
+    std::uint32_t generation = 0;  ///< Of the input.
+    Index pivot = kNone;
+    ViewWay way = ViewWay::AlongNormal;
+    friend bool operator==(const FollowedDecision&, const FollowedDecision&) = default;
+};
+
+/// Whether another sheet of the surface lies above or below the pivot, among its listed neighbors.
+bool hasCloseSheets(const Model& model, Index pivot);
+/// The way to look at the decision of the picture: along the surface at the stages `hole` and
+/// `convex`, and where sheets are close.
+ViewWay viewWayOf(const Model& model, const DecisionState& picture);
+
+/// Looks at the points of the decision, as close as their names allow in a view of `size`, in em;
+/// along the surface from the side where no triangle of `finished` hides them, or from the nearer
+/// one. No effect without a pivot.
+void lookAtDecision(const Model& model, const DecisionState& picture,
+                    std::span<const Triangle> finished, Camera& camera, glm::vec2 size);
+
+}  // namespace se::view
