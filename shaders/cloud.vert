@@ -13,6 +13,10 @@ uniform float uBias;     // view units toward the eye, so that points are not ha
 uniform vec4 uStyleColor[80];
 uniform vec2 uStyleSizeShape[80];  // pixels; shape number
 
+#ifdef SOLID
+uniform vec3 uBackground;
+#endif
+
 out vec4 vColor;
 flat out int vShape;
 flat out float vSize;
@@ -26,7 +30,12 @@ void main() {
     float fade = mix(0.30, 1.0, smoothstep(-0.25, 0.15, facing));
     vColor = vec4(uStyleColor[aStyle].rgb, uStyleColor[aStyle].a * fade);
     vShape = int(style.y);
+#ifdef SOLID
+    // Opaque, so that depth tells them apart; too small for shapes.
+    vColor = vec4(mix(uBackground, vColor.rgb, vColor.a), 1.0);
+    if (vShape != 0) vShape = 2;
+#endif
     vSize = style.x + 2.0;
     gl_PointSize = vSize;
-    if (vShape == 0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if (style.y < 0.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -14,11 +14,12 @@ uniform vec4 uEdgeColor;  // alpha 0: no edges
 uniform float uEdgeWidth; // pixels
 uniform float uHatch;     // pixels between stripes
 uniform bool uLit;
-uniform bool uSmooth;      // light by the normals of the points
+uniform float uSmooth;     // 1: light by the normals of the points
 uniform bool uWire;        // edges only
 uniform float uSoft;       // 1: no shade at all
 
-uniform vec4 uGhost;       // sphere of a decision; what hides it is drawn faintly; radius 0: none
+uniform vec4 uGhost;       // sphere of a decision; what hides it is left out; radius 0: none
+uniform bool uGhostsOnly;  // what hides it alone, faintly
 
 out vec4 fragColor;
 
@@ -36,18 +37,43 @@ float hiding() {
     return front > 0.0 ? outside * (1.0 - smoothstep(1.0, 1.08, beside / uGhost.w)) : 0.0;
 }
 
+// Pixels of the least height of the triangle.
+float heightOf() {
+    vec3 width = max(fwidth(vBarycentric), 1e-6);
+    return 1.0 / max(width.x, max(width.y, width.z));
+}
+
+// Of the triangle from near, of the points from afar, where triangles are smaller than a few
+// pixels; toward the eye.
+vec3 normalOf(vec3 toEye) {
+    vec3 flatOne = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
+    if (dot(flatOne, toEye) < 0.0) flatOne = -flatOne;
+    if (dot(vNormal, vNormal) < 0.01) return flatOne;
+    vec3 smoothOne = normalize(vNormal);
+    if (dot(smoothOne, flatOne) < 0.0) smoothOne = -smoothOne;
+    float share = max(uSmooth, 1.0 - smoothstep(5.0, 16.0, heightOf()));
+    vec3 normal = mix(flatOne, smoothOne, share);
+    return dot(normal, normal) > 1e-4 ? normalize(normal) : flatOne;
+}
+
+// A light from the upper left, sky and ground, a weak light from the eye, and a soft gloss.
+float shadeOf() {
+    vec3 toEye = uOrthographic ? uBackward : normalize(uEye - vPosition);
+    vec3 normal = normalOf(toEye);
+    vec3 key = normalize(0.75 * toEye + 0.75 * uUp - 0.65 * uRight);
+    float lit = max((dot(normal, key) + 0.15) / 1.15, 0.0);
+    float sky = 0.5 + 0.5 * dot(normal, uUp);
+    float gloss = pow(max(dot(normal, normalize(key + toEye)), 0.0), 30.0);
+    float shade = 0.26 + 0.14 * sky + 0.12 * max(dot(normal, toEye), 0.0) + 0.48 * lit;
+    shade += 0.07 * gloss;
+    // The back of a surface is darker, to show the orientation.
+    return gl_FrontFacing ? shade : 0.6 * shade;
+}
+
 void main() {
     vec4 color = vColor;
     if (uLit) {
-        vec3 normal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
-        vec3 toEye = uOrthographic ? uBackward : normalize(uEye - vPosition);
-        if (uSmooth && dot(vNormal, vNormal) > 0.01) normal = normalize(vNormal);
-        if (dot(normal, toEye) < 0.0) normal = -normal;
-        // A light over the left shoulder, and a weak one from the eye.
-        vec3 light = normalize(toEye + 0.7 * uUp - 0.6 * uRight);
-        float shade = 0.48 + 0.42 * max(dot(normal, light), 0.0) + 0.16 * dot(normal, toEye);
-        if (!gl_FrontFacing) shade *= 0.55;
-        color.rgb *= mix(shade, 1.0, uSoft);
+        color.rgb *= mix(shadeOf(), 1.0, uSoft);
     }
     if (vHatched > 0.5) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
@@ -62,15 +88,18 @@ void main() {
         vec3 distance = vBarycentric / width;
         float nearest = min(distance.x, min(distance.y, distance.z));
         // Triangles of a few pixels would be all edge.
-        float height = 1.0 / max(width.x, max(width.y, width.z));
-        float strength = uWire ? 1.0 : smoothstep(3.0, 12.0, height);
+        float height = heightOf();
+        float strength = uWire ? 1.0 : smoothstep(6.0, 20.0, height);
         float edge = 1.0 - smoothstep(0.5 * uEdgeWidth - 0.5, 0.5 * uEdgeWidth + 0.5, nearest);
         if (uWire && edge < 0.3) discard;
         drawnEdge = edge * strength;
         color.rgb = mix(color.rgb, uEdgeColor.rgb, drawnEdge * uEdgeColor.a);
     }
-    // An edge stays visible where its triangles fade.
-    float faint = uGhost.w > 0.0 ? hiding() : 0.0;
-    color.a *= mix(1.0, 0.2 + 0.35 * drawnEdge, faint);
+    if (uGhost.w > 0.0) {
+        float faint = hiding();
+        if ((faint > 0.5) != uGhostsOnly) discard;
+        // An edge stays visible where its triangles fade.
+        if (uGhostsOnly) color.a *= mix(1.0, 0.2 + 0.35 * drawnEdge, faint);
+    }
     fragColor = color;
 }

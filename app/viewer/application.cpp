@@ -117,9 +117,9 @@ Status Application::waitUntilDone() {
 
 bool Application::animating() const {
     return session_.moves().busy() || playback_.playing() || painter_.moving() ||
-           ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
-           session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
-           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
+           painter_.unfinished() || ui_.look.blinking() || ui_.click.waiting() ||
+           compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
+           sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
            ui_.cameraMove.active();
 }
 

@@ -23,7 +23,9 @@ class CompareController {
     bool poll();
     /// Blocks until no work is in progress.
     void waitUntilDone();
-    bool moving() const { return comparison_.working() || otherBusy(); }
+    bool moving() const {
+        return comparison_.working() || otherBusy() || (shown_ && painter_->unfinished());
+    }
     /// Carries out the requests of page and commands.
     void carryOut();
 

@@ -18,6 +18,8 @@ namespace {
 
 /// Playback rate, in steps per second, above which moves are not animated.
 constexpr double kFollowedRate = 1.5;
+/// Time without a move after which the camera rests.
+constexpr double kRestSeconds = 0.15;
 
 /// Number of triangles at the last seed before the cursor.
 std::size_t componentBegin(const Session& session) {
@@ -88,11 +90,11 @@ void ScenePainter::upload(const Session& session) {
         std::exchange(uploadedGeneration_, session.generation()) != session.generation();
     // A what-if moves points from a pivot on.
     if (std::exchange(uploaded_, &session.shown()) != &session.shown() || another) {
-        renderer_->setModel(session.shown());
+        renderer_->surface().setModel(session.shown());
         filled_.revision = 0;
     }
-    renderer_->setTriangles(session.shown(), session.triangles());
-    renderer_->setRepaired(session.shown(), session.picture().repaired);
+    renderer_->surface().setTriangles(session.shown(), session.triangles());
+    renderer_->surface().setRepaired(session.shown(), session.picture().repaired);
 }
 
 MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
@@ -176,8 +178,8 @@ void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
     const bool fresh = std::exchange(still_, model) != model || uploadedStill_ != &triangles;
     if (!fresh && now == filled_) return;
     if (fresh) {
-        renderer_->setModel(*model);
-        renderer_->setTriangles(*model, triangles);
+        renderer_->surface().setModel(*model);
+        renderer_->surface().setTriangles(*model, triangles);
         uploadedStill_ = &triangles;
         model_ = model;
     }
@@ -202,9 +204,15 @@ void ScenePainter::fillParticles(SamplingController& sampling, Theme theme) {
     filled_.revision = 0;
     filledParticles_ = sampling.revision();
     particleTheme_ = theme;
-    if (sampling.model() != nullptr) renderer_->setModel(*sampling.model());
+    if (sampling.model() != nullptr) renderer_->surface().setModel(*sampling.model());
     particleList_ = sampling.drawList(paletteOf(theme));
     ++fills_;
+}
+
+/// Quick from a move of the camera until it has rested for a moment; full in saved pictures.
+Finish ScenePainter::finishAt(double clock, const Drawn& next) {
+    if (next.camera != drawn_.camera || next.size != drawn_.size) movedAt_ = clock;
+    return onPaper() || clock - movedAt_ > kRestSeconds ? Finish::Full : Finish::Quick;
 }
 
 bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
@@ -219,9 +227,11 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
                     theme,
                     em,
                     fills_};
-    if (key == drawn_) return false;
+    const Finish finish = finishAt(context.ui.clock, key);
+    if (key == drawn_ && finish == finish_) return false;
     drawn_ = key;
-    if (model_ && !particles_) renderer_->setTinted(*model_, list());
+    finish_ = finish;
+    if (model_ && !particles_) renderer_->surface().setTinted(*model_, list());
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const CameraMatrices camera = context.camera.matrices(aspect);
     if (session.ready() && drawList_.decision && !particles_) {
@@ -230,7 +240,7 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
             isHidden(session.shown(), all.first(std::min(all.size(), drawList_.finishedTriangles)),
                      camera, *drawList_.decision);
     }
-    renderer_->draw(list(), camera, size, em, paletteOf(theme).background);
+    renderer_->draw(list(), camera, size, em, paletteOf(theme).background, finish);
     return true;
 }
 

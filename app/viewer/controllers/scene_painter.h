@@ -35,6 +35,8 @@ class ScenePainter {
     unsigned texture() const { return renderer_->texture(); }
     /// Something in the picture is animated.
     bool moving() const { return motion_.moving(); }
+    /// The picture lacks its full finish.
+    bool unfinished() const { return finish_ == Finish::Quick; }
     /// Number of animations so far.
     std::size_t motions() const { return motion_.count(); }
     /// The list was made for a saved picture.
@@ -69,6 +71,7 @@ class ScenePainter {
     };
 
     void upload(const Session& session);
+    Finish finishAt(double clock, const Drawn& next);
     MeshColoring coloringOf(const Session& session, MeshStyle style);
     const Moment& lookAtMoment(const CommandContext& context, bool onPaper);
 
@@ -78,6 +81,8 @@ class ScenePainter {
     Motion motion_;
     Filled filled_;
     Drawn drawn_;
+    Finish finish_ = Finish::Full;
+    double movedAt_ = 0.0;       ///< Clock at the last move of the camera.
     LayerSwitches shownLayers_;  ///< Changes at the event of the picture.
     unsigned fills_ = 0;         ///< Number of times the list was made.
     bool particles_ = false;     ///< New points are shown.

@@ -37,9 +37,9 @@ CloudStyles stylesFor(const LayerInput& in) {
     s.styles[3] = {c.used, 0.52F, Shape::Disc};
     s.styles[4] = {c.used, 0.50F, Shape::Square};
     s.styles[5] = {c.used, 0.60F, Shape::Diamond};
-    s.styles[6] = {c.done, 0.26F, Shape::Dot};
-    s.styles[7] = {c.done, 0.30F, Shape::Square};
-    s.styles[8] = {c.done, 0.36F, Shape::Diamond};
+    s.styles[6] = {c.done, 0.26F, Shape::Dot, true};
+    s.styles[7] = {c.done, 0.30F, Shape::Square, true};
+    s.styles[8] = {c.done, 0.36F, Shape::Diamond, true};
     s.styles[kHiddenStyle].shape = s.styles[CloudStyles::kAside].shape = Shape::Hidden;
     if (in.leastMargin.empty()) return s;
     for (std::size_t step = 0; step < kMarginSteps; ++step) {
@@ -117,7 +117,7 @@ void addPoints(const LayerInput& in, DrawList& out) {
     out.marginTint = !in.leastMargin.empty();
     if (count > kShapesUpTo) {
         for (PointStyle& style : out.cloudStyles.styles) {
-            if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot};
+            if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot, style.onMesh};
         }
     }
     fillStyles(in, out);

@@ -105,6 +105,7 @@ void Shader::set(const char* name, const glm::vec4& value) {
 }
 void Shader::set(const char* name, float value) { glUniform1f(location(name), value); }
 void Shader::set(const char* name, bool value) { glUniform1i(location(name), value ? 1 : 0); }
+void Shader::set(const char* name, int value) { glUniform1i(location(name), value); }
 void Shader::set(const char* name, std::span<const glm::vec4> values) {
     glUniform4fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
 }

@@ -38,6 +38,7 @@ class Shader {
     void set(const char* name, const glm::vec4& value);
     void set(const char* name, float value);
     void set(const char* name, bool value);
+    void set(const char* name, int value);
     void set(const char* name, std::span<const glm::vec4> values);
     void set(const char* name, std::span<const glm::vec2> values);
 

@@ -20,6 +20,7 @@ struct CameraMatrices {
     bool orthographic = false;
 
     glm::mat4 viewProjection() const { return projection * view; }
+    friend bool operator==(const CameraMatrices&, const CameraMatrices&) = default;
 };
 
 /// Pose of a camera, as plain numbers: to be stored and restored.

@@ -39,6 +39,8 @@ struct PointStyle {
     Color color;
     float size = 0.5F;
     Shape shape = Shape::Disc;
+    bool onMesh = false;  ///< Fades where points are close together: the mesh shows them.
+    friend bool operator==(const PointStyle&, const PointStyle&) = default;
 };
 
 /// A single marked point, always on top.
@@ -110,6 +112,7 @@ struct CloudStyles {
 struct MeshStretch {
     std::size_t first = 0;
     Color color;
+    friend bool operator==(const MeshStretch&, const MeshStretch&) = default;
 };
 
 /// Finished triangles in a color of their own, drawn over the others.
@@ -117,6 +120,7 @@ struct TintedTriangles {
     std::shared_ptr<const std::vector<Triangle>> triangles;  ///< Null: none.
     std::size_t count = 0;  ///< Number of them to draw, from the first.
     Color color;
+    friend bool operator==(const TintedTriangles&, const TintedTriangles&) = default;
 };
 
 struct DrawList {

@@ -1,0 +1,137 @@
+// Only what OpenGL 3.3 and OpenGL ES 3.0 share: blits from several samples to one with equal
+// rectangles and formats, and no depth that is read while it is attached.
+#include "kept_picture.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+
+namespace se::view {
+
+namespace {
+
+/// Samples a pixel of the surfaces. Lines and marks have smooth edges of their own.
+constexpr GLint kSamples = 4;
+/// Places in frames_, buffers_ and textures_.
+enum Frame : std::uint8_t { kSampled, kSurfaces, kShaded, kKept, kPicture };
+enum Buffer : std::uint8_t { kSampledColor, kSampledDepth, kPictureDepth };
+enum Texture : std::uint8_t { kSurfaceColor, kSurfaceDepth, kKeptColor, kPictureColor };
+
+void attach(GLuint frame, GLuint color, GLuint depth) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    if (depth == 0) return;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+}
+
+void copy(GLuint from, GLuint to, const PixelRect& rect, GLbitfield what) {
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    glBlitFramebuffer(rect.min.x, rect.min.y, rect.max.x, rect.max.y, rect.min.x, rect.min.y,
+                      rect.max.x, rect.max.y, what, GL_NEAREST);
+}
+
+}  // namespace
+
+KeptPicture::~KeptPicture() { release(); }
+
+void KeptPicture::release() {
+    glDeleteFramebuffers(static_cast<GLsizei>(frames_.size()), frames_.data());
+    glDeleteRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+    glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    frames_ = {};
+    buffers_ = {};
+    textures_ = {};
+}
+
+bool KeptPicture::resize(glm::ivec2 size) {
+    size = glm::max(size, glm::ivec2(1));
+    if (size == size_) return false;
+    if (size_.x > 0) release();
+    size_ = size;
+    GLint bound = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    glGenFramebuffers(static_cast<GLsizei>(frames_.size()), frames_.data());
+    glGenRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+    glGenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    allocateTextures();
+    allocateSurfaces();
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+    return true;
+}
+
+void KeptPicture::allocateSurfaces() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    const GLint samples = std::min(most, kSamples);
+    glBindFramebuffer(GL_FRAMEBUFFER, frames_[kSampled]);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kSampledColor]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, size_.x, size_.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              buffers_[kSampledColor]);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kSampledDepth]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, size_.x,
+                                     size_.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              buffers_[kSampledDepth]);
+}
+
+void KeptPicture::allocateTextures() {
+    for (std::size_t i = 0; i < textures_.size(); ++i) {
+        glBindTexture(GL_TEXTURE_2D, textures_[i]);
+        if (i == kSurfaceDepth) {
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size_.x, size_.y, 0,
+                         GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+        } else {
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_.x, size_.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                         nullptr);
+        }
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    attach(frames_[kSurfaces], textures_[kSurfaceColor], textures_[kSurfaceDepth]);
+    attach(frames_[kShaded], textures_[kKeptColor], 0);
+    attach(frames_[kKept], textures_[kKeptColor], textures_[kSurfaceDepth]);
+    attach(frames_[kPicture], textures_[kPictureColor], 0);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers_[kPictureDepth]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_.x, size_.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              buffers_[kPictureDepth]);
+}
+
+void KeptPicture::begin() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &previous_); }
+
+void KeptPicture::target(unsigned frame, const PixelRect& rect) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glViewport(0, 0, size_.x, size_.y);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rect.min.x, rect.min.y, rect.max.x - rect.min.x, rect.max.y - rect.min.y);
+}
+
+void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background) {
+    target(frames_[kSampled], rect);
+    glClearColor(background.r, background.g, background.b, 1.0F);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void KeptPicture::resolveSurfaces(const PixelRect& rect) {
+    copy(frames_[kSampled], frames_[kSurfaces], rect, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void KeptPicture::beginShading(const PixelRect& rect) { target(frames_[kShaded], rect); }
+
+void KeptPicture::beginPoints(const PixelRect& rect) { target(frames_[kKept], rect); }
+
+void KeptPicture::beginOverlay() {
+    copy(frames_[kKept], frames_[kPicture], whole(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glBindFramebuffer(GL_FRAMEBUFFER, frames_[kPicture]);
+    glViewport(0, 0, size_.x, size_.y);
+}
+
+void KeptPicture::end() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(previous_)); }
+
+}  // namespace se::view

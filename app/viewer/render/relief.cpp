@@ -1,0 +1,104 @@
+#include "relief.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace se::view {
+
+namespace {
+
+/// Radius of the surroundings that occlude a place, in em.
+constexpr float kOcclusionEm = 1.6F;
+/// Width of outlines, in em; at least one pixel.
+constexpr float kOutlineEm = 0.075F;
+
+}  // namespace
+
+Relief::~Relief() { release(); }
+
+void Relief::release() {
+    glDeleteFramebuffers(1, &frame_);
+    glDeleteTextures(1, &texture_);
+    frame_ = texture_ = 0;
+}
+
+Status Relief::load(const std::filesystem::path& folder) {
+    Result<Shader> occlusion = Shader::load("screen.vert", "occlusion.frag", folder);
+    if (!occlusion) return occlusion.error();
+    Result<Shader> relief = Shader::load("screen.vert", "relief.frag", folder);
+    if (!relief) return relief.error();
+    occlusionShader_ = std::move(occlusion.value());
+    reliefShader_ = std::move(relief.value());
+    return success();
+}
+
+int Relief::reach(float em) { return static_cast<int>(std::ceil(kOcclusionEm * em)) + 6; }
+
+void Relief::allocate(glm::ivec2 size) {
+    if (size == size_) return;
+    if (size_.x > 0) release();
+    size_ = size;
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.x, size.y, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glGenFramebuffers(1, &frame_);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+}
+
+void Relief::useDepth(Shader& shader, const KeptPicture& picture, const CameraMatrices& camera) {
+    shader.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, picture.surfaceDepth());
+    shader.set("uDepth", 0);
+    shader.set("uLens", glm::vec2(camera.projection[2][2], camera.projection[3][2]));
+    shader.set("uOrthographic", camera.orthographic);
+    const auto height = static_cast<float>(picture.size().y);
+    shader.set("uPixel", 2.0F / (camera.projection[1][1] * height));
+    nothing_.bind();
+}
+
+void Relief::findOcclusion(const KeptPicture& picture, const PixelRect& rect,
+                           const CameraMatrices& camera, float em) {
+    if (rect.empty()) return;
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    allocate((picture.size() + 1) / 2);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    glViewport(0, 0, size_.x, size_.y);
+    // The average below reads two pixels around.
+    const PixelRect half = PixelRect{rect.min / 2, (rect.max + 1) / 2}.grown(2, size_);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(half.min.x, half.min.y, half.max.x - half.min.x, half.max.y - half.min.y);
+    useDepth(occlusionShader_, picture, camera);
+    occlusionShader_.set("uReach", kOcclusionEm * em);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Relief::shade(KeptPicture& picture, const PixelRect& rect, const CameraMatrices& camera,
+                   float em, bool occluded) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    picture.beginShading(rect);
+    useDepth(reliefShader_, picture, camera);
+    reliefShader_.set("uStep", static_cast<int>(std::max(1.0F, std::round(kOutlineEm * em))));
+    reliefShader_.set("uOccluded", occluded);
+    reliefShader_.set("uColor", 1);
+    reliefShader_.set("uOcclusion", 2);
+    glActiveTexture(GL_TEXTURE2);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, picture.surfaceColor());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace se::view

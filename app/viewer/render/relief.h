@@ -1,0 +1,44 @@
+/// Shading by depth alone: outlines and the relief of surfaces and solid points (eye-dome
+/// lighting), and ambient occlusion of surfaces.
+#pragma once
+
+#include <filesystem>
+
+#include "gl_objects.h"
+#include "kept_picture.h"
+#include "scene/camera.h"
+
+namespace se::view {
+
+class Relief {
+  public:
+    Relief() = default;
+    ~Relief();
+    Relief(const Relief&) = delete;
+    Relief& operator=(const Relief&) = delete;
+
+    Status load(const std::filesystem::path& folder);
+    /// Pixels by which a change of the surfaces reaches beyond them. `em` in pixels.
+    static int reach(float em);
+    /// Finds the ambient occlusion of the surfaces in `rect`, which takes several times as long as
+    /// shade(). No effect on an empty one.
+    void findOcclusion(const KeptPicture& picture, const PixelRect& rect,
+                       const CameraMatrices& camera, float em);
+    /// Fills the kept color in `rect` from the surfaces. `occluded`: with the occlusion found.
+    void shade(KeptPicture& picture, const PixelRect& rect, const CameraMatrices& camera, float em,
+               bool occluded);
+
+  private:
+    void useDepth(Shader& shader, const KeptPicture& picture, const CameraMatrices& camera);
+    void allocate(glm::ivec2 size);
+    void release();
+
+    Shader occlusionShader_;
+    Shader reliefShader_;
+    Batch nothing_;  ///< Vertices are made in the shader.
+    glm::ivec2 size_{0};
+    unsigned frame_ = 0;
+    unsigned texture_ = 0;  ///< Occlusion, at half the size.
+};
+
+}  // namespace se::view

@@ -1,0 +1,418 @@
+// Data is uploaded once: positions per input, triangles as they are made, a style byte per point
+// where it changed. Points are moved toward the eye, out of the triangles.
+#include "surface.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/matrix_access.hpp>
+#include <tuple>
+#include <utility>
+
+#include "scene/detail.h"
+
+namespace se::view {
+
+namespace {
+
+struct CloudVertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+};
+struct MeshVertex {
+    glm::vec3 position;
+    std::array<std::int8_t, 4> normal;
+};
+struct FaceVertex {
+    glm::vec3 position;
+    glm::vec4 color;
+    float hatched;
+};
+
+/// Share of the point spacing by which points are moved toward the eye.
+constexpr float kPointBias = 0.12F;
+/// Colors of a scale, as in shaders/mesh.vert.
+constexpr std::size_t kScaleSteps = 9;
+/// Strength below which marks are left out.
+constexpr float kFaintest = 0.02F;
+
+glm::vec4 colorVector(const Color& c) { return {c.r, c.g, c.b, c.a}; }
+
+std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
+    const auto byte = [](float x) {
+        return static_cast<std::int8_t>(std::lround(127.0F * std::clamp(x, -1.0F, 1.0F)));
+    };
+    return {byte(normal.x), byte(normal.y), byte(normal.z), 0};
+}
+
+/// Writes the corners of the triangles of the range to their positions in `batch`. Returns their
+/// bounds, and adds them to those of the blocks.
+Bounds uploadCorners(Batch& batch, BlockBounds* blocks, const Model& model,
+                     std::span<const Triangle> triangles, BlockBounds::Range range) {
+    Bounds all;
+    std::vector<MeshVertex> corners;
+    corners.reserve(3 * (range.second - range.first));
+    for (std::size_t i = range.first; i < range.second; ++i) {
+        for (const Index p : {triangles[i].a, triangles[i].b, triangles[i].c}) {
+            corners.push_back({model.place[p], packed(model.normal[p])});
+            all.add(model.place[p]);
+            if (blocks != nullptr) blocks->add(i, model.place[p]);
+        }
+    }
+    batch.append(0, 3 * range.first * sizeof(MeshVertex), corners.data(),
+                 corners.size() * sizeof(MeshVertex));
+    // The buffer may have been replaced.
+    batch.describe(0, sizeof(MeshVertex),
+                   {{0, 3, offsetof(MeshVertex, position)},
+                    {3, 4, offsetof(MeshVertex, normal), false, true}});
+    return all;
+}
+
+/// Draws the triangles of the range of the bound batch in one color.
+void drawTriangles(BlockBounds::Range range, const Color& c) {
+    if (range.second <= range.first) return;
+    glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first),
+                 static_cast<GLsizei>(3 * (range.second - range.first)));
+}
+
+/// Bounds of any scene.
+Bounds everything() {
+    Bounds all;
+    all.add(glm::vec3(-1e3F));
+    all.add(glm::vec3(1e3F));
+    return all;
+}
+
+/// Around the part of the picture that a sphere covers.
+Bounds boundsOf(const glm::vec4& sphere) {
+    Bounds all;
+    if (sphere.w <= 0.0F) return all;
+    all.add(glm::vec3(sphere) - 1.2F * sphere.w);
+    all.add(glm::vec3(sphere) + 1.2F * sphere.w);
+    return all;
+}
+
+bool sameFaces(const Face& a, const Face& b) {
+    return a.corners == b.corners && a.color == b.color && a.hatched == b.hatched;
+}
+
+Bounds boundsOf(const std::vector<Face>& faces) {
+    Bounds all;
+    for (const Face& face : faces) {
+        for (const glm::vec3& corner : face.corners) all.add(corner);
+    }
+    return all;
+}
+
+}  // namespace
+
+void useCamera(Shader& shader, const CameraMatrices& camera, float bias) {
+    shader.use();
+    shader.set("uView", camera.view);
+    shader.set("uProjection", camera.projection);
+    shader.set("uEye", camera.eye);
+    shader.set("uBackward", glm::vec3(glm::row(camera.view, 2)));
+    shader.set("uOrthographic", camera.orthographic);
+    shader.set("uBias", bias);
+}
+
+Status Surface::load(const std::filesystem::path& folder) {
+    for (const auto& [shader, vertex, fragment, defines] :
+         {std::tuple{&meshShader_, "mesh.vert", "mesh.frag", ""},
+          std::tuple{&shapeShader_, "cloud.vert", "point.frag", ""},
+          std::tuple{&dotShader_, "cloud.vert", "point.frag", "#define SOLID\n"}}) {
+        Result<Shader> loaded = Shader::load(vertex, fragment, folder, defines);
+        if (!loaded) return loaded.error();
+        *shader = std::move(loaded.value());
+    }
+    describeBatches();
+    return success();
+}
+
+void Surface::describeBatches() {
+    cloud_.describe(
+        0, sizeof(CloudVertex),
+        {{0, 3, offsetof(CloudVertex, position)}, {1, 3, offsetof(CloudVertex, normal)}});
+    cloud_.describe(1, 1, {{2, 1, 0, true}});
+    faces_.describe(0, sizeof(FaceVertex),
+                    {{0, 3, offsetof(FaceVertex, position)},
+                     {1, 4, offsetof(FaceVertex, color)},
+                     {2, 1, offsetof(FaceVertex, hatched)}});
+}
+
+void Surface::setModel(const Model& model) {
+    std::vector<CloudVertex> vertices;
+    vertices.reserve(model.place.size());
+    cloudBounds_.clear();
+    for (std::size_t p = 0; p < model.place.size(); ++p) {
+        vertices.push_back({model.place[p], model.normal[p]});
+        cloudBounds_.add(p, model.place[p]);
+    }
+    cloud_.upload(0, vertices.data(), vertices.size() * sizeof(CloudVertex));
+    places_ = model.place;
+    meshTriangles_ = 0;
+    meshBounds_.clear();
+    repairedBounds_.clear();
+    uploadedStyles_ = {};
+    uploadedRepaired_ = nullptr;
+    uploadedTinted_ = {};
+    spacing_ = model.spacing;
+    changed_ = {everything(), everything()};
+}
+
+void Surface::setTriangles(const Model& model, std::span<const Triangle> triangles) {
+    if (triangles.size() <= meshTriangles_) return;
+    uploadCorners(mesh_, &meshBounds_, model, triangles, {meshTriangles_, triangles.size()});
+    meshTriangles_ = triangles.size();
+}
+
+void Surface::setRepaired(const Model& model,
+                          std::shared_ptr<const std::vector<Triangle>> triangles) {
+    if (!triangles || triangles == uploadedRepaired_) return;
+    static const std::vector<Triangle> kNothing;
+    const std::vector<Triangle>& before = uploadedRepaired_ ? *uploadedRepaired_ : kNothing;
+    const std::size_t common = std::min(before.size(), triangles->size());
+    const auto upload = [&](std::size_t first, std::size_t last) {
+        if (first == last) return;
+        // Old and new triangles: the bounds of the blocks still have the old ones.
+        changed_.mesh.add(
+            uploadCorners(repaired_, &repairedBounds_, model, *triangles, {first, last}));
+        for (std::size_t i = first; i < std::min(last, before.size()); ++i) {
+            for (const Index p : {before[i].a, before[i].b, before[i].c})
+                changed_.mesh.add(model.place[p]);
+        }
+    };
+    for (std::size_t i = 0; i < common; ++i) {
+        const std::size_t first = i;
+        while (i < common && !((*triangles)[i] == before[i])) ++i;
+        upload(first, i);
+    }
+    upload(common, triangles->size());
+    for (std::size_t i = common; i < before.size(); ++i) {
+        for (const Index p : {before[i].a, before[i].b, before[i].c})
+            changed_.mesh.add(model.place[p]);
+    }
+    uploadedRepaired_ = std::move(triangles);
+}
+
+void Surface::setTinted(const Model& model, const DrawList& list) {
+    for (std::size_t i = 0; i < tinted_.size(); ++i) {
+        const auto& triangles = list.tinted[i].triangles;
+        if (!triangles || triangles == uploadedTinted_[i]) continue;
+        uploadCorners(tinted_[i], nullptr, model, *triangles, {0, triangles->size()});
+        uploadedTinted_[i] = triangles;
+    }
+}
+
+std::size_t Surface::meshCount(const DrawList& list) const {
+    const bool repaired = list.repaired != nullptr && list.repaired == uploadedRepaired_;
+    return repaired ? list.repaired->size() : std::min(list.finishedTriangles, meshTriangles_);
+}
+
+SurfaceChanges Surface::takeChanges(const DrawList& list) {
+    SurfaceChanges changed = std::exchange(changed_, {});
+    Looks looks{list.meshColor,   list.meshEdgeColor,       list.meshStyle,
+                list.creationEnd, list.meshStretches,       list.meshVisible,
+                list.meshEdges,   list.repaired != nullptr, list.tinted};
+    if (!(looks == looks_)) changed.mesh = everything();
+    looks_ = std::move(looks);
+    const std::size_t before = std::exchange(drawnTriangles_, meshCount(list));
+    if (!looks_.repaired) changed.mesh.add(meshBounds_.of(std::minmax(before, drawnTriangles_)));
+    if (!std::equal(list.faces.begin(), list.faces.end(), drawnFaces_.begin(), drawnFaces_.end(),
+                    sameFaces)) {
+        changed.mesh.add(boundsOf(drawnFaces_));
+        changed.mesh.add(boundsOf(list.faces));
+        drawnFaces_ = list.faces;
+    }
+    const glm::vec4 ghost = list.ghosts && list.decision
+                                ? glm::vec4(list.decision->center, list.decision->radius)
+                                : glm::vec4(0.0F);
+    if (ghost != ghost_) {
+        changed.mesh.add(boundsOf(ghost_));
+        changed.mesh.add(boundsOf(ghost));
+        ghost_ = ghost;
+    }
+    const bool shown = list.cloudVisible && list.cloudStyleOf.size() == places_.size();
+    if (std::exchange(pointsShown_, shown) != shown || pointLooks_ != list.cloudStyles.styles)
+        changed.points = everything();
+    pointLooks_ = list.cloudStyles.styles;
+    if (shown) changed.points.add(uploadStyles(list.cloudStyleOf));
+    return changed;
+}
+
+void Surface::drawSolid(const DrawList& list, const SurfaceView& view) {
+    glDisable(GL_BLEND);
+    useMesh(list, view);
+    meshShader_.set("uGhost", ghost_);
+    meshShader_.set("uGhostsOnly", false);
+    drawFinished(list, view);
+    meshShader_.set("uGhost", glm::vec4(0.0F));
+    meshShader_.set("uSmooth", 0.0F);
+    meshShader_.set("uWire", false);
+    meshShader_.set("uByBirth", false);
+    meshShader_.set("uSoft", 0.0F);
+    drawFaces(list.faces);
+    if (!drawnSolid(view.dots)) return;
+    // Shares of samples make the dots smooth; the picture itself stays opaque.
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    drawPoints(dotShader_, list, view);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+}
+
+void Surface::drawFinished(const DrawList& list, const SurfaceView& view) {
+    if (!list.meshVisible || meshCount(list) == 0) return;
+    drawStretches(list, view);
+    drawTinted(list);
+}
+
+void Surface::drawGhosts(const DrawList& list, SurfaceView view) {
+    if (ghost_.w <= 0.0F) return;
+    view.rect = pixelsOf(view.camera, boundsOf(ghost_), view.size);
+    useMesh(list, view);
+    meshShader_.set("uGhost", ghost_);
+    meshShader_.set("uGhostsOnly", true);
+    drawFinished(list, view);
+    meshShader_.set("uGhost", glm::vec4(0.0F));
+}
+
+void Surface::drawShapes(const DrawList& list, const SurfaceView& view) {
+    if (!drawnSolid(view.dots)) drawPoints(shapeShader_, list, view);
+}
+
+void Surface::drawSheets(const std::vector<Sheet>& sheets, const CameraMatrices& camera) {
+    useCamera(meshShader_, camera, 0.0F);
+    meshShader_.set("uLit", false);
+    meshShader_.set("uEdgeColor", glm::vec4(0.0F));
+    drawFaces(sheets);
+}
+
+void Surface::useMesh(const DrawList& list, const SurfaceView& view) {
+    useCamera(meshShader_, view.camera, 0.0F);
+    meshShader_.set("uRight", glm::vec3(glm::row(view.camera.view, 0)));
+    meshShader_.set("uUp", glm::vec3(glm::row(view.camera.view, 1)));
+    meshShader_.set("uLit", true);
+    meshShader_.set("uHatch", 0.55F * view.em);
+    meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * view.em));
+    const Color edge = list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F);
+    meshShader_.set("uEdgeColor", colorVector(edge));
+}
+
+/// Draws the finished triangles that can be seen in the part, each stretch in its color.
+void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
+    const bool data = list.meshStyle >= MeshStyle::CreationOrder;
+    meshShader_.set("uSmooth", list.meshStyle == MeshStyle::Shaded ? 1.0F : 0.0F);
+    meshShader_.set("uWire", list.meshStyle == MeshStyle::Wire);
+    meshShader_.set("uByBirth", list.meshStyle == MeshStyle::CreationOrder);
+    meshShader_.set("uBirthEnd", static_cast<float>(list.creationEnd));
+    // Colors that are data must stay distinguishable in the shade.
+    meshShader_.set("uSoft", data ? 0.6F : 0.0F);
+    if (list.meshStyle == MeshStyle::Wire)
+        meshShader_.set("uEdgeColor", colorVector(list.meshEdgeColor));
+    if (list.meshStyle == MeshStyle::CreationOrder) {
+        std::array<glm::vec4, kScaleSteps> scale{};
+        for (std::size_t i = 0; i < kScaleSteps; ++i) {
+            const float share = static_cast<float>(i) / static_cast<float>(kScaleSteps - 1);
+            scale[i] = colorVector(viridis(share));
+        }
+        meshShader_.set("uScale", std::span<const glm::vec4>(scale));
+    }
+    const bool repaired = list.repaired != nullptr && list.repaired == uploadedRepaired_;
+    repaired ? repaired_.bind() : mesh_.bind();
+    glVertexAttrib1f(2, 0.0F);
+    const BlockBounds& blocks = repaired ? repairedBounds_ : meshBounds_;
+    for (const auto& range : blocks.within(view.camera, view.size, view.rect, meshCount(list)))
+        drawRange(list, range);
+}
+
+void Surface::drawRange(const DrawList& list, BlockBounds::Range range) {
+    const auto& stretches = list.meshStretches;
+    const std::size_t plain = stretches.empty() ? range.second : stretches.front().first;
+    drawTriangles({range.first, std::min(range.second, plain)}, list.meshColor);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : range.second;
+        drawTriangles({std::max(range.first, stretches[i].first), std::min(range.second, end)},
+                      stretches[i].color);
+    }
+}
+
+/// Drawn over the finished triangles, at exactly the same depth.
+void Surface::drawTinted(const DrawList& list) {
+    meshShader_.set("uByBirth", false);
+    for (std::size_t i = 0; i < tinted_.size(); ++i) {
+        const TintedTriangles& tinted = list.tinted[i];
+        if (tinted.count == 0 || tinted.triangles != uploadedTinted_[i]) continue;
+        tinted_[i].bind();
+        glVertexAttrib1f(2, 0.0F);
+        drawTriangles({0, tinted.count}, tinted.color);
+    }
+}
+
+void Surface::drawFaces(const std::vector<Face>& faces) {
+    if (faces.empty()) return;
+    std::vector<FaceVertex> vertices;
+    vertices.reserve(3 * faces.size());
+    for (const Face& face : faces) {
+        for (const glm::vec3& corner : face.corners) {
+            vertices.push_back({corner, colorVector(face.color), face.hatched ? 1.0F : 0.0F});
+        }
+    }
+    faces_.upload(0, vertices.data(), vertices.size() * sizeof(FaceVertex));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+}
+
+/// Bounds of the points whose style changed.
+Bounds Surface::uploadStyles(const BlockList<std::uint8_t>& styles) {
+    constexpr std::size_t kBlock = BlockList<std::uint8_t>::kBlock;
+    Bounds changed;
+    const bool fresh = uploadedStyles_.size() != styles.size();
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t b = 0; b < styles.blockCount(); ++b) {
+        // Adjacent blocks are uploaded together.
+        const std::size_t first = b;
+        for (; b < styles.blockCount() && !styles.shares(b, uploadedStyles_); ++b) {
+            const auto block = styles.block(b);
+            bytes.insert(bytes.end(), block.begin(), block.end());
+            for (std::size_t i = 0; i < block.size(); ++i) {
+                if (fresh || block[i] != uploadedStyles_.block(b)[i])
+                    changed.add(places_[b * kBlock + i]);
+            }
+        }
+        if (b > first) cloud_.append(1, first * kBlock, bytes.data(), bytes.size());
+        bytes.clear();
+    }
+    // The buffer may have been replaced.
+    if (uploadedStyles_.empty()) cloud_.describe(1, 1, {{2, 1, 0, true}});
+    uploadedStyles_ = styles;
+    return changed;
+}
+
+void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView& view) {
+    if (!list.cloudVisible || places_.empty() || list.cloudStyleOf.size() != places_.size()) return;
+    const float marks = list.meshVisible ? markStrength(view.dots) : 1.0F;
+    const float zoom = std::clamp(view.dots / view.em / 1.5F, 0.45F, 1.35F);
+    std::array<glm::vec4, CloudStyles::kCount> colors{};
+    std::array<glm::vec2, CloudStyles::kCount> sizes{};
+    for (std::size_t i = 0; i < CloudStyles::kCount; ++i) {
+        const PointStyle& style = list.cloudStyles.styles[i];
+        colors[i] = colorVector(style.color);
+        if (style.onMesh) colors[i].a *= marks;
+        const Shape shape = colors[i].a < kFaintest ? Shape::Hidden : style.shape;
+        sizes[i] = {std::max(1.5F, style.size * view.em * zoom), static_cast<float>(shape)};
+    }
+    useCamera(shader, view.camera, kPointBias * spacing_);
+    shader.set("uStyleColor", std::span<const glm::vec4>(colors));
+    shader.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
+    shader.set("uBackground", glm::vec3(view.background.r, view.background.g, view.background.b));
+    cloud_.bind();
+    for (const auto& [first, last] :
+         cloudBounds_.within(view.camera, view.size, view.rect, places_.size())) {
+        glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(last - first));
+    }
+}
+
+}  // namespace se::view
