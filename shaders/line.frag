@@ -6,6 +6,7 @@ flat in vec3 vWidthDashArrow;
 
 uniform float uAlpha;
 uniform float uGap;
+uniform float uHiddenDash;  // pixels: dashes of hidden lines; 0 for visible ones
 
 out vec4 fragColor;
 
@@ -16,7 +17,7 @@ float capsule(vec2 p, float from, float to, float radius) {
 
 void main() {
     float radius = 0.5 * vWidthDashArrow.x;
-    float dash = vWidthDashArrow.y;
+    float dash = max(vWidthDashArrow.y, uHiddenDash);
     float d;
     if (dash > 0.0 && vLength > 1.5 * dash) {
         // Half a dash at either end, so that lines in a row join well.

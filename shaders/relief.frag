@@ -6,7 +6,6 @@ uniform vec2 uLens;          // of the projection: rows 2 and 3 of column 2
 uniform bool uOrthographic;
 uniform float uPixel;        // view units of a pixel at distance 1
 uniform int uStep;           // pixels to the neighbors
-uniform bool uOccluded;
 
 out vec4 fragColor;
 
@@ -30,11 +29,15 @@ void main() {
     vec4 color = texelFetch(uColor, at, 0);
     float own = distanceAt(at);
     float unit = uPixel * (uOrthographic ? 1.0 : own) * float(uStep);
+#ifdef QUICK
+    // Outlines alone, from what is known without neighbors.
+    float shade = 1.0 - kOutline * clamp(fwidth(own) / (unit * kMost) - 0.5, 0.0, 1.0);
+#else
     float low = valley(at, ivec2(uStep, 0), own, unit) + valley(at, ivec2(0, uStep), own, unit) +
                 valley(at, ivec2(uStep, uStep), own, unit) +
                 valley(at, ivec2(uStep, -uStep), own, unit);
     float shade = 1.0 - kOutline * min(0.5 * low, 1.0);
-    if (uOccluded && texelFetch(uDepth, at, 0).r < 1.0) {
+    if (texelFetch(uDepth, at, 0).r < 1.0) {
         vec2 texel = 1.0 / vec2(textureSize(uOcclusion, 0));
         vec2 place = 0.5 * gl_FragCoord.xy * texel;
         float open = texture(uOcclusion, place + texel).r + texture(uOcclusion, place - texel).r +
@@ -42,5 +45,6 @@ void main() {
                      texture(uOcclusion, place + texel * vec2(-1.0, 1.0)).r;
         shade *= 1.0 - kOcclusion * (1.0 - 0.25 * open);
     }
+#endif
     fragColor = vec4(color.rgb * shade, color.a);
 }

@@ -73,6 +73,7 @@ class Application {
     /// shows it, without OpenGL.
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
+    Camera& camera() { return camera_; }
     /// Blocks until everything that the command line requests is visible.
     Status waitUntilDone();
 

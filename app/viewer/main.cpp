@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -102,23 +103,38 @@ void printTimes(const char* what, std::vector<double> seconds) {
 
 /// Cost of one kind of move, frame by frame.
 void benchMoves(const Options& options, Offscreen& offscreen, Application& application,
-                const char* what, void (*move)(Session&)) {
+                const char* what, void (*move)(Application&)) {
     constexpr int kWarmUp = 10;
     std::vector<double> own;
     std::vector<double> gl;
+    std::vector<double> processor;
     for (int i = -kWarmUp; i < options.benchFrames; ++i) {
         const auto began = std::chrono::steady_clock::now();
-        move(application.session());
+        const std::clock_t before = std::clock();
+        move(application);
         const std::chrono::duration<double> moved = std::chrono::steady_clock::now() - began;
         offscreen.beginFrame();
         application.frame(offscreen.size(), 1.0 / 60.0);
         if (i < 0) continue;
         own.push_back(moved.count() + application.uiSeconds());
         gl.push_back(application.glSeconds());
+        processor.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     }
     std::printf("%d frames, %s\n", options.benchFrames, what);
     printTimes("  our own time", own);
     printTimes("  OpenGL, until it is done", gl);
+    printTimes("  processor, all threads", processor);
+}
+
+/// Cost of frames in which only the camera moves, and of frames in which only panels differ.
+void benchStill(const Options& options, Offscreen& target, Application& application) {
+    benchMoves(options, target, application, "the camera turns", [](Application& each) {
+        each.camera().orbit({8.0F, 3.0F}, 800.0F);
+    });
+    benchMoves(options, target, application, "the picture stays, the panels are drawn again",
+               [](Application& each) { each.redraw(); });
+    benchMoves(options, target, application, "nothing moves: equal frames, not drawn",
+               [](Application&) {});
 }
 
 /// Steps through the run and prints the cost of a frame: the move, user interface and scene, and
@@ -151,12 +167,13 @@ int runBench(const Options& options) {
         application.firstWindowSeconds(), 1e3 * application.longestOpeningSeconds());
     Offscreen& target = *offscreen.value();
     benchMoves(options, target, application, "one sub-step each",
-               [](Session& session) { session.moves().stepEvent(1); });
+               [](Application& each) { each.session().moves().stepEvent(1); });
     benchMoves(options, target, application, "one pivot each",
-               [](Session& session) { session.moves().stepPivot(1); });
+               [](Application& each) { each.session().moves().stepPivot(1); });
     benchMoves(options, target, application, "one pivot back each",
-               [](Session& session) { session.moves().stepPivot(-1); });
-    benchMoves(options, target, application, "a click on the middle each", [](Session& session) {
+               [](Application& each) { each.session().moves().stepPivot(-1); });
+    benchMoves(options, target, application, "a click on the middle each", [](Application& each) {
+        Session& session = each.session();
         Camera camera;
         camera.home(session.model().beginning, session.model().sample);
         const PickScene scene{session.model(), true, session.shownTriangles(),
@@ -164,8 +181,7 @@ int runBench(const Options& options) {
                               session.picture().rings};
         session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
     });
-    benchMoves(options, target, application, "nothing moves: equal frames, not drawn",
-               [](Session&) {});
+    benchStill(options, target, application);
     return dumpState(application);
 }
 

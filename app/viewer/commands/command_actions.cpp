@@ -17,6 +17,9 @@ using C = CommandContext;
 
 namespace {
 
+/// Share of the view that everything fills.
+constexpr float kFramedShare = 0.8F;
+
 constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
 void closeDialogs(UiState& ui) {
@@ -89,9 +92,8 @@ void home(C& c) {
 }
 
 void frameAll(C& c) {
-    const bool run = c.session.ready() && !c.ui.growth.open;
-    c.camera.frame(run ? c.session.model().middle : glm::vec3(0.0F),
-                   run ? c.session.model().radius : 1.0F);
+    if (!c.session.ready() || c.ui.growth.open) return c.camera.frame(glm::vec3(0.0F), 1.0F);
+    c.camera.fill(c.session.model().sample, c.ui.viewAspect, kFramedShare);
 }
 
 void oppositeView(C& c) {

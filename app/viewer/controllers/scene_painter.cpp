@@ -211,7 +211,9 @@ void ScenePainter::fillParticles(SamplingController& sampling, Theme theme) {
 
 /// Quick from a move of the camera until it has rested for a moment; full in saved pictures.
 Finish ScenePainter::finishAt(double clock, const Drawn& next) {
-    if (next.camera != drawn_.camera || next.size != drawn_.size) movedAt_ = clock;
+    const bool moved = next.camera != drawn_.camera || next.size != drawn_.size;
+    if (moved) movedAt_ = clock;
+    if (!moved && finish_ == Finish::Full) return finish_;
     return onPaper() || clock - movedAt_ > kRestSeconds ? Finish::Full : Finish::Quick;
 }
 

@@ -111,15 +111,18 @@ void KeptPicture::target(unsigned frame, const PixelRect& rect) {
     glScissor(rect.min.x, rect.min.y, rect.max.x - rect.min.x, rect.max.y - rect.min.y);
 }
 
-void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background) {
-    target(frames_[kSampled], rect);
+void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background, bool smooth) {
+    unresolved_ = smooth ? rect : PixelRect{};
+    target(frames_[smooth ? kSampled : kSurfaces], rect);
     glClearColor(background.r, background.g, background.b, 1.0F);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void KeptPicture::resolveSurfaces(const PixelRect& rect) {
-    copy(frames_[kSampled], frames_[kSurfaces], rect, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+void KeptPicture::endSurfaces() {
+    if (unresolved_.empty()) return;
+    copy(frames_[kSampled], frames_[kSurfaces], unresolved_,
+         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void KeptPicture::beginShading(const PixelRect& rect) { target(frames_[kShaded], rect); }

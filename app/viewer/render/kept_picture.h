@@ -24,10 +24,11 @@ class KeptPicture {
 
     /// Remembers the target of drawing, which end() restores.
     void begin();
-    /// Makes the surfaces the target, cleared in `rect`; nothing is drawn outside of it.
-    void beginSurfaces(const PixelRect& rect, const Color& background);
-    /// Averages the samples of the surfaces in `rect`, into surfaceColor() and surfaceDepth().
-    void resolveSurfaces(const PixelRect& rect);
+    /// Makes the surfaces the target, cleared in `rect`; nothing is drawn outside of it. `smooth`:
+    /// with several samples a pixel, which takes half as long again.
+    void beginSurfaces(const PixelRect& rect, const Color& background, bool smooth);
+    /// Completes surfaceColor() and surfaceDepth() in the rectangle of beginSurfaces().
+    void endSurfaces();
     /// Makes the kept color the target, without depth.
     void beginShading(const PixelRect& rect);
     /// Makes the kept color the target, with the depth of the surfaces.
@@ -48,6 +49,7 @@ class KeptPicture {
     void target(unsigned frame, const PixelRect& rect);
 
     glm::ivec2 size_{0};
+    PixelRect unresolved_;  ///< Where samples have to be averaged.
     /// Samples; surfaces; kept color; kept color with depth; picture.
     std::array<unsigned, 5> frames_{};
     /// Samples of color and depth; depth of the picture.

@@ -22,7 +22,9 @@ struct LineInstance {
 };
 
 /// Strength of hidden lines.
-constexpr float kXRayAlpha = 0.28F;
+constexpr float kXRayAlpha = 0.34F;
+/// Length of the dashes of hidden lines and of their gaps, in em.
+constexpr float kHiddenDash = 0.4F;
 /// Width of the gap on either side of a line, in em.
 constexpr float kHaloEms = 0.16F;
 
@@ -83,10 +85,12 @@ void LinePass::draw(std::span<const Line> lines, const LineSizes& sizes) {
     shader_.use();
     batch_.upload(0, instances.data(), instances.size() * sizeof(LineInstance));
     shader_.set("uAlpha", kXRayAlpha);
+    shader_.set("uHiddenDash", kHiddenDash * sizes.em);
     glDepthFunc(GL_GREATER);
     drawRange(tested, through, Part::Lines);
     glDepthFunc(GL_LEQUAL);
     shader_.set("uAlpha", 1.0F);
+    shader_.set("uHiddenDash", 0.0F);
     drawRange(0, onTop, Part::Halos);
     drawRange(0, through, Part::Lines);
     if (onTop == through) return;

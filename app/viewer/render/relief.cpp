@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace se::view {
@@ -26,12 +27,14 @@ void Relief::release() {
 }
 
 Status Relief::load(const std::filesystem::path& folder) {
-    Result<Shader> occlusion = Shader::load("screen.vert", "occlusion.frag", folder);
-    if (!occlusion) return occlusion.error();
-    Result<Shader> relief = Shader::load("screen.vert", "relief.frag", folder);
-    if (!relief) return relief.error();
-    occlusionShader_ = std::move(occlusion.value());
-    reliefShader_ = std::move(relief.value());
+    for (const auto& [shader, fragment, defines] :
+         {std::tuple{&occlusionShader_, "occlusion.frag", ""},
+          std::tuple{&reliefShader_, "relief.frag", ""},
+          std::tuple{&outlineShader_, "relief.frag", "#define QUICK\n"}}) {
+        Result<Shader> loaded = Shader::load("screen.vert", fragment, folder, defines);
+        if (!loaded) return loaded.error();
+        *shader = std::move(loaded.value());
+    }
     return success();
 }
 
@@ -67,7 +70,6 @@ void Relief::useDepth(Shader& shader, const KeptPicture& picture, const CameraMa
 
 void Relief::findOcclusion(const KeptPicture& picture, const PixelRect& rect,
                            const CameraMatrices& camera, float em) {
-    if (rect.empty()) return;
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     allocate((picture.size() + 1) / 2);
@@ -83,16 +85,16 @@ void Relief::findOcclusion(const KeptPicture& picture, const PixelRect& rect,
 }
 
 void Relief::shade(KeptPicture& picture, const PixelRect& rect, const CameraMatrices& camera,
-                   float em, bool occluded) {
+                   float em, bool full) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDepthMask(GL_FALSE);
     picture.beginShading(rect);
-    useDepth(reliefShader_, picture, camera);
-    reliefShader_.set("uStep", static_cast<int>(std::max(1.0F, std::round(kOutlineEm * em))));
-    reliefShader_.set("uOccluded", occluded);
-    reliefShader_.set("uColor", 1);
-    reliefShader_.set("uOcclusion", 2);
+    Shader& shader = full ? reliefShader_ : outlineShader_;
+    useDepth(shader, picture, camera);
+    shader.set("uStep", static_cast<int>(std::max(1.0F, std::round(kOutlineEm * em))));
+    shader.set("uColor", 1);
+    shader.set("uOcclusion", 2);
     glActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, texture_);
     glActiveTexture(GL_TEXTURE1);

@@ -121,30 +121,30 @@ void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ive
 
 /// Draws the surfaces again where they differ from what is kept.
 void Renderer::keep(const DrawList& list, SurfaceView view, Finish finish) {
-    const bool moved = picture_.resize(view.size) || !(view == kept_);
+    const bool refines = finish == Finish::Full && finish_ == Finish::Quick;
+    const bool all = picture_.resize(view.size) || !(view == kept_) || refines;
     kept_ = view;
+    if (all) finish_ = finish;
+    const bool full = finish_ == Finish::Full;
     SurfaceChanges changed = surface_.takeChanges(list);
     if (drawnSolid(view.dots)) changed.mesh.add(changed.points);
     // Marks reach beyond their points.
     const auto partOf = [&](const Bounds& bounds) {
-        if (moved) return picture_.whole();
+        if (all) return picture_.whole();
         return pixelsOf(view.camera, bounds, view.size)
             .grown(static_cast<int>(std::ceil(view.em)), view.size);
     };
     view.rect = partOf(changed.mesh);
+    const PixelRect around = view.rect.grown(Relief::reach(view.em), view.size);
     if (!view.rect.empty()) {
-        picture_.beginSurfaces(view.rect, view.background);
+        picture_.beginSurfaces(view.rect, view.background, full);
         surface_.drawSolid(list, view);
-        picture_.resolveSurfaces(view.rect);
+        picture_.endSurfaces();
+        if (full) relief_.findOcclusion(picture_, around, view.camera, view.em);
     }
-    const bool refines = finish == Finish::Full && finish_ == Finish::Quick;
-    if (refines || view.rect == picture_.whole()) finish_ = finish;
-    const PixelRect around =
-        refines ? picture_.whole() : view.rect.grown(Relief::reach(view.em), view.size);
-    if (finish_ == Finish::Full) relief_.findOcclusion(picture_, around, view.camera, view.em);
     view.rect = around.with(partOf(changed.points));
     if (view.rect.empty()) return;
-    relief_.shade(picture_, view.rect, view.camera, view.em, finish_ == Finish::Full);
+    relief_.shade(picture_, view.rect, view.camera, view.em, full);
     picture_.beginPoints(view.rect);
     glEnable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);

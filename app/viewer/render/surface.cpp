@@ -35,6 +35,8 @@ struct FaceVertex {
 constexpr float kPointBias = 0.12F;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
+/// Diameter of solid dots, as a share of their distance.
+constexpr float kSolidShare = 0.8F;
 /// Strength below which marks are left out.
 constexpr float kFaintest = 0.02F;
 
@@ -402,7 +404,10 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
         colors[i] = colorVector(style.color);
         if (style.onMesh) colors[i].a *= marks;
         const Shape shape = colors[i].a < kFaintest ? Shape::Hidden : style.shape;
-        sizes[i] = {std::max(1.5F, style.size * view.em * zoom), static_cast<float>(shape)};
+        // Solid dots nearly touch each other, as a surface.
+        const float size = drawnSolid(view.dots) ? std::max(2.0F, kSolidShare * view.dots)
+                                                 : std::max(1.5F, style.size * view.em * zoom);
+        sizes[i] = {size, static_cast<float>(shape)};
     }
     useCamera(shader, view.camera, kPointBias * spacing_);
     shader.set("uStyleColor", std::span<const glm::vec4>(colors));

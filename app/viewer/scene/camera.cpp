@@ -22,6 +22,8 @@ constexpr float kHighestHomeDegrees = 46.0F;
 constexpr float kFacesFrom = 0.15F;
 /// Room around the points, as a factor.
 constexpr float kHomeMargin = 1.12F;
+/// Rounds in which the share of a picture comes within a percent.
+constexpr int kFillRounds = 6;
 /// Radius of a sphere that everything fits into.
 constexpr float kSceneRadius = 1.0F;
 
@@ -202,6 +204,29 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
                             off.z + std::max(std::abs(off.x) / half.x, std::abs(off.y) / half.y));
     }
     pose_.distance = std::min(distance, kFarthestAway);
+    ++revision_;
+}
+
+void Camera::fill(std::span<const glm::vec3> places, float aspect, float share) {
+    if (places.empty()) return;
+    enclose(places, aspect, glm::vec2(share));
+    // What is nearer looks larger: neither the middle nor the size is that of the box around all.
+    for (int round = 0; round < kFillRounds; ++round) {
+        const glm::mat4 toClip = matrices(aspect).viewProjection();
+        glm::vec2 low(std::numeric_limits<float>::max());
+        glm::vec2 high(-low);
+        for (const glm::vec3& p : places) {
+            const glm::vec4 clip = toClip * glm::vec4(p, 1.0F);
+            const glm::vec2 at = glm::vec2(clip) / std::max(clip.w, 1e-4F);
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+        }
+        const glm::vec2 middle = 0.25F * (low + high) * heightAtTarget();
+        pose_.target += right() * (middle.x * aspect) + upward() * middle.y;
+        const glm::vec2 filled = 0.5F * (high - low);
+        pose_.distance = std::clamp(pose_.distance * std::max(filled.x, filled.y) / share, kNearest,
+                                    kFarthestAway);
+    }
     ++revision_;
 }
 

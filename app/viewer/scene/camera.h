@@ -61,6 +61,9 @@ class Camera {
     /// that aspect, horizontally and vertically, each in (0, 1]. The direction stays. No effect
     /// without positions.
     void enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share);
+    /// Centers the picture of positions, and makes it fill that share of a view of that aspect in
+    /// one direction, at most in the other. The direction stays. No effect without positions.
+    void fill(std::span<const glm::vec3> places, float aspect, float share);
     /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.
     void face(const glm::vec3& normal);

@@ -9,10 +9,10 @@
 namespace se::view {
 
 /// Pixels from which marks of single points are shown, and from which they have full strength.
-inline constexpr float kMarksFrom = 5.0F;
-inline constexpr float kMarksFull = 13.0F;
+inline constexpr float kMarksFrom = 10.0F;
+inline constexpr float kMarksFull = 20.0F;
 /// Pixels below which shapes of points cannot be told apart.
-inline constexpr float kShapesFrom = 6.0F;
+inline constexpr float kShapesFrom = 10.0F;
 
 /// Distance of the points in pixels of a view of `height`, at the near side of the middle of the
 /// scene. `spacing`: their distance in view units.

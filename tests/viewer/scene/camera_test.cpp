@@ -243,3 +243,26 @@ TEST_CASE("A surface is faced straight, also one that is seen from its outer sid
         }
     }
 }
+
+TEST_CASE("Everything fills the requested share of the view, from any side and in any projection") {
+    const std::vector<glm::vec3> places = {
+        {1, 0, 0}, {-0.2F, 0.1F, 0.6F}, {0, 0.9F, 0.3F}, {0.4F, -0.5F, -0.1F}};
+    for (const float aspect : {0.6F, 1.0F, 2.2F}) {
+        for (const bool orthographic : {false, true}) {
+            Camera camera;
+            camera.orbit({40.0F * aspect, 10.0F}, 600.0F);
+            if (orthographic) camera.toggleOrthographic();
+            camera.fill(places, aspect, 0.8F);
+            glm::vec2 low(1.0F);
+            glm::vec2 high(0.0F);
+            for (const glm::vec3& place : places) {
+                const glm::vec2 at(project(camera.matrices(aspect), place, glm::vec2(1.0F)));
+                low = glm::min(low, at);
+                high = glm::max(high, at);
+            }
+            const glm::vec2 filled = high - low;
+            CHECK(std::max(filled.x, filled.y) == doctest::Approx(0.8F).epsilon(0.01));
+            CHECK(glm::distance(0.5F * (low + high), glm::vec2(0.5F)) < 0.01F);
+        }
+    }
+}

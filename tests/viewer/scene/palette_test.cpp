@@ -21,6 +21,17 @@ TEST_CASE("Every color with a meaning contrasts with the background") {
     }
 }
 
+TEST_CASE("Lit surfaces are lighter than the background; in light, all colors contrast with them") {
+    const Palette& dark = paletteOf(Theme::Dark);
+    CHECK(contrast(dark.mesh, dark.background) >= 4.5);
+    const Palette& light = paletteOf(Theme::Light);
+    CHECK(luminance(light.mesh) > luminance(light.background) + 0.1);
+    for (const Color& color : {light.pivot, light.used, light.first, light.last, light.test,
+                               light.rejected, light.unused, light.done}) {
+        CHECK(contrast(color, light.mesh) >= 3.0);
+    }
+}
+
 TEST_CASE("Text contrasts with its background") {
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         const Palette& c = paletteOf(theme);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "panel_state/ui_state.h"
+#include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "scene/draw_list.h"
@@ -328,10 +329,11 @@ void drawGrowthPage(const PanelContext& context) {
     }
     ImGui::End();
     if (beginView(context, "##view")) {
+        const std::optional<AxisGizmo> axes = offerAxes(context, {});
         offerView(context);
         moveCameraByMouse(context);
         drawViewPicture(context);
-        drawAxes(context, {});
+        if (axes) drawAxes(context, *axes);
         drawKey(context);
     }
     ImGui::End();

@@ -11,6 +11,7 @@
 #include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
+#include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
 #include "scene/motion.h"
 #include "scene/picking.h"
@@ -233,14 +234,16 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
 
 /// Overlays of the picture. Each avoids those before it; labels come last, since they find a
 /// place anywhere.
-void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow) {
+void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow,
+              const std::optional<AxisGizmo>& axes) {
     std::vector<Rect> taken;
     const auto note = [&](const std::optional<Rect>& place) {
         if (place) taken.push_back(*place);
     };
     if (arrow) note(arrow->rect);
     note(drawShownState(context));
-    note(drawAxes(context, taken));
+    if (axes) taken.push_back(axes->plate);
+    if (axes) drawAxes(context, *axes);
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
@@ -254,12 +257,15 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
 void drawView(const PanelContext& context, const char* window) {
     if (beginView(context, window)) {
         const std::optional<PivotArrow> arrow = offerPivotArrow(context);
+        std::vector<Rect> taken;
+        if (arrow) taken.push_back(arrow->rect);
+        const std::optional<AxisGizmo> axes = offerAxes(context, taken);
         const std::vector<FaultPin> pins = offerFaultPins(context);
         offerView(context);
         handleMouse(context);
         drawViewPicture(context);
         drawFaultPins(context, pins);
-        drawOver(context, arrow);
+        drawOver(context, arrow, axes);
         drawLasso(context);
         if (!context.beside) drawPieceLine(context);
     }

@@ -154,9 +154,6 @@ void moveCameraByMouse(const PanelContext& context);
 /// A press of the button on the item drawn last that was no drag, when it ends. To be called after
 /// moveCameraByMouse().
 bool isClick(const PanelContext& context, ImGuiMouseButton button);
-/// The three axes, in the lower left corner of the view, or in another place with room beside
-/// `taken`; omitted if there is none.
-std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken);
 
 // ---- prepare_fields.cpp: what is derived from the points of an input ----
 /// True if Enter was pressed in one of them. Test scripts find the items as `prefix` and their
