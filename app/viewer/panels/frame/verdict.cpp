@@ -9,6 +9,7 @@
 #include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
 #include "panel_state/side_panels.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
