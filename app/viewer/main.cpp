@@ -101,6 +101,13 @@ void printTimes(const char* what, std::vector<double> seconds) {
                 1e3 * seconds.back());
 }
 
+/// Processor time of this thread so far, in seconds.
+double threadSeconds() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// Cost of one kind of move, frame by frame.
 void benchMoves(const Options& options, Offscreen& offscreen, Application& application,
                 const char* what, void (*move)(Application&)) {
@@ -108,9 +115,11 @@ void benchMoves(const Options& options, Offscreen& offscreen, Application& appli
     std::vector<double> own;
     std::vector<double> gl;
     std::vector<double> processor;
+    std::vector<double> thread;
     for (int i = -kWarmUp; i < options.benchFrames; ++i) {
         const auto began = std::chrono::steady_clock::now();
         const std::clock_t before = std::clock();
+        const double threadBefore = threadSeconds();
         move(application);
         const std::chrono::duration<double> moved = std::chrono::steady_clock::now() - began;
         offscreen.beginFrame();
@@ -118,11 +127,13 @@ void benchMoves(const Options& options, Offscreen& offscreen, Application& appli
         if (i < 0) continue;
         own.push_back(moved.count() + application.uiSeconds());
         gl.push_back(application.glSeconds());
+        thread.push_back(threadSeconds() - threadBefore);
         processor.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     }
     std::printf("%d frames, %s\n", options.benchFrames, what);
     printTimes("  our own time", own);
     printTimes("  OpenGL, until it is done", gl);
+    printTimes("  processor, this thread", thread);
     printTimes("  processor, all threads", processor);
 }
 
@@ -135,6 +146,15 @@ void benchStill(const Options& options, Offscreen& target, Application& applicat
                [](Application& each) { each.redraw(); });
     benchMoves(options, target, application, "nothing moves: equal frames, not drawn",
                [](Application&) {});
+}
+
+/// Cost of frames while other settings are tried (trial.h), if the input lasts long enough.
+void benchBesideTrials(const Options& options, Offscreen& target, Application& application) {
+    application.session().trials().start();
+    benchMoves(options, target, application, "one pivot each, while other settings are tried",
+               [](Application& each) { each.session().moves().stepPivot(1); });
+    if (!application.session().trials().busy()) std::printf("  (the trials ended before)\n");
+    application.session().trials().stop();
 }
 
 /// Steps through the run and prints the cost of a frame: the move, user interface and scene, and
@@ -182,6 +202,7 @@ int runBench(const Options& options) {
         session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
     });
     benchStill(options, target, application);
+    benchBesideTrials(options, target, application);
     return dumpState(application);
 }
 
