@@ -111,6 +111,8 @@ void drawBreakpoints(const PanelContext& context);
 void drawWatch(const PanelContext& context);
 /// Points that take no part in the run, by reason; nothing if there are none. Requires an open run.
 void drawAside(const PanelContext& context);
+/// The best settings that were tried, and a button of this name that takes them.
+void drawBestTrial(const PanelContext& context, const std::string& name);
 /// Findings of the doctor.
 void drawDoctor(const PanelContext& context);
 /// Failures of the run.

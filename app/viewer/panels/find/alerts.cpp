@@ -252,6 +252,7 @@ void drawRemedies(const PanelContext& context) {
     const BackgroundQuery<Remedies>& search = session.alerts().remedies();
     const bool mine = session.alerts().remediesOf() == session.alerts().chosen();
     heading(context, "What would have prevented it");
+    drawBestTrial(context, "alert fix");
     if (mine && search.answer() != nullptr) return drawTried(context, *search.answer());
     if (mine && search.busy()) {
         ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
@@ -278,7 +279,8 @@ void drawChosen(const PanelContext& context) {
     }
     if (failure.length > 0.0)
         what += "; length " + numberText(failure.length) + ", area " + numberText(failure.area);
-    wrappedText(what + ".");
+    wrappedText(std::string(failure.kind->meaning));
+    dimText(what + ".");
     ImGui::Spacing();
     for (const AlertMoment moment : kAlertMoments) drawMoment(context, *alert, moment);
     drawWhy(context, *alert);

@@ -166,6 +166,7 @@ void drawDoctor(const PanelContext& context) {
     heading(context, "Doctor", count == 0 ? "" : withS(count, "finding"));
     drawAside(context);
     drawRepaired(context);
+    drawBestTrial(context, "doctor fix best");
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {
         dimText(doctorJob.busy() ? "Examining the input ..."

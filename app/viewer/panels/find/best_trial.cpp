@@ -1,0 +1,35 @@
+// The best settings that were tried for the open input, with the outcome of their run.
+#include "commands/alert_actions.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "session/session.h"
+
+namespace se::view {
+
+namespace {
+
+std::string faultsText(const MeshNumbers& numbers) {
+    const std::size_t faults = faultCount(numbers.totals);
+    return grouped(faults) + (faults == 1 ? " fault" : " faults");
+}
+
+}  // namespace
+
+void drawBestTrial(const PanelContext& context, const std::string& name) {
+    const TrialJob& job = context.session().trials();
+    if (const Trial* best = job.best()) {
+        wrappedText("Other settings were tried: " + wordsOf(best->change) + " leaves " +
+                    faultsText(best->numbers) + " instead of " +
+                    faultsText(job.trials().tried.front().numbers) + ".");
+        if (smallButton(context, "Fix", name, "Run again with these settings, to the end"))
+            fixByTrials(context.commands);
+        ImGui::Spacing();
+    } else if (job.busy()) {
+        dimText("Other settings are being tried: see the card over the mesh.");
+    } else if (job.ended() && job.complaint().empty() && job.trials().tried.size() > 1) {
+        dimText("No better settings among " + withS(job.trials().tried.size() - 1, "change") +
+                " tried.");
+    }
+}
+
+}  // namespace se::view
