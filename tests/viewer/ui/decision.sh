@@ -5,6 +5,7 @@
 escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
 
 start scene:torus --goto 137.sphere.1
+says address "137\.sphere\.1"
 says follow false
 home=$(escaped)
 press f

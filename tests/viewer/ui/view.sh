@@ -12,8 +12,10 @@ before=$(escaped); drag "$x" "$y" 30 30 2; denies camera "$before"
 before=$(escaped); click "$x" "$y" 4; denies camera "$before"
 says address "40\.advance\.1"
 
-# F centers the pivot; a click there selects it, and stepping keeps it.
-press Return f
+# Frame pivot centers the pivot; a click there selects it, and stepping keeps it.
+frame_pivot() { press ctrl+p; type_text "frame pivot"; press Return; }
+press Return
+frame_pivot
 read -r x y < <(center "region view")
 click "$x" "$y"
 denies selected null
@@ -31,7 +33,7 @@ read -r x y < <(inside "region view" 3 6)
 click "$x" "$y"
 says selected null
 # A neighbor of the pivot is highlighted under the pointer.
-press f
+frame_pivot
 read -r x y < <(center "region view")
 lit() {
     local dx dy
