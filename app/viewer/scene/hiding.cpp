@@ -54,6 +54,7 @@ DecisionPlace decisionPlace(const Model& model, Index pivot, std::span<const Ind
     DecisionPlace place;
     place.center = model.place[pivot];
     place.radius = model.spacing;
+    place.points.reserve(points.size());
     for (const Index point : points) {
         place.radius =
             std::max(place.radius, kPlaceRoom * glm::distance(place.center, model.place[point]));
