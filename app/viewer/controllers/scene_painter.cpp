@@ -63,6 +63,19 @@ void addDifference(const DifferenceLook& look, const Model& model, std::size_t f
     }
 }
 
+/// From this radius on the screen, in em, what hides a decision fades: from afar there is nothing
+/// to see of it.
+constexpr float kGhostsFrom = 1.5F;
+
+bool showsGhosts(const Session& session, const CameraMatrices& camera, const DrawList& list,
+                 glm::ivec2 size, float em) {
+    const float radius = pixelRadius(camera, *list.decision, static_cast<float>(size.y));
+    const std::span<const Triangle> all = session.triangles();
+    return radius > kGhostsFrom * em &&
+           isHidden(session.shown(), all.first(std::min(all.size(), list.finishedTriangles)),
+                    camera, *list.decision);
+}
+
 }  // namespace
 
 Status ScenePainter::start(const std::filesystem::path& shaders) {
@@ -236,12 +249,8 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
     if (model_ && !particles_) renderer_->surface().setTinted(*model_, list());
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const CameraMatrices camera = context.camera.matrices(aspect);
-    if (session.ready() && drawList_.decision && !particles_) {
-        const std::span<const Triangle> all = session.triangles();
-        drawList_.ghosts =
-            isHidden(session.shown(), all.first(std::min(all.size(), drawList_.finishedTriangles)),
-                     camera, *drawList_.decision);
-    }
+    drawList_.ghosts = session.ready() && !particles_ && drawList_.decision &&
+                       showsGhosts(session, camera, drawList_, size, em);
     renderer_->draw(list(), camera, size, em, paletteOf(theme).background, finish);
     return true;
 }

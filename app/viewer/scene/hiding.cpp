@@ -63,6 +63,12 @@ DecisionPlace decisionPlace(const Model& model, Index pivot, std::span<const Ind
     return place;
 }
 
+float pixelRadius(const CameraMatrices& camera, const DecisionPlace& place, float height) {
+    const float depth =
+        camera.orthographic ? 1.0F : -(camera.view * glm::vec4(place.center, 1.0F)).z;
+    return depth > 0.0F ? 0.5F * height * camera.projection[1][1] * place.radius / depth : 0.0F;
+}
+
 bool isHidden(const Model& model, std::span<const Triangle> triangles, const CameraMatrices& camera,
               const DecisionPlace& place) {
     if (triangles.size() > kSearchedUpTo) return true;

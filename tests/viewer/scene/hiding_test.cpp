@@ -59,6 +59,20 @@ TEST_CASE("From behind, the other side of the surface hides a decision") {
     }
 }
 
+TEST_CASE("The radius on the screen is that of the place, in both projections") {
+    SeenDecision decision;
+    for (const bool orthographic : {false, true}) {
+        CAPTURE(orthographic);
+        CameraPose pose = decision.camera.pose();
+        pose.target = decision.place.center;
+        pose.orthographic = orthographic;
+        decision.camera.setPose(pose);
+        const float share = 2.0F * decision.place.radius / decision.camera.heightAtTarget();
+        CHECK(pixelRadius(decision.camera.matrices(1.3F), decision.place, 600.0F) ==
+              doctest::Approx(0.5 * 600.0 * share).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("The place of a decision holds all its points") {
     const SeenDecision decision;
     for (const glm::vec3& point : decision.place.points)
