@@ -64,7 +64,7 @@ float shadeOf() {
     float lit = max((dot(normal, key) + 0.15) / 1.15, 0.0);
     float sky = 0.5 + 0.5 * dot(normal, uUp);
     float gloss = pow(max(dot(normal, normalize(key + toEye)), 0.0), 30.0);
-    float shade = 0.26 + 0.14 * sky + 0.12 * max(dot(normal, toEye), 0.0) + 0.48 * lit;
+    float shade = 0.30 + 0.14 * sky + 0.12 * max(dot(normal, toEye), 0.0) + 0.45 * lit;
     shade += 0.07 * gloss;
     // The back of a surface is darker, to show the orientation.
     return gl_FrontFacing ? shade : 0.6 * shade;

@@ -38,6 +38,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
+    ui_.picture = options.picture;
     ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
     ui_.follow = rowOf(ui_.layoutPreset).follows;
     playback_.setRate(settings.playRate);
@@ -234,6 +235,13 @@ void Application::drawUserInterface(const PanelRects& rects) {
     }
 }
 
+PanelRects Application::areasIn(glm::vec2 size) const {
+    const float em = imgui_->em();
+    if (ui_.picture.viewAlone) return viewAlone(size);
+    if (ui_.growth.open) return computePageRects(size, em);
+    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer);
+}
+
 bool Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
     ui_.clock += seconds;
@@ -252,10 +260,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    const PanelRects rects = ui_.growth.open
-                                 ? computePageRects(glm::vec2(size), imgui_->em())
-                                 : computePanelRects(glm::vec2(size), imgui_->em(),
-                                                     ui_.layoutPreset, ui_.navigation.drawer);
+    const PanelRects rects = areasIn(glm::vec2(size));
     ui_.navigation.drawerFolded = rects.drawerFolded;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
     ui_.viewEms = rects.view.size / imgui_->em();
@@ -389,7 +394,7 @@ void Application::saveWindowPicture(glm::ivec2 size) {
     if (std::filesystem::is_directory(folder / "Pictures", error)) folder /= "Pictures";
     const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
     const std::filesystem::path path = folder / ("spiraling-edge-" + place + ".png");
-    const Status status = saveScreenshot(path, size);
+    const Status status = writePicture(path, readPicture(size));
     session_.messages().say(status ? "Saved " + path.string() + "." : status.error().message);
 }
 

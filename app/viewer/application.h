@@ -74,6 +74,8 @@ class Application {
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
     Camera& camera() { return camera_; }
+    /// Draws later frames on that background.
+    void setBackground(const Color& color) { ui_.picture.background = color; }
     /// Blocks until everything that the command line requests is visible.
     Status waitUntilDone();
 
@@ -94,6 +96,7 @@ class Application {
 
   private:
     void noteTimes(std::chrono::steady_clock::time_point built);
+    PanelRects areasIn(glm::vec2 size) const;
     bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
     void undoOrRedo();

@@ -11,7 +11,9 @@
 #include "offscreen.h"
 #include "options.h"
 #include "panel_state/settings.h"
+#include "render/context.h"
 #include "scene/picking.h"
+#include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/freed_memory.h"
 #include "window.h"
@@ -77,19 +79,33 @@ int dumpState(Application& application) {
     return status ? kExitGood : fail(kExitInternal, status.error().message);
 }
 
-int runPicture(const Options& options) {
-    const ViewSettings settings = settingsFor(options);
-    const auto offscreen = Offscreen::create({settings.width, settings.height});
-    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
-    Application application(options, settings);
-    if (const int code = prepareOffscreen(application); code != kExitGood) return code;
+/// The picture once the layout rests, on that background.
+Picture drawPicture(const Options& options, Offscreen& target, Application& application,
+                    std::optional<Color> background) {
+    if (background) application.setBackground(*background);
     // The first frames only determine the layout.
     const int frames = options.frames > 0 ? options.frames : 4;
     for (int i = 0; i < frames; ++i) {
-        offscreen.value()->beginFrame();
-        application.frame({settings.width, settings.height}, 1.0 / 60.0);
+        target.beginFrame();
+        application.frame(target.size(), 1.0 / 60.0);
     }
-    const auto status = offscreen.value()->save(options.screenshot);
+    return target.read();
+}
+
+int runPicture(const Options& options) {
+    ViewSettings settings = settingsFor(options);
+    const int factor = options.picture.supersample;
+    if (factor > 1) settings.uiScale = factor * (settings.uiScale > 0.0 ? settings.uiScale : 1.0);
+    const auto offscreen = Offscreen::create(factor * glm::ivec2(settings.width, settings.height));
+    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
+    Application application(options, settings);
+    if (const int code = prepareOffscreen(application); code != kExitGood) return code;
+    const auto draw = [&](std::optional<Color> background) {
+        return drawPicture(options, *offscreen.value(), application, background);
+    };
+    Picture picture = options.picture.cutOut ? draw(fromHex(0x000000)) : draw({});
+    if (options.picture.cutOut) picture = cutOut(picture, draw(fromHex(0xFFFFFF)));
+    const auto status = writePicture(options.screenshot, reduced(picture, factor));
     if (!status) return fail(kExitInternal, status.error().message);
     return dumpState(application);
 }

@@ -75,8 +75,6 @@ Offscreen::~Offscreen() {
     eglTerminate(display_);
 }
 
-Status Offscreen::save(const std::filesystem::path& path) const {
-    return saveScreenshot(path, size_);
-}
+Picture Offscreen::read() const { return readPicture(size_); }
 
 }  // namespace se::view

@@ -1,11 +1,11 @@
 /// A picture without a window and without a display, by EGL with no surface.
 #pragma once
 
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 
 #include "render/gl_objects.h"
+#include "scene/picture.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::view {
@@ -20,8 +20,8 @@ class Offscreen {
     glm::ivec2 size() const { return size_; }
     /// Makes the picture the target of drawing.
     void beginFrame() { target_->begin(size_); }
-    /// Writes the content of the target as PNG.
-    Status save(const std::filesystem::path& path) const;
+    /// The content of the target.
+    Picture read() const;
 
   private:
     Offscreen() = default;

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -20,12 +21,15 @@ namespace se::view {
 
 namespace {
 
+/// Greatest width and height of what is drawn.
+constexpr int kMostPixels = 16384;
+
 /// Reads "1280x800".
 std::optional<glm::ivec2> sizeFromString(const std::string& text) {
     glm::ivec2 size(0);
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
-    if (size.x < 320 || size.y < 240 || size.x > 16384 || size.y > 16384) return std::nullopt;
+    if (size.x < 320 || size.y < 240 || std::max(size.x, size.y) > kMostPixels) return std::nullopt;
     return size;
 }
 
@@ -73,6 +77,8 @@ struct RawOptions {
     double radius = 0.0;
     double reach = 0.0;
     std::string screenshot;
+    std::string background;
+    std::string labels;
     std::string shaders;
     std::string stateDump;
     bool actions = false;
@@ -192,6 +198,16 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                    "Size of the window or picture in pixels, for example 1280x800");
     app.add_option("--screenshot", raw.screenshot,
                    "Write a picture of the window and quit; needs no display");
+    app.add_option("--background", raw.background,
+                   "With --screenshot: the view alone, on the background of the theme, or on none "
+                   "(transparent)")
+        ->check(CLI::IsMember({"theme", "none"}));
+    app.add_option("--labels", raw.labels, "Text, axes, pins and legends over the view: on or off")
+        ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--supersample", o.picture.supersample,
+                   "With --screenshot: draw N by N pixels for each one of the picture")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8));
     app.add_option("--frames", o.frames, "Quit after N frames")->check(CLI::Range(1, 1000000));
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
@@ -318,6 +334,19 @@ void requireWritable(const std::string& path, const char* option) {
         throw CLI::ValidationError(option, status.error().message);
 }
 
+/// Looks of a picture. Throws as takeOver() does.
+void takeOverPicture(const RawOptions& raw, Options& o) {
+    PictureLook& look = o.picture;
+    look.viewAlone = !raw.background.empty();
+    look.cutOut = raw.background == "none";
+    look.labels = raw.labels != "off";
+    if (raw.screenshot.empty() && (look.viewAlone || look.supersample > 1))
+        throw CLI::ValidationError("--background, --supersample", "need --screenshot");
+    const glm::ivec2 size = o.size.value_or(glm::ivec2(1280, 800)) * look.supersample;
+    if (std::max(size.x, size.y) > kMostPixels)
+        throw CLI::ValidationError("--supersample", "times --size is at most 16384 pixels");
+}
+
 /// Pictures are PNG; another extension would promise another format.
 void requirePngName(const std::string& path) {
     if (lowerExtension(path) == ".png") return;
@@ -423,6 +452,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         chooseBenchScene(o);
         takeOver(raw, o);
         takeOverInput(app, raw, o);
+        takeOverPicture(raw, o);
         if (app.count("--screenshot") > 0) {
             requirePngName(raw.screenshot);
             requireWritable(raw.screenshot, "--screenshot");

@@ -299,7 +299,7 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"blinking", ui_.look.blinking()},
              {"follow", ui_.follow},
              {"section_degrees", ui_.section.turnDegrees},
-             {"moving", painter_.moving()},
+             {"moving", painter_.moving() || painter_.unfinished()},
              {"motions", painter_.motions()}};
     out["prepare"] = ui_.prepare.open;
     out["piece_tool"] = ui_.piece.on;

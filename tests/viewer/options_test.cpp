@@ -188,6 +188,22 @@ TEST_CASE("A picture or state that could not be written is refused before any wo
     }
 }
 
+TEST_CASE("A clean picture is the view alone, without labels, as smooth as requested") {
+    const Options clean = *parse({"scene:sphere", "--screenshot", "x.png", "--background", "none",
+                                  "--labels", "off", "--supersample", "3"})
+                               .options;
+    CHECK(clean.picture.viewAlone);
+    CHECK(clean.picture.cutOut);
+    CHECK_FALSE(clean.picture.labels);
+    CHECK(clean.picture.supersample == 3);
+    CHECK(parse({"scene:sphere", "--background", "none"}).exitCode == kExitUsage);
+    CHECK(parse({"scene:sphere", "--screenshot", "x.png", "--background", "red"}).exitCode ==
+          kExitUsage);
+    CHECK(
+        parse({"scene:sphere", "--screenshot", "x.png", "--size", "9000x900", "--supersample", "2"})
+            .exitCode == kExitUsage);
+}
+
 TEST_CASE("A picture under the name of another format is refused") {
     for (const char* name : {"x.svg", "x.gif", "x.jpg", "x"}) {
         CAPTURE(name);

@@ -233,13 +233,14 @@ Finish ScenePainter::finishAt(double clock, const Drawn& next) {
 bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
     if (size.x < 1 || size.y < 1) return false;
     const Session& session = context.session;
-    const Theme theme = context.ui.settings.theme;
+    const Color background =
+        context.ui.picture.background.value_or(paletteOf(context.ui.settings.theme).background);
     const Drawn key{session.revision(),
                     session.generation(),
                     context.camera.revision(),
                     size,
                     shownLayers_,
-                    theme,
+                    background,
                     em,
                     fills_};
     const Finish finish = finishAt(context.ui.clock, key);
@@ -251,7 +252,7 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
     const CameraMatrices camera = context.camera.matrices(aspect);
     drawList_.ghosts = session.ready() && !particles_ && drawList_.decision &&
                        showsGhosts(session, camera, drawList_, size, em);
-    renderer_->draw(list(), camera, size, em, paletteOf(theme).background, finish);
+    renderer_->draw(list(), camera, size, em, background, finish);
     return true;
 }
 

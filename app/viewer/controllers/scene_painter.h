@@ -64,7 +64,7 @@ class ScenePainter {
         unsigned camera = 0;
         glm::ivec2 size{0};
         LayerSwitches layers;
-        Theme theme = Theme::Dark;
+        Color background;
         float em = 0.0F;
         unsigned fills = 0;
         friend bool operator==(const Drawn&, const Drawn&) = default;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "panel_state/picture_look.h"
 #include "run/model.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
@@ -38,6 +39,7 @@ struct Options {
     bool resetLayout = false;
     std::optional<glm::ivec2> size;
     std::filesystem::path screenshot;  ///< Empty: open a window.
+    PictureLook picture;
     int frames = 0;                    ///< Quit after that number of frames; 0: when closed.
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;

@@ -56,6 +56,13 @@ struct PanelRects {
 /// as the area of the controls. No other area has a size.
 PanelRects computePageRects(glm::vec2 size, float em);
 
+/// The view alone: no other area has a size.
+inline PanelRects viewAlone(glm::vec2 size) {
+    PanelRects rects;
+    rects.view.size = size;
+    return rects;
+}
+
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
 /// Compare has two views, beside or above each other, whichever gives them more room.

@@ -14,6 +14,7 @@
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
+#include "picture_look.h"
 #include "piece_tool.h"
 #include "scene/camera_move.h"
 #include "scene/motion.h"
@@ -93,6 +94,7 @@ struct UiState {
     std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
+    PictureLook picture;
     float scale = 1.0F;               ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;          ///< Of the view, as last drawn.
     glm::vec2 viewEms{50.0F, 30.0F};  ///< Size of the view, in em, as last drawn.

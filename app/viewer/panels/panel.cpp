@@ -269,6 +269,7 @@ void drawPanels(const PanelContext& context) {
         {"region dial", context.rects.dial},           {"region right", context.rects.right},
         {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer}};
     keepSteps(context);
+    if (context.ui().picture.viewAlone) return drawView(context);
     const bool growth = context.state<GrowthPage>().open;
     const bool startPage = context.session().startPage() && !growth;
     if (growth) {

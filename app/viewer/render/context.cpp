@@ -25,20 +25,25 @@ void clearFrame(glm::ivec2 size, const Color& color) {
 
 void finishGl() { glFinish(); }
 
-Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size) {
-    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(size.x) *
-                                     static_cast<std::size_t>(size.y) * 4);
+Picture readPicture(glm::ivec2 size) {
+    Picture picture{size, {}};
+    picture.rgba.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = 255;
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
+    return picture;
+}
+
+Status writePicture(const std::filesystem::path& path, const Picture& picture) {
+    const glm::ivec2 size = picture.size;
     std::string bytes;
     const auto collect = [](void* context, void* data, int count) {
         static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                    static_cast<std::size_t>(count));
     };
     stbi_flip_vertically_on_write(1);
-    if (stbi_write_png_to_func(collect, &bytes, size.x, size.y, 4, pixels.data(), size.x * 4) ==
-        0) {
+    if (stbi_write_png_to_func(collect, &bytes, size.x, size.y, 4, picture.rgba.data(),
+                               size.x * 4) == 0) {
         return Error{"Cannot make a PNG of " + path.string() + "."};
     }
     return writeFileAtomically(path, bytes);

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "scene/palette.h"
+#include "scene/picture.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::view {
@@ -19,7 +20,9 @@ void clearFrame(glm::ivec2 size, const Color& color);
 /// Waits until all OpenGL commands are complete.
 void finishGl();
 
-/// Reads `size` pixels of the bound framebuffer and writes them as PNG.
-Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size);
+/// Reads `size` pixels of the bound framebuffer, as opaque.
+Picture readPicture(glm::ivec2 size);
+/// Writes a PNG.
+Status writePicture(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace se::view

@@ -255,7 +255,8 @@ void Surface::drawSolid(const DrawList& list, const SurfaceView& view) {
     meshShader_.set("uSmooth", 0.0F);
     meshShader_.set("uWire", false);
     meshShader_.set("uByBirth", false);
-    meshShader_.set("uSoft", 0.0F);
+    // New triangles and faults are data: their color stays on the back too.
+    meshShader_.set("uSoft", 0.35F);
     drawFaces(list.faces);
     if (!drawnSolid(view.dots)) return;
     // Shares of samples make the dots smooth; the picture itself stays opaque.

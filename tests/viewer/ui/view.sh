@@ -64,5 +64,18 @@ for button in 1 2 3; do
 done
 # A longer one orbits.
 drag "$x" "$y" 60 20; denies camera "$camera"
+# A click on an end of an axis looks from there.
+press Return
+click_on "axis z"; says camera '.*"pitch": 90(\.0)?[,}].*'
+click_on "axis z"
+click_on "axis y"; denies camera '.*"pitch": 90(\.0)?[,}].*'
+# What is kept from step to step is what would be drawn.
+press Return; go_to 60; says moving false; picture direct
+press F10 F10 F10 shift+F10 shift+F10 shift+F10; says address "60\.advance\.1"
+says moving false; picture stepped
+[ "$(differing direct stepped)" -eq 0 ] || fail "a step forth and back changes the picture"
+press F10 F10; says address "62\.advance\.1"; says moving false; picture stepped
+press 5 5; says moving false; picture direct
+[ "$(differing direct stepped)" -eq 0 ] || fail "steps leave a picture that differs from a new one"
 stop
 well

@@ -252,22 +252,32 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     if (arrow) drawPivotArrow(context, *arrow);
 }
 
+void drawWithOverlays(const PanelContext& context) {
+    const std::optional<PivotArrow> arrow = offerPivotArrow(context);
+    std::vector<Rect> taken;
+    if (arrow) taken.push_back(arrow->rect);
+    const std::optional<AxisGizmo> axes = offerAxes(context, taken);
+    const std::vector<FaultPin> pins = offerFaultPins(context);
+    offerView(context);
+    handleMouse(context);
+    drawViewPicture(context);
+    drawFaultPins(context, pins);
+    drawOver(context, arrow, axes);
+    drawLasso(context);
+    if (!context.beside) drawPieceLine(context);
+}
+
 }  // namespace
 
 void drawView(const PanelContext& context, const char* window) {
     if (beginView(context, window)) {
-        const std::optional<PivotArrow> arrow = offerPivotArrow(context);
-        std::vector<Rect> taken;
-        if (arrow) taken.push_back(arrow->rect);
-        const std::optional<AxisGizmo> axes = offerAxes(context, taken);
-        const std::vector<FaultPin> pins = offerFaultPins(context);
-        offerView(context);
-        handleMouse(context);
-        drawViewPicture(context);
-        drawFaultPins(context, pins);
-        drawOver(context, arrow, axes);
-        drawLasso(context);
-        if (!context.beside) drawPieceLine(context);
+        if (context.ui().picture.labels) {
+            drawWithOverlays(context);
+        } else {
+            offerView(context);
+            handleMouse(context);
+            drawViewPicture(context);
+        }
     }
     ImGui::End();
 }

@@ -23,7 +23,7 @@ constexpr std::array kNames = {"x", "y", "z"};
 constexpr std::array kColors = {fromHex(0xC2504F), fromHex(0x5C9440), fromHex(0x4478C4)};
 
 std::string nameOf(const AxisEnd& end) {
-    return (end.positive ? "+" : "-") + std::string(kNames[end.axis]);
+    return (end.positive ? "" : "-") + std::string(kNames[end.axis]);
 }
 
 /// The ends, those nearest to the eye first.

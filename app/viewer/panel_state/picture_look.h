@@ -1,0 +1,18 @@
+/// What a picture of the program shows, as the command line says.
+#pragma once
+
+#include <optional>
+
+#include "scene/palette.h"
+
+namespace se::view {
+
+struct PictureLook {
+    bool viewAlone = false;           ///< Without panels.
+    bool cutOut = false;              ///< On a transparent background.
+    bool labels = true;               ///< Text, axes, pins and legends over the view.
+    std::optional<Color> background;  ///< Instead of that of the theme.
+    int supersample = 1;              ///< Pixels drawn for each one, in each direction.
+};
+
+}  // namespace se::view
