@@ -190,8 +190,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                    "Start at an address with a camera: the text copied by Ctrl+C")
         ->type_name("TEXT");
     app.add_option("--with", o.withText,
-                   "Compare with another run: the options in which it differs, as one word "
-                   "(\"--rules robust\"); or with a mesh, by its path")
+                   "Compare with a run by the options that differ, as one word "
+                   "(\"--rules robust\"), or with a mesh file")
         ->type_name("WHAT");
     app.add_flag("--focus", o.focus, "Start with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,

@@ -5,6 +5,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/common.hpp>
 
 namespace se::view {

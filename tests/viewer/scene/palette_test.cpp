@@ -21,7 +21,7 @@ TEST_CASE("Every color with a meaning contrasts with the background") {
     }
 }
 
-TEST_CASE("Lit surfaces are lighter than the background, and in light all colors contrast with them") {
+TEST_CASE("Surfaces are lighter than the background, and colors contrast with light ones") {
     const Palette& dark = paletteOf(Theme::Dark);
     CHECK(contrast(dark.mesh, dark.background) >= 4.5);
     const Palette& light = paletteOf(Theme::Light);
