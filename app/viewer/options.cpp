@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands/commands.h"
+#include "input_options.h"
 #include "jobs/thread.h"
 #include "run/number_format.h"
 #include "run/strings.h"
@@ -66,6 +67,7 @@ std::string shapeList() {
 
 /// Options that need a check before they go into Options.
 struct RawOptions {
+    RawInput input;
     std::string size;
     std::string theme;
     std::string meshStyle;
@@ -73,96 +75,13 @@ struct RawOptions {
     std::string layout;
     std::string place;
     std::vector<std::string> choices;
-    std::size_t neighbors = 0;
-    double radius = 0.0;
-    double reach = 0.0;
     std::string screenshot;
     std::string background;
     std::string labels;
     std::string shaders;
     std::string stateDump;
     bool actions = false;
-    std::string box;
-    std::string crop;
-    std::string scanner;
-    bool orient = false;
-    bool deriveNormals = false;
-    SampleSpec grow;
-    double iso = 0.0;
 };
-
-/// Options for a piece of the file; names as in `spiraling-edge run`.
-void addPiece(CLI::App& app, Options& o, RawOptions& raw) {
-    app.add_option("--crop", raw.crop, "Only the points in this box, X0,Y0,Z0,X1,Y1,Z1")
-        ->type_name("BOX");
-    app.add_option("--thin", o.input.piece.thin, "Only points no nearer than this to one before")
-        ->type_name("SPACING")
-        ->check(CLI::PositiveNumber);
-}
-
-/// Options for what is derived from the points; names as in `spiraling-edge run`.
-void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
-    auto* k = app.add_option("-k,--neighbors", raw.neighbors, "Neighbors of a point: the K nearest")
-                  ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-    auto* r = app.add_option("-r,--radius", raw.radius,
-                             "Neighbors of a point: all within R, in scene units")
-                  ->check(CLI::PositiveNumber);
-    k->excludes(r);
-    app.add_option("--reach", raw.reach,
-                   "Neighbors of a point: all within X times the mean distance to the nearest")
-        ->check(CLI::PositiveNumber)
-        ->excludes(k)
-        ->excludes(r);
-    app.add_flag("--symmetric", o.input.neighbors.symmetric, "Make neighbor lists symmetric");
-    app.add_flag("--keep-opposing", o.input.keepOpposing,
-                 "Keep neighbors whose normal opposes that of the point");
-    app.add_flag("--keep-noise", o.input.keepNoise,
-                 "Keep all points where noise is as wide as the spacing");
-    auto* orient = app.add_flag("--orient", raw.orient,
-                                "Flip normals of the file so that they agree with each other");
-    app.add_flag("--derive-normals", raw.deriveNormals,
-                 "Derive normals from the positions even if the file has some")
-        ->excludes(orient);
-    app.add_option("--scanner", raw.scanner,
-                   "Derived or flipped normals face this position, X,Y,Z, part by part")
-        ->type_name("POINT");
-    app.add_flag("--derive-rim", o.input.rim,
-                 "Find where the surface ends without a wall, and treat the points there as "
-                 "boundary points");
-    app.add_option("--box", raw.box,
-                   "Points on the walls of this box are boundary points: auto (the box around all "
-                   "points), or X0,Y0,Z0,X1,Y1,Z1. With --new: the box that clips the surface")
-        ->type_name("BOX");
-}
-
-/// Options for new points; names as in `spiraling-edge sample`.
-void addGrowing(CLI::App& app, RawOptions& raw) {
-    SampleSpec& grow = raw.grow;
-    auto* made = app.add_option("--new", grow.surface,
-                                "Start with new points that spread over a shape or over an "
-                                "isosurface of a volume (" +
-                                    wordList(volumeExtensions(), "") + ")")
-                     ->type_name("SHAPE");
-    auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
-    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles))->needs(made);
-    app.add_option("--spacing", grow.spacing, "With --new: as many points as fit at distance S")
-        ->type_name("S")
-        ->check(CLI::PositiveNumber)
-        ->excludes(count)
-        ->needs(made);
-    app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
-    app.add_option("--seed", grow.seed, "With --new: seed of the random start positions")
-        ->type_name("S")
-        ->needs(made);
-    app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
-        ->type_name("X")
-        ->check(CLI::Range(0.0, 100.0))
-        ->needs(made);
-    app.add_option("--steps", grow.steps, "With --new: pause after N steps of spreading")
-        ->type_name("N")
-        ->check(CLI::Range(1, Sampler::allSteps()))
-        ->needs(made);
-}
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("FILE", o.input.source,
@@ -175,9 +94,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
-    addPiece(app, o, raw);
-    addPreparing(app, o, raw);
-    addGrowing(app, raw);
+    addInputOptions(app, o, raw.input);
     app.add_option("--goto", o.goTo,
                    "Start at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
                    "first event about point 812; or, with --with, at difference");
@@ -235,64 +152,6 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and quit");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
     app.footer([] { return sceneList() + "\n\n" + shapeList(); });
-}
-
-/// Which points become neighbors, if an option says so. True if one does.
-bool chooseReach(const RawOptions& raw, NeighborOptions& lists) {
-    if (raw.neighbors > 0) lists.reach = KNearest{raw.neighbors};
-    if (raw.radius > 0.0) lists.reach = WithinRadius{raw.radius};
-    if (raw.reach > 0.0) lists.reach = WithinSpacings{raw.reach};
-    const bool given = raw.neighbors > 0 || raw.radius > 0.0 || raw.reach > 0.0;
-    lists.recompute = lists.recompute || given;
-    return given;
-}
-
-/// Checks which walls to derive, and which points to grow. Throws as takeOver() does.
-void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
-    if (raw.orient) o.input.normals = NormalSource::Oriented;
-    if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
-    o.normalsGiven = raw.orient || raw.deriveNormals;
-    if (!raw.scanner.empty()) {
-        const auto at = numbersIn(raw.scanner, 3);
-        if (!at) {
-            throw CLI::ValidationError("--scanner " + raw.scanner,
-                                       "expected three numbers separated by commas: X,Y,Z");
-        }
-        o.input.scanner = Vec3((*at)[0], (*at)[1], (*at)[2]);
-    }
-    if (!raw.crop.empty()) {
-        const Result<Box> crop = cropFromText(raw.crop);
-        if (!crop) throw CLI::ValidationError("--crop " + raw.crop, crop.error().message);
-        o.input.piece.crop = crop.value();
-    }
-    if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
-        o.grow = SampleSpec{};
-        o.grow->surface = std::exchange(o.input.source, {});
-        o.grow->count = kUsualPoints;
-    }
-    const bool grows = app.count("--new") > 0;
-    std::optional<WallBox> box;
-    if (!raw.box.empty() && (grows || raw.box != "auto")) {
-        box = boxFromText(raw.box, ',');
-        if (!box) {
-            throw CLI::ValidationError(
-                "--box " + raw.box,
-                std::string(grows ? "expected" : "expected auto, or") +
-                    " six numbers separated by commas, the lower corner first: X0,Y0,Z0,X1,Y1,Z1");
-        }
-    }
-    if (!grows) {
-        o.wallsGiven = !raw.box.empty();
-        if (raw.box == "auto") o.input.walls = {WallChoice::From::Around, {}};
-        if (box) o.input.walls = {WallChoice::From::Box, *box};
-        return;
-    }
-    if (!o.input.source.empty())
-        throw CLI::ValidationError("--new", "cannot be combined with a FILE");
-    o.grow = raw.grow;
-    o.grow->box = box;
-    if (app.count("--iso") > 0) o.grow->isovalue = raw.iso;
-    if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
 }
 
 /// Throws the errors that CLI11 reports as wrong usage.
@@ -371,18 +230,15 @@ Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec
     o.input.source.clear();
     app.add_option("--rules", o.input.rules)->check(CLI::IsMember(ruleSetNames()));
     app.add_option("--rule", raw.choices)->allow_extra_args(false);
-    addPreparing(app, o, raw);
+    addPreparing(app, o, raw.input);
     try {
         app.parse(text, false);
         if (app.count("--rules") > 0) o.input.choices.clear();
         takeOver(raw, o);
-        if (raw.orient) o.input.normals = NormalSource::Oriented;
-        if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
+        takeOverPreparing(raw.input, o);
     } catch (const CLI::ParseError& e) {
         return Error{text + ": " + e.what() + "."};
     }
-    chooseReach(raw, o.input.neighbors);
-    if (raw.box == "auto") o.input.walls = {WallChoice::From::Around, {}};
     o.input.source = base.source;
     return CompareWith::otherRun(std::move(o.input));
 }
@@ -451,7 +307,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         chooseBenchScene(o);
         takeOver(raw, o);
-        takeOverInput(app, raw, o);
+        takeOverInput(app, raw.input, o);
         takeOverPicture(raw, o);
         if (app.count("--screenshot") > 0) {
             requirePngName(raw.screenshot);
@@ -466,7 +322,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         return {std::nullopt, kExitGood};
     }
     o.rulesGiven = app.count("--rules") > 0;
-    o.reachGiven = chooseReach(raw, o.input.neighbors);
     o.theme = themeFromName(raw.theme);
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);

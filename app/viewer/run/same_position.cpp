@@ -11,6 +11,7 @@
 #include <span>
 
 #include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
