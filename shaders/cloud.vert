@@ -35,7 +35,7 @@ void main() {
     vec3 key = normalize(0.75 * toEye + 0.75 * vec3(uView[0][1], uView[1][1], uView[2][1]) -
                          0.65 * vec3(uView[0][0], uView[1][0], uView[2][0]));
     float shade = 0.62 + 0.38 * max(dot(facing < 0.0 ? -aNormal : aNormal, key), 0.0);
-    vColor = vec4(mix(uBackground, vColor.rgb * shade, 0.62 * vColor.a), 1.0);
+    vColor = vec4(mix(uBackground, vColor.rgb * shade, 0.70 * vColor.a), 1.0);
     if (vShape != 0) vShape = 2;
 #endif
     vSize = style.x + 2.0;
