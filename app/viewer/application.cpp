@@ -227,7 +227,7 @@ void Application::drawUserInterface(const PanelRects& rects) {
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ui_.popupOpen = popup;
     const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
-                         ui_.palette.open || ui_.prepare.open || ui_.leaving.asked;
+                         ui_.palette.open || ui_.leaving.asked;
     if ((released && !covered) || focused_ != home) {
         ImGui::SetWindowFocus(home);
         ui_.walk.leave();
@@ -239,7 +239,9 @@ PanelRects Application::areasIn(glm::vec2 size) const {
     const float em = imgui_->em();
     if (ui_.picture.viewAlone) return viewAlone(size);
     if (ui_.growth.open) return computePageRects(size, em);
-    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer);
+    PanelSizes sizes = ui_.settings.panels;
+    sizes.quiet = ui_.panelsQuiet;
+    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer, sizes);
 }
 
 bool Application::frame(glm::ivec2 size, double seconds) {

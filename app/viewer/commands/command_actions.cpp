@@ -27,7 +27,7 @@ void closeDialogs(UiState& ui) {
     ui.keyEditor = false;
     ui.fileBrowser = false;
     ui.palette.open = false;
-    ui.prepare.open = false;
+    ui.prepare.close();
 }
 
 }  // namespace
@@ -54,7 +54,8 @@ void escape(C& c) {
         return;
     }
     // One thing at a time, the topmost first.
-    const bool covered = ui.dialogOpen() || ui.popupOpen || ui.walk.at() != KeyStop::View;
+    const bool covered =
+        ui.dialogOpen() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
     ui.requests.closePopups = true;
     if (covered) return;
@@ -189,6 +190,9 @@ void openPrepare(C& c) {
     pause(c);
     closeDialogs(c.ui);
     c.ui.prepare.take(c.session.input().spec(), c.session.model());
+    c.ui.prepare.shown = c.session.generation();
+    c.ui.prepare.wantsKeyboard = true;
+    openTab(c, kPrepareTab);
 }
 
 void toMark(C& c, int direction) {
@@ -245,6 +249,12 @@ void turnSection(C& c, int direction) {
     constexpr double kTurn = 15.0;
     c.ui.section.turn(kTurn * direction);
     if (c.ui.tab.title != kSectionTab) openTab(c, kSectionTab);
+}
+
+void foldGroups(C& c) {
+    const bool folded = c.ui.settings.panels.folded || c.ui.panelsQuiet;
+    c.ui.settings.panels.folded = !folded;
+    if (folded) c.ui.tab.asked.fill(true);
 }
 
 void goToBirth(C& c) {

@@ -59,6 +59,8 @@ void openTab(CommandContext& c, std::string_view tab);
 /// Turns the plane of the section by 15 degrees, counterclockwise (+1) or clockwise (-1), and opens
 /// its panel.
 void turnSection(CommandContext& c, int direction);
+/// Folds Find and Change to their tabs, or unfolds them.
+void foldGroups(CommandContext& c);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 

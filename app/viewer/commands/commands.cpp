@@ -292,6 +292,9 @@ const auto kCommands = std::to_array<Command>({
     {"view.panel.previous", "View", "Previous panel", "Shift+Tab Ctrl+Shift+Tab",
      "Move the keyboard focus to the previous panel.", [](C& c) { c.ui.requests.walk = -1; }, "",
      kRepeats},
+    {"view.groups", "View", "Fold Find and Change", "Ctrl+Shift+J",
+     "Show only the tabs of the panels below the view, or the panels as well.",
+     [](C& c) { foldGroups(c); }, "panels bottom hide"},
     {"view.drawer", "View", "Fold the drawer", "Ctrl+J",
      "Show only the strip RUN, or PIVOT and STAGE as well.",
      [](C& c) { c.ui.navigation.toggleDrawer(); }, "strips timeline hide"},
@@ -330,7 +333,7 @@ const auto kCommands = std::to_array<Command>({
      "List the decisions that came closest to going the other way.", openClosest,
      "margin near critical"},
     {"ask.charts", "Ask", "Charts", "", "Show the whole run as charts; each bar is a list.",
-     [](C& c) { openTab(c, kChartsTab); }, "statistics histogram bars"},
+     [](C& c) { openTab(c, kChartsTab); }, "statistics histogram bars counts counters numbers"},
 
     {"notes.bookmark", "Notes", "Bookmark here", "Ctrl+B",
      "Set or remove a bookmark at this decision.", toggleBookmarkHere,

@@ -26,7 +26,6 @@ constexpr auto kPanelWords = std::to_array<PanelWords>({
     {"Dial", "angles tangent plane circle"},
     {"Inspect", "values properties details numbers selection"},
     {"Paper", "rule pseudocode section"},
-    {"Counts", "counters statistics numbers"},
     {"Layers", "show hide visible"},
     {"Notes", "bookmarks text"},
     {"Ledger", "why history explain"},

@@ -51,6 +51,7 @@ enum TypedField : unsigned {
     kBrowserField = 2,
     kQueryField = 4,
     kLedgerField = 8,
+    kPrepareField = 16,
 };
 
 /// Delay of keys until a text field opened by a command has the keyboard focus: Dear ImGui assigns

@@ -38,10 +38,21 @@ constexpr float kLowBelow = 43.75F;
 constexpr float kHighFrom = 54.0F;
 /// No drawer is opened below this height: no room would be left for the view.
 constexpr float kDrawerFrom = 30.0F;
-/// Limits from which the dial has an area of its own: below, the panels under it would be too
+/// Height from which the dial has an area of its own: below, the panels under it would be too
 /// short.
-constexpr float kDialFrom = 75.0F;
-constexpr float kDialRoom = 30.0F;
+constexpr float kDialRoom = 22.0F;
+constexpr float kLearnDialRoom = 30.0F;
+/// Heights of Find and Change: tabs alone, tabs and one line.
+constexpr float kTabsAlone = 2.9F;
+constexpr float kTabsAndLine = 4.6F;
+/// The height that the view keeps above Find and Change, at least and as a share of the height
+/// between bars and strips; and the least height of theirs.
+constexpr float kLeastView = 12.0F;
+constexpr float kViewShare = 0.32F;
+constexpr float kLeastLower = 6.0F;
+/// Height of the left column from which the rings have a part of it.
+constexpr float kRingsRoom = 17.0F;
+constexpr float kSplitter = 0.5F;
 /// Learners and audiences read the caption first.
 constexpr float kLargeCaption = 1.5F;
 
@@ -60,13 +71,23 @@ struct Columns {
     float right = 0.0F;
 };
 
-Columns columnsFor(LayoutPreset layoutPreset, float width, bool narrow) {
+Columns columnsFor(LayoutPreset layoutPreset, float width, bool narrow, const PanelSizes& sizes) {
     if (layoutPreset == LayoutPreset::Present) return {};
-    if (layoutPreset == LayoutPreset::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
+    if (layoutPreset == LayoutPreset::Learn)
+        return {sizes.within(Splitter::LearnColumn, std::clamp(0.32F * width, 14.0F, 28.0F), 14.0F,
+                             0.6F * width),
+                0.0F};
     if (layoutPreset == LayoutPreset::Compare)
         return {std::clamp(0.28F * width, 13.0F, 24.0F), 0.0F};
     if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
-    return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
+    Columns columns{sizes.within(Splitter::Left, std::clamp(0.225F * width, 15.0F, 22.0F), 10.0F,
+                                 0.35F * width),
+                    sizes.within(Splitter::Right, std::clamp(0.24F * width, 19.0F, 26.0F), 14.0F,
+                                 0.45F * width)};
+    // The view keeps its share.
+    const float over = (columns.left + columns.right) / (0.6F * width);
+    if (over > 1.0F) columns = {columns.left / over, columns.right / over};
+    return columns;
 }
 
 bool isFolded(float emsHigh, DrawerChoice choice) {
@@ -84,6 +105,78 @@ void layOutStrips(PanelRects& l, float run, float pivot) {
     if (l.drawerFolded) return;
     l.pivotStrip = part(run, run + pivot);
     l.stageStrip = part(run + pivot, d.size.y);
+}
+
+/// A splitter on the lower or right edge of `part`, or with `sign` -1 on its upper or left edge.
+void addSplitter(PanelRects& l, Splitter splitter, const Rect& part, bool sideways, float sign,
+                 float em) {
+    const float half = std::round(0.5F * kSplitter * em);
+    const bool grows = sign > 0.0F;
+    SplitterPlace& place = l.splitters[static_cast<std::size_t>(splitter)];
+    place.sideways = sideways;
+    place.sign = sign;
+    if (sideways) {
+        const float x = grows ? part.max().x : part.min.x;
+        place.from = grows ? part.min.x : part.max().x;
+        place.handle = {{x - half, part.min.y}, {2.0F * half, part.size.y}};
+    } else {
+        const float y = grows ? part.max().y : part.min.y;
+        place.from = grows ? part.min.y : part.max().y;
+        place.handle = {{part.min.x, y - half}, {part.size.x, 2.0F * half}};
+    }
+}
+
+/// Height of Find and Change; 0: there is no room for them below the view.
+float lowerHeight(float middle, float narration, const PanelSizes& sizes) {
+    const float most = middle - narration - std::max(kLeastView, kViewShare * middle);
+    if (most < kLeastLower) return 0.0F;
+    if (sizes.folded) return kTabsAlone;
+    if (sizes.quiet) return kTabsAndLine;
+    return sizes.within(Splitter::Lower, std::clamp(0.36F * middle, 9.0F, 20.0F), kLeastLower,
+                        most);
+}
+
+/// Cuts the areas of Find and Change from the bottom of what is left of the right column.
+void layOutLower(PanelRects& l, float height, float em, const PanelSizes& sizes) {
+    l.groupsApart = height > 0.0F;
+    if (!l.groupsApart) return;
+    const float width = l.right.min.x;
+    const float bottom = l.right.max().y;
+    const float find = std::round(
+        em * sizes.within(Splitter::Find, 0.58F * width / em, 14.0F, width / em - 14.0F));
+    l.find = {{0.0F, bottom - height}, {find, height}};
+    l.change = {{find, bottom - height}, {width - find, height}};
+    addSplitter(l, Splitter::Find, l.find, true, 1.0F, em);
+    if (!sizes.quiet || sizes.folded)
+        addSplitter(l, Splitter::Lower, {l.find.min, {width, height}}, false, -1.0F, em);
+}
+
+/// Divides the side columns: rings below the steps, the dial above the groups, or in Learn below.
+void layOutColumns(PanelRects& l, float em, const PanelSizes& sizes) {
+    const bool learn = l.layoutPreset == LayoutPreset::Learn;
+    const bool debug = l.layoutPreset == LayoutPreset::Debug;
+    if (debug && !l.narrow) addSplitter(l, Splitter::Left, l.left, true, 1.0F, em);
+    if (debug && !l.narrow) addSplitter(l, Splitter::Right, l.right, true, -1.0F, em);
+    if (learn) addSplitter(l, Splitter::LearnColumn, l.left, true, 1.0F, em);
+    Rect& column = learn ? l.left : l.right;
+    const float high = column.size.y / em;
+    const Splitter splitter = learn ? Splitter::LearnDial : Splitter::Dial;
+    l.dialApart = (debug && !l.narrow && high >= kDialRoom) || (learn && high >= kLearnDialRoom);
+    if (l.dialApart) {
+        const float automatic = std::min(column.size.x / em + 1.0F, 0.45F * high);
+        const float dial = std::round(em * sizes.within(splitter, automatic, 8.0F, high - 10.0F));
+        const float top = learn ? column.max().y - dial : column.min.y;
+        l.dial = {{column.min.x, top}, {column.size.x, dial}};
+        column.size.y -= dial;
+        if (!learn) column.min.y += dial;
+        addSplitter(l, splitter, l.dial, false, learn ? -1.0F : 1.0F, em);
+    }
+    const float left = l.left.size.y / em;
+    if (!debug || l.narrow || left < kRingsRoom) return;
+    const float rings = std::round(
+        em * sizes.within(Splitter::Rings, std::max(9.0F, 0.34F * left), 4.0F, left - 8.0F));
+    l.rings = {{l.left.min.x, l.left.max().y - rings}, {l.left.size.x, rings}};
+    addSplitter(l, Splitter::Rings, l.rings, false, -1.0F, em);
 }
 
 /// Divides view and narration into two, each view with its title.
@@ -133,7 +226,7 @@ PanelRects computePageRects(glm::vec2 size, float em) {
 }
 
 PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset,
-                             DrawerChoice choice) {
+                             DrawerChoice choice, const PanelSizes& sizes) {
     const glm::vec2 ems = size / em;
     const bool present = layoutPreset == LayoutPreset::Present;
     const bool debug = layoutPreset == LayoutPreset::Debug;
@@ -145,7 +238,7 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     l.narrow = debug && ems.x < kNarrowBelow;
     l.drawerFolded = present || isFolded(ems.y, choice);
     const auto px = [em](float length) { return std::round(length * em); };
-    const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow);
+    const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow, sizes);
     const float left = px(columns.left);
     const float right = px(columns.right);
     const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
@@ -171,14 +264,16 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float narration =
         std::min(wanted, std::max(l.addressLine + px(kNarration),
                                   std::round((compare ? kMaxHalf : kMaxNarration) * middle)));
-    l.left = {{0.0F, y}, {left, middle}};
-    l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
-    const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;
-    l.dial = {{size.x - right, y}, {right, dial}};
-    l.right = {{size.x - right, y + dial}, {right, middle - dial}};
+    const float lower =
+        debug && !l.narrow ? px(lowerHeight(middle / em, narration / em, sizes)) : 0.0F;
+    const float upper = middle - lower;
+    l.left = {{0.0F, y}, {left, upper}};
+    l.right = {{size.x - right, y}, {right, middle}};
+    layOutLower(l, lower, em, sizes);
+    layOutColumns(l, em, sizes);
     const float viewWidth = std::max(0.0F, size.x - left - right);
-    l.view = {{left, y}, {viewWidth, std::max(0.0F, middle - narration)}};
-    l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};
+    l.view = {{left, y}, {viewWidth, std::max(0.0F, upper - narration)}};
+    l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, upper)}};
     if (compare) splitInTwo(l, px(kTitle));
     y = bottom;
     l.drawer = row(drawer);

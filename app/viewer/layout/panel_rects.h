@@ -1,9 +1,11 @@
 /// Areas of the panels, from the size of the window and of the text. Plain arithmetic.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "panel_sizes.h"
 #include "session/layout_preset.h"
 
 namespace se::view {
@@ -21,12 +23,23 @@ struct Rect {
 /// The drawer with the strips under the view. Auto: folded in a low window.
 enum class DrawerChoice : std::uint8_t { Auto, Folded, Open };
 
+/// Handle of a splitter, which the user drags; empty where there is none.
+struct SplitterPlace {
+    Rect handle;
+    bool sideways = false;  ///< Moves left and right, else up and down.
+    float from = 0.0F;      ///< Edge of the part that it resizes, in pixels.
+    float sign = 1.0F;      ///< -1: the part grows towards lower coordinates.
+};
+
 struct PanelRects {
     Rect menu;
     Rect transport;
-    Rect left;  ///< Empty in a narrow window: then the right column holds everything, as tabs.
-    Rect dial;  ///< Above the right column; empty in a narrow or low window: then it is a tab.
+    Rect left;   ///< Steps and rings, in Learn the groups; empty in a narrow window.
+    Rect rings;  ///< Lower part of `left`; empty: the rings are a tab.
+    Rect dial;   ///< Above the right column, in Learn below the left; empty: the dial is a tab.
     Rect right;
+    Rect find;    ///< Below Steps and the view; empty: the groups share a column.
+    Rect change;  ///< Beside `find`.
     Rect view;
     Rect narration;
     Rect drawer;
@@ -34,6 +47,8 @@ struct PanelRects {
     bool dialApart = false;     ///< The dial has an area of its own.
     bool narrow = false;        ///< One side column only.
     bool drawerFolded = false;  ///< It holds the RUN strip alone.
+    bool groupsApart = false;   ///< `find` and `change` are there.
+    std::array<SplitterPlace, kSplitterCount> splitters{};
     LayoutPreset layoutPreset = LayoutPreset::Debug;
     /// Height of the line with the address at the top of the narration; 0: the status bar has it.
     float addressLine = 0.0F;
@@ -63,11 +78,12 @@ inline PanelRects viewAlone(glm::vec2 size) {
     return rects;
 }
 
-/// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
-/// Present has no panel but view, caption and the strip of the run: the other areas are empty.
-/// Compare has two views, beside or above each other, whichever gives them more room.
+/// The view never gets less than 40 % of the width. Learn has all side panels in the left column,
+/// the dial below; Present has no panel but view, caption and the strip of the run: the other areas
+/// are empty. Compare has two views, beside or above each other, whichever gives them more room.
 PanelRects computePanelRects(glm::vec2 size, float em,
                              LayoutPreset layoutPreset = LayoutPreset::Debug,
-                             DrawerChoice drawer = DrawerChoice::Auto);
+                             DrawerChoice drawer = DrawerChoice::Auto,
+                             const PanelSizes& sizes = {});
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "growth_page.h"
@@ -10,9 +11,12 @@
 namespace se::view {
 
 struct PrepareForm {
+    static constexpr std::uint32_t kNoGeneration = ~std::uint32_t{0};
     enum class Reach : std::uint8_t { File, Nearest, Radius, Spacings };
 
-    bool open = false;
+    bool open = false;  ///< Being edited: it keeps what was typed.
+    bool wantsKeyboard = false;
+    std::uint32_t shown = kNoGeneration;  ///< The opening of the input that it shows.
     Reach reach = Reach::File;
     std::string count = "12";
     std::string radius;
@@ -30,6 +34,11 @@ struct PrepareForm {
     /// Starts with the options of `spec`, including the doctor's fixes; the box with that around
     /// the points of `model`.
     void take(const InputSpec& spec, const Model& model);
+    /// Drops what was typed.
+    void close() {
+        open = wantsKeyboard = false;
+        shown = kNoGeneration;
+    }
     /// `base` with these options, without the fixes that they contradict. Fails with a sentence
     /// about the first field that is wrong.
     Result<InputSpec> spec(InputSpec base) const;

@@ -60,6 +60,27 @@ std::string fromAnywhere(const std::string& source) {
     return sampleSource(spec.value());
 }
 
+PanelSizes panelSizesIn(const json& object) {
+    PanelSizes sizes;
+    const auto found = object.find("panels");
+    if (found == object.end() || !found->is_object()) return sizes;
+    for (std::size_t i = 0; i < kSplitterCount; ++i)
+        sizes.ems[i] = fieldIn(*found, std::string(kSplitterNames[i]).c_str(), 1.0F, 1000.0F, 0.0F);
+    const auto folded = found->find("folded");
+    sizes.folded = folded != found->end() && folded->is_boolean() && folded->get<bool>();
+    return sizes;
+}
+
+/// Only what the user has changed.
+json toJson(const PanelSizes& sizes) {
+    json object = json::object();
+    for (std::size_t i = 0; i < kSplitterCount; ++i) {
+        if (sizes.ems[i] > 0.0F) object[std::string(kSplitterNames[i])] = sizes.ems[i];
+    }
+    if (sizes.folded) object["folded"] = true;
+    return object;
+}
+
 }  // namespace
 
 fs::path xdgFolder(const char* variable, const char* below) {
@@ -89,6 +110,7 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
         s.legend = legend->get<bool>();
     }
+    s.panels = panelSizesIn(object);
     s.keys = keysIn(object, s.complaints);
     s.up = upAxisFromName(wordIn(object, "up"));
     // The default of the program that wrote the file was not chosen; that of 0.1.0 was flat.
@@ -114,6 +136,7 @@ std::string settingsToJson(const ViewSettings& s) {
                    {"legend", s.legend},
                    {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
+    if (const json panels = toJson(s.panels); !panels.empty()) object["panels"] = panels;
     object["meshStyle"] = rowOf(s.meshStyle).name;
     object["usualMeshStyle"] = rowOf(ViewSettings{}.meshStyle).name;
     object["pointTint"] = rowOf(s.pointTint).name;

@@ -11,6 +11,7 @@
 
 #include "input/key_map.h"
 #include "layers/layer.h"
+#include "layout/panel_sizes.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
 #include "scene/point_tint.h"
@@ -29,6 +30,7 @@ struct ViewSettings {
     int height = 800;
     double playRate = 4.0;
     bool legend = true;
+    PanelSizes panels;
     KeyMap keys;
     std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
     MeshStyle meshStyle = MeshStyle::Faults;

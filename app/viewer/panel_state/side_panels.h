@@ -20,32 +20,35 @@
 
 namespace se::view {
 
-/// The tab that opens by itself when the doctor has found a problem.
-inline constexpr const char* kDoctorTab = "Doctor";
+// Titles of panels that commands open.
+inline constexpr const char* kDoctorTab = "Doctor";  ///< Opens by itself if it has found a problem.
 inline constexpr const char* kBreakpointsTab = "Breakpoints";
 inline constexpr const char* kWatchTab = "Watch";
-
-/// The tab with the alerts.
 inline constexpr const char* kAlertsTab = "Alerts";
-
-/// The tab with all rules as switches.
 inline constexpr const char* kRulesTab = "Rules";
-
-/// The tab with the profile along the normal.
 inline constexpr const char* kSectionTab = "Section";
-
-/// The tab for overriding decisions.
 inline constexpr const char* kWhatIfTab = "What if";
-
-/// Tabs of the query panels.
+inline constexpr const char* kPrepareTab = "Prepare";
 inline constexpr const char* kLedgerTab = "Ledger";
 inline constexpr const char* kQueryTab = "Query";
 inline constexpr const char* kChartsTab = "Charts";
 
-/// The tab of the right column.
+/// Panels that share a row of tabs, by what the user wants to do.
+enum class PanelGroup : std::uint8_t { Steps, Understand, Find, Change };
+inline constexpr std::size_t kPanelGroupCount = 4;
+
+/// The open tabs.
 struct OpenTab {
-    std::string title;   ///< As last drawn.
+    /// By group; empty: the first one.
+    using ByGroup = std::array<std::string, kPanelGroupCount>;
+
+    std::string title;   ///< The one opened last.
     std::string wanted;  ///< To be opened in the next frame; empty: unchanged.
+    ByGroup open;
+    ByGroup learn;                              ///< In the layout Learn.
+    PanelGroup group = PanelGroup::Understand;  ///< Shown where several groups share a column.
+    /// Whether the user or a finding opened the tab: until then it is one line.
+    std::array<bool, kPanelGroupCount> asked{};
 };
 
 /// The inputs of a painting of the lanes.

@@ -42,8 +42,7 @@ struct UiState {
     /// An overlay above the view takes the keys.
     bool dialogOpen() const { return coversView() || goTo.active(); }
     bool coversView() const {
-        return fileBrowser || cheatSheet || keyEditor || palette.open || prepare.open ||
-               leaving.asked;
+        return fileBrowser || cheatSheet || keyEditor || palette.open || leaving.asked;
     }
 
     /// The text fields that are open or about to be, as bits of TypedField.
@@ -51,7 +50,8 @@ struct UiState {
         return (palette.open ? kPaletteField : kNoField) |
                (fileBrowser && !mesh.waits() ? kBrowserField : kNoField) |
                (query.wantsKeyboard ? kQueryField : kNoField) |
-               (ledger.wantsKeyboard ? kLedgerField : kNoField);
+               (ledger.wantsKeyboard ? kLedgerField : kNoField) |
+               (prepare.wantsKeyboard ? kPrepareField : kNoField);
     }
 
     ViewSettings settings;
@@ -105,11 +105,12 @@ struct UiState {
     /// ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
     OpenTab tab;
-    std::string addressLine;  ///< Line above the caption; empty: none.
-    LookBack look;            ///< Whether the state before the decision is shown.
-    double clock = 0.0;       ///< Seconds, summed over the frames.
-    FactsCache facts;         ///< Of the selection.
-    DoubleClickFilter click;  ///< In the view; it may be the first half of a double click.
+    bool panelsQuiet = false;  ///< Find and Change show a line alone, as last drawn.
+    std::string addressLine;   ///< Line above the caption; empty: none.
+    LookBack look;             ///< Whether the state before the decision is shown.
+    double clock = 0.0;        ///< Seconds, summed over the frames.
+    FactsCache facts;          ///< Of the selection.
+    DoubleClickFilter click;   ///< In the view; it may be the first half of a double click.
     std::array<char, 64> ruleFilter{};
     WhatIfForm whatIf;
 };

@@ -72,136 +72,60 @@ std::string PanelContext::key(const Command& command) const {
 namespace {
 
 constexpr auto kSidePanels = std::to_array<SidePanel>({
-    {"Steps", true, 0.66F, drawSteps},
-    {"Rings", true, 0.34F, drawRings},
-    {"Dial", false, 0.0F, drawDial},
-    {"Inspect", false, 0.0F, drawInspect},
-    {"Paper", false, 0.0F, drawPaper},
-    {kSectionTab, false, 0.0F, drawSection},
-    {kRulesTab, false, 0.0F, drawRules},
-    {kWhatIfTab, false, 0.0F, drawWhatIf},
-    {"Counts", false, 0.0F, drawCounters},
-    {"Layers", false, 0.0F, drawLayerSwitches},
-    {"Notes", false, 0.0F, drawNotes},
-    {kAlertsTab, false, 0.0F, drawAlerts},
-    {kBreakpointsTab, false, 0.0F, drawBreakpoints},
-    {kWatchTab, false, 0.0F, drawWatch},
-    {kDoctorTab, false, 0.0F, drawDoctor},
-    {kLedgerTab, false, 0.0F, drawLedger},
-    {kQueryTab, false, 0.0F, drawQuery},
-    {kChartsTab, false, 0.0F, drawCharts},
+    {"Steps", PanelGroup::Steps, drawSteps},
+    {"Dial", PanelGroup::Understand, drawDial},
+    {"Inspect", PanelGroup::Understand, drawInspect},
+    {"Paper", PanelGroup::Understand, drawPaper},
+    {kSectionTab, PanelGroup::Understand, drawSection},
+    {"Layers", PanelGroup::Understand, drawLayerSwitches},
+    {"Notes", PanelGroup::Understand, drawNotes},
+    {"Rings", PanelGroup::Understand, drawRings},
+    {kAlertsTab, PanelGroup::Find, drawAlerts, alertsLine},
+    {kLedgerTab, PanelGroup::Find, drawLedger},
+    {kQueryTab, PanelGroup::Find, drawQuery},
+    {kBreakpointsTab, PanelGroup::Find, drawBreakpoints},
+    {kWatchTab, PanelGroup::Find, drawWatch},
+    {kChartsTab, PanelGroup::Find, drawCharts},
+    {kDoctorTab, PanelGroup::Change, drawDoctor, doctorLine},
+    {kRulesTab, PanelGroup::Change, drawRules},
+    {kWhatIfTab, PanelGroup::Change, drawWhatIf},
+    {kPrepareTab, PanelGroup::Change, drawPrepare},
 });
 
-/// Marks a panel as shown; a panel that is no tab needs no opening.
-void markShown(const PanelContext& context, std::string_view title) {
-    if (context.ui().tab.wanted == title) context.ui().tab.wanted.clear();
-}
+constexpr std::array kAllGroups = {PanelGroup::Steps, PanelGroup::Understand, PanelGroup::Find,
+                                   PanelGroup::Change};
 
+/// The column on the left: steps above rings.
 void drawLeftColumn(const PanelContext& context) {
-    Rect rest = context.rects.left;
-    for (const SidePanel& panel : kSidePanels) {
-        if (!panel.left) continue;
-        Rect area = rest;
-        area.size.y = panel.share * context.rects.left.size.y;
-        rest.min.y += area.size.y;
-        markShown(context, panel.title);
-        if (beginRegion(panel.title, area)) {
-            if (area.min.y > context.rects.left.min.y) {
-                ImGui::GetWindowDrawList()->AddLine(toVec2(area.min), {area.max().x, area.min.y},
-                                                    toU32(context.palette.border));
-            }
-            panel.draw(context);
-        }
-        ImGui::End();
-    }
+    Rect steps = context.rects.left;
+    steps.size.y -= context.rects.rings.size.y;
+    if (beginRegion("Steps", steps)) drawSteps(context);
+    ImGui::End();
+    if (context.rects.rings.size.y <= 0.0F) return;
+    if (beginRegion("Rings", context.rects.rings)) drawRings(context);
+    ImGui::End();
 }
 
-/// In a narrow window all panels are tabs of the right column.
-bool isTab(const PanelContext& context, const SidePanel& panel) {
-    if (panel.left) return context.rects.narrow;
-    return panel.draw != drawDial || !context.rects.dialApart;
-}
-
-/// Whether the names of the right column's tabs fit beside each other in the current type.
-bool tabNamesFit(const PanelContext& context) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float margins = 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x;
-    float width = 0.0F;
-    for (const SidePanel& panel : kSidePanels)
-        width += isTab(context, panel) ? textWidth(panel.title) + margins : 0.0F;
-    return width <= ImGui::GetContentRegionAvail().x;
-}
-
-/// Opens the requested tab, once.
-ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel) {
-    if (context.ui().tab.wanted != panel.title) return ImGuiTabItemFlags_None;
-    context.ui().tab.wanted.clear();
-    return ImGuiTabItemFlags_SetSelected;
-}
-
-void drawContent(const PanelContext& context, const SidePanel& panel) {
-    if (ImGui::BeginChild("##content", {0, 0}, false)) {
-        // Steps and Rings have rows of their own to begin with.
-        if (!panel.left && context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
-        panel.draw(context);
-    }
-    ImGui::EndChild();
-}
-
-void drawTabs(const PanelContext& context) {
-    for (const SidePanel& panel : kSidePanels) {
-        if (!isTab(context, panel)) continue;
-        const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
-        nameItem(context, std::string("tab ") + panel.title);
-        if (!open) continue;
-        // The tab that is open, whose content can have the keyboard focus.
-        if (context.state<KeyWalk>().offer(KeyStop::Tabs)) takeKeyboard();
-        context.ui().tab.title = panel.title;
-        ImGui::PushFont(context.fonts.text);
-        drawContent(context, panel);
-        ImGui::PopFont();
-        ImGui::EndTabItem();
-    }
-}
-
-/// The tabs in rows, and the content of the open one. In Learn the rule comes first, and there is
-/// no list of steps.
-void drawRowsOfTabs(const PanelContext& context, bool learn) {
-    std::vector<const SidePanel*> tabs;
-    for (const SidePanel& panel : kSidePanels) {
-        if (learn ? panel.left : !isTab(context, panel)) continue;
-        tabs.insert(learn && panel.draw == drawPaper ? tabs.begin() : tabs.end(), &panel);
-    }
-    const SidePanel* open = drawTabRows(context, tabs);
-    // Each scrolls by itself.
-    ImGui::PushID(open->title);
-    drawContent(context, *open);
-    ImGui::PopID();
-}
-
-/// Learn has the panels as tabs on the left.
+/// Learn has the groups on the left.
 void drawLearnColumn(const PanelContext& context) {
-    if (beginRegion("##learn", context.rects.left)) drawRowsOfTabs(context, true);
+    if (beginRegion("##learn", context.rects.left))
+        drawGroups(context, std::span(kAllGroups).subspan(1));
     ImGui::End();
 }
 
 void drawDialColumn(const PanelContext& context) {
-    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
-        markShown(context, "Dial");
+    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse))
         drawDial(context);
-    }
     ImGui::End();
 }
 
+/// A narrow window has all groups here.
 void drawRightColumn(const PanelContext& context) {
-    if (beginRegion("##right", context.rects.right)) {
-        if (!tabNamesFit(context)) {
-            drawRowsOfTabs(context, false);
-        } else if (ImGui::BeginTabBar("##tabs")) {
-            drawTabs(context);
-            ImGui::EndTabBar();
-        }
-    }
+    const PanelRects& l = context.rects;
+    const std::size_t first = l.narrow ? 0 : 1;
+    const std::size_t count = l.groupsApart ? 1 : kAllGroups.size() - first;
+    if (beginRegion("##right", l.right))
+        drawGroups(context, std::span(kAllGroups).subspan(first, count));
     ImGui::End();
 }
 
@@ -211,11 +135,13 @@ void drawColumns(const PanelContext& context) {
     drawMenuBar(context);
     drawTransport(context);
     drawStatusBar(context);
-    if (context.rects.layoutPreset == LayoutPreset::Learn) return drawLearnColumn(context);
     if (context.rects.layoutPreset == LayoutPreset::Compare) return drawCompareColumn(context);
-    if (!context.rects.narrow) drawLeftColumn(context);
+    openWantedTab(context);
     if (context.rects.dialApart) drawDialColumn(context);
+    if (context.rects.layoutPreset == LayoutPreset::Learn) return drawLearnColumn(context);
+    if (!context.rects.narrow) drawLeftColumn(context);
     drawRightColumn(context);
+    if (context.rects.groupsApart) drawLowerGroups(context);
 }
 
 /// A window above those of the regions and below menus and tooltips, which takes no input.
@@ -234,31 +160,49 @@ void drawBorders(const PanelContext& context) {
     const PanelRects& l = context.rects;
     const ImU32 color = toU32(context.palette.border);
     ImDrawList* list = beginOverRegions(context);
+    // The window clips at its padding.
+    list->PushClipRectFullScreen();
     const auto horizontal = [&](float y) {
         list->AddRectFilled({0.0F, y}, {l.menu.size.x, y + 1.0F}, color);
     };
     const float top = l.title.size.y > 0.0F ? l.title.min.y : l.view.min.y;
-    const auto vertical = [&](float x) {
-        list->AddRectFilled({x, top}, {x + 1.0F, l.drawer.min.y}, color);
+    const float lower = l.groupsApart ? l.find.min.y : l.drawer.min.y;
+    const auto vertical = [&](float x, float from, float to) {
+        list->AddRectFilled({x, from}, {x + 1.0F, to}, color);
     };
     horizontal(l.transport.max().y);
     horizontal(l.drawer.min.y);
     horizontal(l.status.min.y);
-    if (l.left.size.x > 0.0F) vertical(l.left.max().x);
-    if (l.right.size.x > 0.0F) vertical(l.right.min.x);
-    if (l.otherView.min.x > l.view.min.x) vertical(l.otherView.min.x);
-    if (l.dialApart) {
-        list->AddRectFilled(toVec2(l.right.min), {l.right.max().x, l.right.min.y + 1.0F}, color);
-    }
+    if (l.left.size.x > 0.0F) vertical(l.left.max().x, top, lower);
+    if (l.right.size.x > 0.0F) vertical(l.right.min.x, top, l.drawer.min.y);
+    if (l.otherView.min.x > l.view.min.x) vertical(l.otherView.min.x, top, lower);
+    if (l.groupsApart) vertical(l.change.min.x, lower, l.drawer.min.y);
+    const auto above = [&](const Rect& area) {
+        list->AddRectFilled(toVec2(area.min), {area.max().x, area.min.y + 1.0F}, color);
+    };
+    if (l.dialApart) above(l.layoutPreset == LayoutPreset::Learn ? l.dial : l.right);
+    if (l.rings.size.y > 0.0F) above(l.rings);
+    if (l.groupsApart) above({l.find.min, {l.right.min.x, 0.0F}});
     list->AddRectFilled(toVec2(l.narration.min),
                         {l.narration.max().x + l.otherNarration.size.x, l.narration.min.y + 1.0F},
                         color);
+    list->PopClipRect();
     ImGui::End();
 }
 
 }  // namespace
 
 std::span<const SidePanel> sidePanels() { return kSidePanels; }
+
+PanelPlace placeOf(const PanelRects& rects, const SidePanel& panel) {
+    const bool debug = rects.layoutPreset == LayoutPreset::Debug;
+    const bool apart = (panel.draw == drawDial && rects.dialApart) ||
+                       (panel.draw == drawRings && rects.rings.size.y > 0.0F) ||
+                       (panel.draw == drawSteps && debug && !rects.narrow);
+    if (apart) return PanelPlace::Apart;
+    const bool left = panel.draw == drawSteps || panel.draw == drawRings;
+    return left && !debug ? PanelPlace::Nowhere : PanelPlace::Tab;
+}
 
 void drawPanels(const PanelContext& context) {
     context.state<Navigation>().pointedAt = kNone;
@@ -267,7 +211,8 @@ void drawPanels(const PanelContext& context) {
     context.where() = {
         {"region view", context.rects.view},           {"region left", context.rects.left},
         {"region dial", context.rects.dial},           {"region right", context.rects.right},
-        {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer}};
+        {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer},
+        {"region find", context.rects.find},           {"region change", context.rects.change}};
     keepSteps(context);
     if (context.ui().picture.viewAlone) return drawView(context);
     const bool growth = context.state<GrowthPage>().open;
@@ -285,6 +230,7 @@ void drawPanels(const PanelContext& context) {
         drawNarration(context);
         drawDrawer(context);
     }
+    if (!startPage && !growth) drawSplitters(context);
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
@@ -296,7 +242,6 @@ void drawPanels(const PanelContext& context) {
     drawCheatSheet(context);
     drawKeyEditor(context);
     drawCommandPalette(context);
-    drawPrepareDialog(context);
     drawSubjectMenu(context);
     drawLeaveQuestion(context);
 }

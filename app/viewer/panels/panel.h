@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "layout/panel_rects.h"
+#include "panel_state/side_panels.h"
 #include "scene/palette.h"
 #include "ui.h"
 
@@ -83,8 +84,6 @@ void drawFileBrowser(const PanelContext& context);
 /// Context menu of a point, an edge or a triangle, in the view and in lists. Opened by
 /// `state<SubjectMenu>().open(what)` on a right click.
 void drawSubjectMenu(const PanelContext& context);
-/// The dialog for what is derived from the points of the input.
-void drawPrepareDialog(const PanelContext& context);
 /// The question whether to save annotations before the session is left.
 void drawLeaveQuestion(const PanelContext& context);
 /// The card that sums up the finished mesh, with what to do next.
@@ -121,6 +120,8 @@ void drawAlerts(const PanelContext& context);
 void drawWhatIf(const PanelContext& context);
 /// Banner above the view while what-ifs are active.
 void drawWhatIfBanner(const PanelContext& context);
+/// The form for what is derived from the points of the input.
+void drawPrepare(const PanelContext& context);
 /// All rules as switches.
 void drawRules(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
@@ -145,14 +146,31 @@ void queryHelp(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 
-/// One panel of the side columns.
+/// One panel with a tab.
 struct SidePanel {
     const char* title;
-    bool left;    ///< In a wide window it is in the left column.
-    float share;  ///< Left column: share of the height; 0: a tab.
+    PanelGroup group;
     void (*draw)(const PanelContext& context);
+    /// The line that sums it up until the user opens it, in Find and Change. Null: none.
+    std::string (*line)(const PanelContext& context) = nullptr;
 };
 std::span<const SidePanel> sidePanels();
+std::string alertsLine(const PanelContext& context);
+std::string doctorLine(const PanelContext& context);
+
+/// Where a panel stands.
+enum class PanelPlace : std::uint8_t { Tab, Apart, Nowhere };
+PanelPlace placeOf(const PanelRects& rects, const SidePanel& panel);
+/// Opens the requested tab, at the beginning of a frame.
+void openWantedTab(const PanelContext& context);
+/// Whether both Find and Change show a line alone.
+bool groupsAreQuiet(const PanelContext& context);
+/// A column with the tabs of these groups: if there are several, with a row that chooses one.
+void drawGroups(const PanelContext& context, std::span<const PanelGroup> groups);
+/// The areas of Find and Change.
+void drawLowerGroups(const PanelContext& context);
+/// The handles between areas, which the user drags; a double click resets the size.
+void drawSplitters(const PanelContext& context);
 
 /// Draws all panels.
 void drawPanels(const PanelContext& context);

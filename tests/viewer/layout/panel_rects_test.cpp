@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace se::view;
@@ -43,9 +44,9 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
         CAPTURE(screen.em);
         CAPTURE(rowOf(each.layoutPreset).name);
         const PanelRects l = computePanelRects(screen.size, screen.em, each.layoutPreset);
-        const Rect all[] = {l.menu,      l.transport,  l.left,          l.dial,   l.right,
-                            l.view,      l.narration,  l.drawer,        l.status, l.title,
-                            l.otherView, l.otherTitle, l.otherNarration};
+        const Rect all[] = {l.menu,  l.transport, l.left,      l.dial,       l.right,
+                            l.find,  l.change,    l.view,      l.narration,  l.drawer,
+                            l.title, l.status,    l.otherView, l.otherTitle, l.otherNarration};
         float area = 0.0F;
         for (const Rect& a : all) {
             area += a.size.x * a.size.y;
@@ -77,6 +78,87 @@ TEST_CASE("Small windows have one column, low ones one strip") {
     CHECK_FALSE(computePanelRects({1280, 700}, 16).drawerFolded);
     CHECK(computePanelRects({1280, 699}, 16).drawerFolded);
     CHECK(computePanelRects({1280, 800}, 32).drawerFolded);
+}
+
+TEST_CASE("Find and Change are side by side below the view, and can be folded") {
+    PanelSizes sizes;
+    const auto laidOut = [&] {
+        return computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Auto, sizes);
+    };
+    const PanelRects open = laidOut();
+    REQUIRE(open.groupsApart);
+    CHECK(open.find.max().x == open.change.min.x);
+    CHECK(open.change.max().x == open.right.min.x);
+    sizes.quiet = true;
+    const PanelRects quiet = laidOut();
+    sizes.folded = true;
+    const PanelRects folded = laidOut();
+    CHECK(quiet.find.size.y < open.find.size.y);
+    CHECK(folded.find.size.y < quiet.find.size.y);
+    CHECK(folded.view.size.y - open.view.size.y == open.find.size.y - folded.find.size.y);
+    // A small window has them in the column.
+    CHECK_FALSE(computePanelRects({1280, 800}, 32).groupsApart);
+    CHECK(computePanelRects({1024, 640}, 16).groupsApart);
+}
+
+TEST_CASE("Splitters set sizes, but the view keeps its share") {
+    for (const Screen& screen : kScreens) {
+        for (std::size_t i = 0; i < kSplitterCount; ++i) {
+            for (const float ems : {1.0F, 22.0F, 500.0F}) {
+                CAPTURE(screen.size.x);
+                CAPTURE(screen.em);
+                CAPTURE(kSplitterNames[i]);
+                CAPTURE(ems);
+                PanelSizes sizes;
+                sizes.ems[i] = ems;
+                for (const LayoutPresetRow& row : layoutPresets()) {
+                    const PanelRects l = computePanelRects(screen.size, screen.em, row.id,
+                                                           DrawerChoice::Auto, sizes);
+                    const bool beside = l.otherView.min.y == l.view.min.y;
+                    const float both = l.view.size.x + (beside ? l.otherView.size.x : 0.0F);
+                    CHECK(both >= 0.399F * screen.size.x);
+                    CHECK(l.view.size.y >= 0.2F * screen.size.y);
+                    for (const Rect& a : {l.left, l.right, l.dial, l.rings, l.find, l.change}) {
+                        CHECK(a.size.x >= 0.0F);
+                        CHECK(a.size.y >= 0.0F);
+                        CHECK(a.max().x <= screen.size.x);
+                        CHECK(a.max().y <= screen.size.y);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("A splitter dragged to a place puts the border of its part there") {
+    const PanelRects before = computePanelRects({1600, 900}, 16);
+    for (const auto& [splitter, grow] :
+         {std::pair(Splitter::Left, -16.0F), std::pair(Splitter::Right, 16.0F),
+          std::pair(Splitter::Lower, 16.0F), std::pair(Splitter::Find, -32.0F),
+          std::pair(Splitter::Dial, -32.0F), std::pair(Splitter::Rings, 16.0F)}) {
+        const auto at = static_cast<std::size_t>(splitter);
+        CAPTURE(kSplitterNames[at]);
+        const auto middle = [&](const PanelRects& l) {
+            const SplitterPlace& place = l.splitters[at];
+            const glm::vec2 center = place.handle.min + 0.5F * place.handle.size;
+            return place.sideways ? center.x : center.y;
+        };
+        const SplitterPlace& place = before.splitters[at];
+        PanelSizes sizes;
+        const float target = middle(before) + grow;
+        sizes.of(splitter) = place.sign * (target - place.from) / 16.0F;
+        const PanelRects after =
+            computePanelRects({1600, 900}, 16, LayoutPreset::Debug, DrawerChoice::Auto, sizes);
+        CHECK(std::abs(middle(after) - target) <= 1.0F);
+    }
+}
+
+TEST_CASE("Learn has the dial below the rule where there is room") {
+    const PanelRects l = computePanelRects({1280, 800}, 16, LayoutPreset::Learn);
+    CHECK(l.dialApart);
+    CHECK(l.dial.min.y == l.left.max().y);
+    CHECK(l.dial.size.x == l.left.size.x);
+    CHECK_FALSE(computePanelRects({1280, 800}, 32, LayoutPreset::Learn).dialApart);
 }
 
 TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {

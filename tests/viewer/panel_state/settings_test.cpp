@@ -17,6 +17,8 @@ TEST_CASE("Settings are read back as written") {
     settings.height = 900;
     settings.playRate = 15.0;
     settings.legend = false;
+    settings.panels.of(Splitter::Left) = 17.5F;
+    settings.panels.folded = true;
     modeOf(settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
     modeOf(settings.layers, LayerId::Spheres) = LayerMode::PinnedOff;
     const auto read = settingsFromJson(settingsToJson(settings));
@@ -27,6 +29,7 @@ TEST_CASE("Settings are read back as written") {
     CHECK(read.value().height == settings.height);
     CHECK(read.value().playRate == settings.playRate);
     CHECK(read.value().legend == settings.legend);
+    CHECK(read.value().panels == settings.panels);
     CHECK(read.value().layers == settings.layers);
 }
 

@@ -9,7 +9,7 @@ reach() {
     local x y rx ry rw rh
     for _ in $(seq 40); do
         read -r x y < <(center "$1") || exit 1
-        read -r rx ry rw rh < <(field "region right" | tr -d '[],')
+        read -r rx ry rw rh < <(field "region find" | tr -d '[],')
         [ "$y" -gt $((ry + 60)) ] && [ "$y" -lt $((ry + rh - 12)) ] && return 0
         click $((rx + rw / 2)) $((ry + rh - 40)) "$([ "$y" -gt $((ry + 60)) ] && echo 5 || echo 4)"
     done

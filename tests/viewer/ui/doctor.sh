@@ -36,8 +36,8 @@ says marked 1
 press Escape
 says marked 0
 # To another tab, and back by the action.
-click_on "tab Counts"
-says open_tab Counts
+click_on "tab Rules"
+says open_tab Rules
 press ctrl+p
 type_text "doctor"
 press Return

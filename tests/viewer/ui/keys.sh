@@ -133,7 +133,7 @@ press Escape; says palette false
 press ctrl+k; says palette true; type_text "wirefr"
 press Return; says palette false; says mesh_style wire
 press ctrl+k; says palette true; type_text "counts"
-press Return; says palette false; says open_tab Counts
+press Return; says palette false; says open_tab Charts
 press ctrl+k; says palette true; type_text "up: y"
 press Return; says palette false; says up y
 press ctrl+z; says up z

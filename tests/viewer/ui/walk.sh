@@ -10,10 +10,10 @@ walk() {
 }
 
 # The whole cycle, forward and back; Ctrl+Tab is the same.
-for stop in steps rings "ring points" tabs content view; do press Tab; says keyboard "$stop"; done
+for stop in steps rings "ring points" tabs content "find tabs" find "change tabs" change view; do press Tab; says keyboard "$stop"; done
 press ctrl+Tab; says keyboard steps
 press shift+Tab; says keyboard view
-press shift+Tab; says keyboard content
+press shift+Tab; says keyboard change
 press Escape; says keyboard view
 
 # Steps: from the row of the cursor on; Enter goes there and stays in the list.
@@ -52,7 +52,7 @@ kill -0 "$program" 2>/dev/null || fail "Esc quits"
 
 # In a narrow window, where all panels are tabs, too.
 resize 640 640
-click_on "tab Steps"; says open_tab Steps; says keyboard view
+click_on "group Steps"; says open_tab Steps; says keyboard view
 press Tab; says keyboard steps
 walk Down Return; denies address "137\.advance\.1"
 stop

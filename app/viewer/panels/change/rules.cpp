@@ -160,8 +160,7 @@ void drawRules(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RuleSet rules = session.input().rules();
     const std::size_t count = differingCount(rules);
-    heading(context, "Rules",
-            session.input().isRerunning() ? "re-running ..."
+    tabNote(session.input().isRerunning() ? "re-running ..."
             : count == 0                  ? "values of the set"
                                           : counted(count, "differs", "differ"));
     const RuleListFields place{context.ui().ruleFilter, ""};

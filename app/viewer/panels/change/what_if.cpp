@@ -127,7 +127,7 @@ void drawWhatIf(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RuleSet rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
-    heading(context, "What if", count == 0 ? "" : counted(count, "change", "changes"));
+    tabNote(count == 0 ? "" : counted(count, "change", "changes"));
     drawPresent(context, rules);
     ImGui::Spacing();
     drawOffers(context, rules);

@@ -364,11 +364,25 @@ void drawSearch(const PanelContext& context) {
 
 }  // namespace
 
+std::string alertsLine(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return "Nothing is open.";
+    const AlertSearch& alerts = session.alerts().search();
+    if (!alerts.complaint().empty()) return alerts.complaint();
+    if (alerts.stopped()) return "The search was stopped.";
+    if (alerts.busy()) return "Searching for alerts ...";
+    if (!alerts.done()) return "The search for alerts starts once the run is complete.";
+    if (alerts.failures().empty())
+        return alerts.sound() ? "No failures found: the mesh is sound."
+                              : "No failures found, but the search ended early.";
+    return verdictText(alerts) + ". " + context.key("step.alert.next") + " shows the next one.";
+}
+
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
-    heading(context, "Alerts", alerts.done() ? verdictText(alerts) : "");
+    tabNote(alerts.done() ? verdictText(alerts) : "");
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);

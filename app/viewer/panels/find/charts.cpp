@@ -1,4 +1,5 @@
-// The Charts panel: bars that count decisions, each a link to its query.
+// The Charts panel: counts at the cursor, and bars that count decisions of the whole run, each a
+// link to its query.
 #include <algorithm>
 
 #include "commands/ask_actions.h"
@@ -10,6 +11,10 @@
 namespace se::view {
 
 namespace {
+
+/// Width in em from which the counts are beside the charts, and their share of it.
+constexpr float kBeside = 28.0F;
+constexpr float kCounts = 0.4F;
 
 /// Columns of a chart, in pixels from its left edge.
 struct ChartColumns {
@@ -72,10 +77,7 @@ void drawChart(const PanelContext& context, const RunChart& chart) {
     ImGui::PopID();
 }
 
-}  // namespace
-
-void drawCharts(const PanelContext& context) {
-    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
+void drawRunCharts(const PanelContext& context) {
     Questions& questions = context.session().questions();
     BackgroundQuery<std::vector<RunChart>>& charts = questions.charts();
     questions.requestCharts();
@@ -88,6 +90,23 @@ void drawCharts(const PanelContext& context) {
     }
     dimText("Click a bar to list its decisions in the panel Query.");
     for (const RunChart& chart : *answer) drawChart(context, chart);
+}
+
+}  // namespace
+
+void drawCharts(const PanelContext& context) {
+    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room < kBeside * context.em) {
+        drawCounters(context);
+        ImGui::Spacing();
+        return drawRunCharts(context);
+    }
+    if (ImGui::BeginChild("##counts", {kCounts * room, 0.0F})) drawCounters(context);
+    ImGui::EndChild();
+    ImGui::SameLine(0.0F, 1.2F * context.em);
+    if (ImGui::BeginChild("##charts", {0.0F, 0.0F})) drawRunCharts(context);
+    ImGui::EndChild();
 }
 
 }  // namespace se::view

@@ -46,7 +46,7 @@ class ScrolledBody {
 
   private:
     /// Minimum height of a scrolling body, in em.
-    static constexpr float kLeastBody = 7.0F;
+    static constexpr float kLeastBody = 4.0F;
     bool apart_;
 };
 /// Goes to a decision and frames a selection there.

@@ -221,7 +221,6 @@ void drawClosest(const PanelContext& context) {
 void drawQuery(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
-    heading(context, "Query");
     drawChoice(context);
     context.state<QueryPanel>().shown == QueryList::Found ? drawByWords(context)
                                                           : drawClosest(context);

@@ -20,17 +20,9 @@ void drawFoldButton(const PanelContext& context) {
     ImGui::SetCursorScreenPos(at);
     const float side = 1.3F * em;
     if (ImGui::InvisibleButton("##fold", {side, side})) context.run("view.drawer");
-    const bool hovered = ImGui::IsItemHovered();
     tooltip(folded ? "Show the strips PIVOT and STAGE as well (Ctrl+J)"
                    : "Fold the drawer to the strip RUN (Ctrl+J)");
-    const ImVec2 c(at.x + 0.5F * side, at.y + 0.5F * side);
-    const float r = 0.32F * em;
-    const float tip = folded ? -0.5F * r : 0.5F * r;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (hovered) fill(list, lastItem(), context.palette.panelRaised, 0.2F * em);
-    const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
-    list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
-                      0, std::max(1.5F, 0.12F * em));
+    drawChevron(context, lastItem(), folded, ImGui::IsItemHovered());
 }
 
 }  // namespace

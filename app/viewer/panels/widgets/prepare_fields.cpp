@@ -1,10 +1,12 @@
-// The fields of the preparation: one form for the dialog and the panel.
+// The fields of the preparation: one form for two panels.
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
+#include "input/key_routing.h"
 #include "session/session.h"
 #include "widgets.h"
 
@@ -63,6 +65,7 @@ bool valueField(const Fields& fields, const char* id, std::string& text, T& valu
     ImGui::SetNextItemWidth(-1.0F);
     const std::string before = text;
     const bool entered = textField(id, "", text, kEntered);
+    if (ImGui::IsItemActive()) fields.context.state<TypingWait>().takesKeys();
     if (text != before) value = mine;
     fields.name(id + 2);
     return entered;
@@ -78,6 +81,7 @@ bool drawNeighbors(const Fields& fields) {
     choice(fields, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
            form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
     choice(fields, "K nearest", form.reach, Reach::Nearest, "The k nearest points (--neighbors)");
+    if (std::exchange(form.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
     bool entered = valueField(fields, "##count", form.count, form.reach, Reach::Nearest);
     choice(fields, "Within a radius", form.reach, Reach::Radius, "In scene units (--radius)");
     entered = valueField(fields, "##radius", form.radius, form.reach, Reach::Radius) || entered;

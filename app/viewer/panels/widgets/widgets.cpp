@@ -134,6 +134,22 @@ bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
                             ImGuiWindowFlags_NoBringToFrontOnFocus | extraFlags);
 }
 
+void tabNote(const std::string& note) {
+    if (!note.empty()) dimText(note);
+}
+
+void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered) {
+    const float em = context.em;
+    const glm::vec2 c = square.min + 0.5F * square.size;
+    const float r = 0.32F * em;
+    const float tip = up ? -0.5F * r : 0.5F * r;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (hovered) fill(list, square, context.palette.panelRaised, 0.2F * em);
+    const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
+    list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
+                      0, std::max(1.5F, 0.12F * em));
+}
+
 void heading(const PanelContext& context, const char* title, const std::string& note) {
     ImGui::PushFont(context.fonts.strong);
     ImGui::TextUnformatted(title);

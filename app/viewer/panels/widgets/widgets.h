@@ -15,6 +15,7 @@
 
 namespace se::view {
 
+enum class KeyStop : std::uint8_t;
 enum class Shape : std::uint8_t;
 
 enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd };
@@ -80,6 +81,8 @@ void textIn(ImFont* font, const std::string& text);
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 /// A line with the title of a panel, and a dim note at its right end.
 void heading(const PanelContext& context, const char* title, const std::string& note = {});
+/// The note of a panel whose tab is its title: dim, on a line of its own; nothing if empty.
+void tabNote(const std::string& note);
 /// A square button with a drawn icon. `large` ones are wider.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context);
@@ -97,6 +100,8 @@ void dimText(const std::string& text, float width = 0.0F);
 /// Tooltip of the item drawn last.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
+/// A chevron in a square, that points up (unfolds) or down (folds).
+void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered);
 /// Draws the shape of a point, as the view does.
 void drawShape(ImDrawList* list, ImVec2 center, float size, Shape shape, ImU32 color);
 /// Two columns: a dim name and a value.
@@ -163,11 +168,19 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
 /// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
 bool drawBoxFields(const PanelContext& context, BoxFields& fields);
 
-// ---- tab_rows.cpp: tabs in as many rows as their names need ----
-/// The tabs of a column, in order.
-using ColumnTabs = std::span<const SidePanel* const>;
+// ---- tab_rows.cpp: a row of tabs ----
+struct TabName {
+    const char* title;
+    const char* kind;  ///< For test scripts: "tab" or "group".
+    bool open;
+};
+struct TabRow {
+    std::span<const TabName> names;
+    std::optional<KeyStop> stop;  ///< Of the keyboard, at the open tab; empty: none.
+    float reserved;               ///< Pixels at the right end for something else.
+};
 
-/// Draws the names; the panel whose tab is open.
-const SidePanel* drawTabRows(const PanelContext& context, ColumnTabs tabs);
+/// Draws the names in one row; the one that was clicked. Those without room are in a list.
+std::optional<std::size_t> drawTabRow(const PanelContext& context, const TabRow& row);
 
 }  // namespace se::view
