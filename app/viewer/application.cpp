@@ -226,8 +226,7 @@ void Application::drawUserInterface(const PanelRects& rects) {
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ui_.popupOpen = popup;
-    const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
-                         ui_.palette.open || ui_.leaving.asked;
+    const bool covered = popup || ui_.coversView();
     if ((released && !covered) || focused_ != home) {
         ImGui::SetWindowFocus(home);
         ui_.walk.leave();

@@ -359,6 +359,8 @@ const auto kCommands = std::to_array<Command>({
     {"notes.go.10", "Notes", "Go to bookmark 10", "Ctrl+0", "Go to the tenth bookmark.",
      [](C& c) { toBookmark(c, 9); }},
 
+    {"help.guide", "Help", "Guide", "", "What the window shows, and how to move through a run.",
+     [](C& c) { c.ui.help = HelpPage::Guide; }, "manual documentation introduction"},
     {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
      "Type words of an action, a panel or a scene, then press Enter.",
      [](C& c) { c.ui.palette.show(); }},
@@ -366,6 +368,8 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }, "shortcuts keyboard help"},
     {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.",
      [](C& c) { c.ui.keyEditor = !c.ui.keyEditor; }, "shortcuts keyboard bindings"},
+    {"help.about", "Help", "About", "", "Version, paper and license.",
+     [](C& c) { c.ui.help = HelpPage::About; }, "version license"},
     {"help.leave", "Help", "Close popup, clear selection", "Esc",
      "Close a popup, leave a panel, clear the selection, leave Present; never quits.", escape},
 });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,11 +39,15 @@ struct CommandPalette {
     void show() { *this = {true, true, {}, 0}; }
 };
 
+/// The page of the menu Help that is open.
+enum class HelpPage : std::uint8_t { None, Guide, About };
+
 struct UiState {
     /// An overlay above the view takes the keys.
     bool dialogOpen() const { return coversView() || goTo.active(); }
     bool coversView() const {
-        return fileBrowser || cheatSheet || keyEditor || palette.open || leaving.asked;
+        return fileBrowser || cheatSheet || help != HelpPage::None || keyEditor || palette.open ||
+               leaving.asked;
     }
 
     /// The text fields that are open or about to be, as bits of TypedField.
@@ -59,6 +64,7 @@ struct UiState {
     GoToBox goTo;
     TypingWait typing;
     bool cheatSheet = false;
+    HelpPage help = HelpPage::None;
     bool keyEditor = false;
     KeyCapture keyCapture;
     bool fileBrowser = false;

@@ -240,6 +240,7 @@ void drawPanels(const PanelContext& context) {
     if (!growth) drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
+    drawHelp(context);
     drawKeyEditor(context);
     drawCommandPalette(context);
     drawSubjectMenu(context);

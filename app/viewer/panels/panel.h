@@ -78,6 +78,8 @@ void drawNarration(const PanelContext& context, const char* window = "##narratio
 void drawDrawer(const PanelContext& context);
 void drawStatusBar(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
+/// The guide, or what this program is.
+void drawHelp(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);

@@ -18,7 +18,7 @@ constexpr float kEmPixels = 16.0F;
 
 void setColors(const Palette& c) {
     ImVec4* to = ImGui::GetStyle().Colors;
-    const Color hover = mix(c.panelRaised, c.text, 0.10F);
+    const Color hover = mix(c.panelRaised, c.text, kHoverShare);
     const Color press = mix(c.panelRaised, c.text, 0.18F);
     to[ImGuiCol_Text] = toVec4(c.text);
     to[ImGuiCol_TextDisabled] = toVec4(c.textDim);
@@ -39,7 +39,7 @@ void setColors(const Palette& c) {
     to[ImGuiCol_Button] = toVec4(c.panelRaised);
     to[ImGuiCol_ButtonHovered] = toVec4(hover);
     to[ImGuiCol_ButtonActive] = toVec4(press);
-    to[ImGuiCol_Header] = toVec4(c.accent.withAlpha(0.38F));
+    to[ImGuiCol_Header] = toVec4(c.accent.withAlpha(kSelectedShare));
     to[ImGuiCol_HeaderHovered] = toVec4(c.accent.withAlpha(0.22F));
     to[ImGuiCol_HeaderActive] = toVec4(c.accent.withAlpha(0.5F));
     to[ImGuiCol_Separator] = toVec4(c.border);

@@ -69,12 +69,17 @@ std::size_t differingCount(const RuleSet& rules) {
         }));
 }
 
-std::string ruleHelp(const RuleRow& row) {
-    const RuleSetting& s = *row.setting;
-    std::string text(s.summary);
+std::string ruleSentence(const RuleRow& row) {
+    std::string text(row.setting->summary);
     if (!text.empty())
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    text += s.kind == SettingKind::Switch ? "." : ": " + valuesText(s) + ".";
+    return text + ".";
+}
+
+std::string ruleHelp(const RuleRow& row) {
+    const RuleSetting& s = *row.setting;
+    std::string text = ruleSentence(row);
+    if (s.kind != SettingKind::Switch) text.replace(text.size() - 1, 1, ": " + valuesText(s) + ".");
     if (!s.paper.empty()) {
         text += "\nSection " + std::string(s.section) + ": \xE2\x80\x9C" + std::string(s.paper) +
                 "\xE2\x80\x9D";

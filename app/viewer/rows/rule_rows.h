@@ -27,6 +27,8 @@ struct RuleGroup {
 std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter);
 /// Number of rules that differ from their set.
 std::size_t differingCount(const RuleSet& rules);
+/// The effect of a rule, of a switch when on.
+std::string ruleSentence(const RuleRow& row);
 /// Text of the tooltip: effect, possible values, and the paper's sentence.
 std::string ruleHelp(const RuleRow& row);
 

@@ -26,7 +26,7 @@ constexpr Palette kDark = {
     .panelRaised = fromHex(0x2E333A),
     .border = fromHex(0x3A4048),
     .text = fromHex(0xE4E7EB),
-    .textDim = fromHex(0x9BA3AD),
+    .textDim = fromHex(0xA9B1BA),
     .accent = fromHex(0x3987BF),
     .accentText = fromHex(0xFFFFFF),
 };
@@ -47,7 +47,7 @@ constexpr Palette kLight = {
     .panelRaised = fromHex(0xE6E8EC),
     .border = fromHex(0xC9CDD3),
     .text = fromHex(0x1B1F24),
-    .textDim = fromHex(0x5B636D),
+    .textDim = fromHex(0x4E555E),
     .accent = fromHex(0x2A74AE),
     .accentText = fromHex(0xFFFFFF),
 };

@@ -32,6 +32,11 @@ constexpr Color fromHex(std::uint32_t rgb) {
             static_cast<float>(rgb & 255U) / 255.0F, 1.0F};
 }
 
+/// Shares of accent below a selected row, and of text below a button with the pointer: dimmed text
+/// stays readable on both.
+inline constexpr float kSelectedShare = 0.3F;
+inline constexpr float kHoverShare = 0.08F;
+
 enum class Theme : std::uint8_t { Dark, Light };
 std::optional<Theme> themeFromName(std::string_view name);
 std::string_view themeName(Theme theme);

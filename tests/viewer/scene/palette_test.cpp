@@ -36,7 +36,9 @@ TEST_CASE("Text contrasts with its background") {
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         const Palette& c = paletteOf(theme);
         CAPTURE(std::string(themeName(theme)));
-        for (const Color& under : {c.panel, c.panelRaised, c.background}) {
+        const Color hovered = mix(c.panelRaised, c.text, kHoverShare);
+        const Color selected = mix(c.panel, c.accent, kSelectedShare);
+        for (const Color& under : {c.panel, c.panelRaised, c.background, hovered, selected}) {
             CHECK(contrast(c.text, under) >= 7.0);
             CHECK(contrast(c.textDim, under) >= 4.5);
         }

@@ -9,6 +9,7 @@ says choices '\[\]'
 address=$(field address)
 press ctrl+p; type_text "rules switches"; press Return
 says open_tab Rules
+[ -n "$(field "effect tie")" ] || fail "a rule has no sentence in its row"
 
 # The filter finds the rule; a switch re-runs, and a second click undoes it.
 click_on "rules filter"; type_text "walls passed"

@@ -4,6 +4,13 @@
 start scene:sphere --goto 40
 says address "40\.advance\.1"
 
+# The legend has what is in the picture, no more.
+[ -n "$(field "legend pivot p")" ] && [ -n "$(field "legend UNUSED")" ] || fail "the legend lacks the pivot"
+press Home; says pivot 0
+for name in "pivot p" rejected DONE; do [ -z "$(field "legend $name")" ] || fail "the legend has $name"; done
+[ -n "$(field "legend UNUSED")" ] || fail "the legend lacks UNUSED"
+go_to 40; says address "40\.advance\.1"
+
 escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
 read -r x y < <(inside "region view" 20 20)
 before=$(escaped); drag "$x" "$y" 60 20; denies camera "$before"

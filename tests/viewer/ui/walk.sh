@@ -10,10 +10,10 @@ walk() {
 }
 
 # The whole cycle, forward and back; Ctrl+Tab is the same.
-for stop in steps rings "ring points" tabs content "find tabs" find "change tabs" change view; do press Tab; says keyboard "$stop"; done
+for stop in steps rings "ring points" tabs content "find tabs" "change tabs" view; do press Tab; says keyboard "$stop"; done
 press ctrl+Tab; says keyboard steps
 press shift+Tab; says keyboard view
-press shift+Tab; says keyboard change
+press shift+Tab; says keyboard "change tabs"
 press Escape; says keyboard view
 
 # Steps: from the row of the cursor on; Enter goes there and stays in the list.
@@ -49,6 +49,11 @@ press Tab; says keyboard view
 press Escape; says layout debug
 press Escape Escape; says phase ready
 kill -0 "$program" 2>/dev/null || fail "Esc quits"
+
+# Find and Change are a line each until a tab is opened.
+for stop in steps rings "ring points" tabs content "find tabs"; do press Tab; says keyboard "$stop"; done
+walk Right Return; says open_tab Ledger
+press Tab; says keyboard find; press Tab; says keyboard "change tabs"; press Tab; says keyboard view
 
 # In a narrow window, where all panels are tabs, too.
 resize 640 640

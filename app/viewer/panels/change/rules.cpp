@@ -60,6 +60,16 @@ void drawNumber(RuleList& list, const RuleRow& row) {
                                           ".");
 }
 
+/// One sentence, below the name.
+void drawEffect(const RuleList& list, const RuleRow& row) {
+    ImGui::PushFont(list.context.fonts.small);
+    ImGui::Indent(kIndentWidth * list.context.em);
+    dimText(ruleSentence(row));
+    list.name("effect " + std::string(row.setting->name));
+    ImGui::Unindent(kIndentWidth * list.context.em);
+    ImGui::PopFont();
+}
+
 /// A dot before a value that differs from the set, and a button to reset it.
 void drawRow(RuleList& list, const RuleRow& row) {
     const PanelContext& context = list.context;
@@ -105,6 +115,7 @@ void drawRow(RuleList& list, const RuleRow& row) {
                         "Reset to " + valueText(setting, row.usual)))
             list.set(setting, row.usual);
     }
+    drawEffect(list, row);
     ImGui::PopID();
 }
 

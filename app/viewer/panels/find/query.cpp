@@ -133,7 +133,7 @@ void drawTerms(const PanelContext& context) {
     ImGui::EndTable();
 }
 
-void drawHelp(const PanelContext& context) {
+void drawLineHelp(const PanelContext& context) {
     QueryPanel& panel = context.state<QueryPanel>();
     dimText("Finds decisions of the whole run. All terms must match. Examples:");
     for (const char* example : kExamples) {
@@ -176,7 +176,7 @@ void drawByWords(const PanelContext& context) {
     } else if (const FoundDecisions* answer = found.answer()) {
         drawFound(context, *answer);
     } else {
-        drawHelp(context);
+        drawLineHelp(context);
     }
 }
 

@@ -1,6 +1,7 @@
 // The legends over the view: of the marks, and of the colors of the mesh and of the points.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "commands/alert_actions.h"
@@ -43,10 +44,31 @@ constexpr std::array kEntries = {
 };
 constexpr Entry kAsideEntry{Shape::Plus, &Palette::unused, "not in the run"};
 
-/// The marks of decisions, except on the finished mesh, and those of points that are set aside.
+/// Whether a mark of this shape and color is in the picture.
+bool isDrawn(const DrawList& drawn, Shape shape, const Color& color) {
+    return std::any_of(drawn.sprites.begin(), drawn.sprites.end(), [&](const Sprite& each) {
+        return each.style.shape == shape && each.style.color.withAlpha(1.0F) == color;
+    });
+}
+
+/// Whether the picture has what an entry stands for: a mark, points of that status, or a triangle.
+bool isInPicture(const PanelContext& context, const Entry& entry) {
+    const DrawList& drawn = context.drawList;
+    const auto points = [&](std::size_t count) { return drawn.cloudVisible && count > 0; };
+    if (entry.color == &Palette::used && points(context.counts.used)) return true;
+    if (entry.color == &Palette::unused) return points(context.counts.unused);
+    if (entry.color == &Palette::done) return points(context.counts.done);
+    if (entry.color == &Palette::test && !drawn.faces.empty()) return true;
+    return isDrawn(drawn, entry.shape, context.palette.*entry.color);
+}
+
+/// The marks of decisions, except on the finished mesh, and those of points that are set aside:
+/// only those in the picture.
 std::vector<Entry> entriesOf(const PanelContext& context) {
     std::vector<Entry> entries;
-    if (!showsFinishedMesh(context.commands)) entries.assign(kEntries.begin(), kEntries.end());
+    if (!showsFinishedMesh(context.commands))
+        std::copy_if(kEntries.begin(), kEntries.end(), std::back_inserter(entries),
+                     [&](const Entry& each) { return isInPicture(context, each); });
     const Session& session = context.session();
     const LayerSwitches on = shownLayers(context.settings().layers, session.stage());
     const bool aside = session.ready() && !session.model().aside.empty() &&
@@ -205,6 +227,7 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
                   toU32(context.palette.*entry.color));
         list->AddText({at.x + 1.9F * em, y + 0.5F * (row - ImGui::GetTextLineHeight())},
                       toU32(context.palette.text), entry.text);
+        context.where()[std::string("legend ") + entry.text] = {{at.x, y}, {size.x, row}};
         y += row;
     }
     ImGui::PopFont();

@@ -1,4 +1,11 @@
 // The menu bar, filled from the groups of the commands.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "commands/command_actions.h"
+#include "layers/layer.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"
@@ -64,23 +71,73 @@ void drawUpAxes(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// Commands that open a panel are in the submenus of its group.
+bool opensPanel(const Command& command) {
+    const auto panels = sidePanels();
+    return command.group == "View" &&
+           std::any_of(panels.begin(), panels.end(),
+                       [&](const SidePanel& each) { return command.title == each.title; });
+}
+
 /// Whether a command is in a submenu.
 bool isChoice(const Command& command) {
     const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
-    return (among("view.layout.") || among("view.mesh.") || among("view.points.") ||
-            among("view.up.")) &&
-           !command.id.ends_with(".next");
+    return opensPanel(command) || ((among("view.layout.") || among("view.mesh.") ||
+                                    among("view.points.") || among("view.up.")) &&
+                                   !command.id.ends_with(".next"));
+}
+
+/// The panels of a group, with a check at the open one.
+void drawPanelMenu(const PanelContext& context, const char* menu, PanelGroup group) {
+    if (!ImGui::BeginMenu(menu)) return;
+    const std::string& open = context.state<OpenTab>().open[static_cast<std::size_t>(group)];
+    bool first = open.empty();
+    for (const SidePanel& panel : sidePanels()) {
+        if (panel.group != group || placeOf(context.rects, panel) != PanelPlace::Tab) continue;
+        if (ImGui::MenuItem(panel.title, nullptr,
+                            std::exchange(first, false) || open == panel.title))
+            actions::openTab(context.commands, panel.title);
+        nameItem(context, std::string("item ") + panel.title);
+    }
+    ImGui::EndMenu();
+}
+
+/// Whether an action that switches something shows a check; empty: it is none.
+std::optional<bool> checkOf(const PanelContext& context, const Command& command) {
+    const UiState& ui = context.ui();
+    const std::string_view id = command.id;
+    if (id == "view.orthographic") return context.camera().orthographic();
+    if (id == "view.verdict") return !ui.verdict.closed;
+    if (id == "view.legend") return ui.settings.legend;
+    if (id == "view.groups") return ui.settings.panels.folded || ui.panelsQuiet;
+    if (id == "view.drawer") return ui.navigation.drawerFolded;
+    if (!id.starts_with("layer.")) return std::nullopt;
+    const LayerSwitches shown = shownLayers(ui.settings.layers, context.session().stage());
+    const std::string_view name = id.substr(std::string_view("layer.").size());
+    for (const Layer& layer : layers()) {
+        if (layer.name == name) return shown.test(static_cast<std::size_t>(layer.id));
+    }
+    return std::nullopt;
 }
 
 void drawItem(const PanelContext& context, const Command& command) {
+    // Actions that begin a part of the menu View.
+    constexpr std::array<std::string_view, 5> kMenuParts = {
+        "view.front", "view.fullscreen", "view.layout.next", "view.verdict", "view.panel.next"};
+    if (std::find(kMenuParts.begin(), kMenuParts.end(), command.id) != kMenuParts.end())
+        ImGui::Separator();
     const std::string key = context.key(command);
-    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str()))
+    const bool check = checkOf(context, command).value_or(false);
+    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), check))
         runCommand(command, context.commands);
+    nameItem(context, "item " + std::string(command.id));
 }
 
 /// One menu from all commands of a group.
 void drawMenuGroup(const PanelContext& context, std::string_view group) {
-    if (!ImGui::BeginMenu(std::string(group).c_str())) return;
+    const bool open = ImGui::BeginMenu(std::string(group).c_str());
+    nameItem(context, "menu " + std::string(group));
+    if (!open) return;
     const UiState& ui = context.ui();
     for (const Command& command : commands()) {
         if (command.group != group) continue;
@@ -90,6 +147,12 @@ void drawMenuGroup(const PanelContext& context, std::string_view group) {
         if (command.id == "file.open") {
             drawRecent(context);
             drawSceneMenu(context);
+        }
+        if (command.id == "view.legend") {
+            ImGui::Separator();
+            drawPanelMenu(context, "Understand", PanelGroup::Understand);
+            drawPanelMenu(context, "Find", PanelGroup::Find);
+            drawPanelMenu(context, "Change", PanelGroup::Change);
         }
         if (command.id == "view.layout.next")
             drawChoices(context, "Layout", "view.layout.", layoutPresets(), ui.layoutPreset);

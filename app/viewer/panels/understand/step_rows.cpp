@@ -51,7 +51,7 @@ class RowPen {
     }
     void text(const std::string& words, const Color& color, float end) {
         const std::string cut = fitted(words, end - x_);
-        list_->AddText({x_, at_.y}, ink(color), cut.c_str());
+        list_->AddText({x_, at_.y}, textInk(color), cut.c_str());
         x_ += textWidth(cut) + 0.5F * context_.em;
     }
     /// In a row with counts at its end.
@@ -91,8 +91,12 @@ class RowPen {
     float em() const { return context_.em; }
     float middle() const { return at_.y + 0.5F * ImGui::GetTextLineHeight(); }
     ImU32 ink(const Color& color) const { return toU32(color.withAlpha(alpha_ * color.a)); }
+    /// Text of a later row is dimmed, but readable; its marks are faint.
+    ImU32 textInk(const Color& color) const {
+        return toU32(alpha_ < 1.0F ? context_.palette.textDim : color);
+    }
     void endingAt(float right, const std::string& words, const Color& color) {
-        list_->AddText({right - textWidth(words), at_.y}, ink(color), words.c_str());
+        list_->AddText({right - textWidth(words), at_.y}, textInk(color), words.c_str());
     }
 
     const PanelContext& context_;
