@@ -1,5 +1,6 @@
-// Small pictures of the built-in scenes: at most 1500 of their points, seen from beside and above,
-// scaled to a square, and in the order of depth, so that those in front are drawn last.
+// Small pictures of the built-in scenes, seen from beside and above, scaled to a square, and in the
+// order of depth, so that what is in front is drawn last: at most 1500 of their points, and the
+// mesh.
 #include "start_page.h"
 
 #include <algorithm>
@@ -8,7 +9,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
 #include <utility>
+
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/replay/reconstruct.h"
 
 namespace se::view {
 
@@ -32,50 +38,131 @@ glm::dmat3 viewTurn() {
     return glm::transpose(glm::dmat3(right, glm::cross(toViewer, right), toViewer));
 }
 
+/// Where points are in the square of a picture.
+struct PictureFrame {
+    glm::dmat3 turn = viewTurn();
+    glm::dvec2 low{INFINITY};
+    glm::dvec2 high{-INFINITY};
+
+    void include(const Vec3& at) {
+        if (!std::isfinite(at.x + at.y)) return;
+        low = glm::min(low, glm::dvec2(at));
+        high = glm::max(high, glm::dvec2(at));
+    }
+    glm::vec2 place(const Vec3& turned) const {
+        const double half = 0.5 * std::max(high.x - low.x, high.y - low.y);
+        const glm::vec2 middle(0.5 * (low + high));
+        return (glm::vec2(turned) - middle) * (half > 0.0 ? static_cast<float>(1.0 / half) : 1.0F);
+    }
+};
+
+std::size_t strideFor(std::size_t count, std::size_t limit) { return (count + limit - 1) / limit; }
+
+PictureFrame frameOf(const PointFile& points, std::size_t limit) {
+    PictureFrame frame;
+    const std::size_t count = points.position.size();
+    for (std::size_t p = 0; p < count; p += strideFor(count, limit))
+        frame.include(frame.turn * points.position[p]);
+    return frame;
+}
+
+/// The triangles, those at the back first; `failing`: by their number.
+std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Triangle> triangles,
+                                   const std::vector<bool>& failing, const PictureFrame& frame) {
+    std::vector<std::pair<double, ThumbnailFace>> sorted;
+    sorted.reserve(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Triangle& corners = triangles[t];
+        const std::array<Vec3, 3> at = {frame.turn * points.position[corners.a],
+                                        frame.turn * points.position[corners.b],
+                                        frame.turn * points.position[corners.c]};
+        ThumbnailFace face;
+        for (std::size_t i = 0; i < 3; ++i) face.at[i] = frame.place(at[i]);
+        const Vec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
+        const double length = glm::length(normal);
+        face.facing = length > 0.0 ? static_cast<float>(normal.z / length) : 0.0F;
+        face.failure = t < failing.size() && failing[t];
+        sorted.emplace_back(at[0].z + at[1].z + at[2].z, face);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<ThumbnailFace> faces;
+    faces.reserve(sorted.size());
+    for (const auto& [depth, face] : sorted) faces.push_back(face);
+    return faces;
+}
+
+/// The mesh of a scene that works, half grown.
+void drawHalf(const PointSet& points, const PictureFrame& frame, SceneTile& tile) {
+    // A closed surface has two triangles for each point.
+    const auto half = [&](const State& state) {
+        return state.triangles.size() >= points.position.size();
+    };
+    tile.faces = facesOf(points, reconstruct(points, Params{}, half).state.triangles, {}, frame);
+}
+
+/// The finished mesh of a scene that fails, with its failures.
+void drawFailure(const PointSet& points, const PictureFrame& frame, std::string_view failure,
+                 SceneTile& tile) {
+    const std::vector<Triangle> triangles = reconstruct(points, Params{}).state.triangles;
+    std::vector<bool> failing(triangles.size());
+    const auto place = [&](Index p) { return frame.place(frame.turn * points.position[p]); };
+    for (const MeshFailure& each : inspectMesh(points, triangles)) {
+        if (each.kind->name != failure) continue;
+        for (const auto& [from, to] : each.edges) tile.marks.push_back({place(from), place(to)});
+        if (!each.edges.empty()) continue;
+        for (const Index t : each.triangles) failing[t] = true;
+        if (!each.triangles.empty()) continue;
+        for (const Index p : each.points) tile.marks.push_back({place(p), place(p)});
+    }
+    tile.faces = facesOf(points, triangles, failing, frame);
+}
+
+void drawMesh(const PointFile& file, const FailureScene* failing, SceneTile& tile) {
+    const Result<Prepared> prepared = prepare(file, PrepareOptions{});
+    if (!prepared) return;
+    const PointSet& points = prepared.value().points;
+    const PictureFrame frame = frameOf(file, kDots);
+    if (failing == nullptr) return drawHalf(points, frame, tile);
+    drawFailure(points, frame, failing->failure, tile);
+}
+
+SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
+    const PointFile file = scene.build();
+    SceneTile tile{scene.id, scene.title, scene.watch, thumbnail(file, kDots), {}, {}, {}};
+    tile.reach = glm::vec2(0.0F);
+    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
+    drawMesh(file, failing, tile);
+    return tile;
+}
+
 }  // namespace
 
 std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit) {
-    const glm::dmat3 turn = viewTurn();
     const std::size_t count = points.position.size();
     if (count == 0 || limit == 0) return {};
-    const std::size_t stride = (count + limit - 1) / limit;
+    const PictureFrame frame = frameOf(points, limit);
     std::vector<Seen> seen;
-    glm::dvec2 low(INFINITY);
-    glm::dvec2 high(-INFINITY);
-    for (std::size_t p = 0; p < count; p += stride) {
-        const Vec3 at = turn * points.position[p];
+    seen.reserve(std::min(count, limit));
+    for (std::size_t p = 0; p < count; p += strideFor(count, limit)) {
+        const Vec3 at = frame.turn * points.position[p];
         if (!std::isfinite(at.x + at.y)) continue;
-        low = glm::min(low, glm::dvec2(at));
-        high = glm::max(high, glm::dvec2(at));
-        const double facing = points.hasNormals() ? (turn * points.normal[p]).z : 1.0;
+        const double facing = points.hasNormals() ? (frame.turn * points.normal[p]).z : 1.0;
         seen.push_back({at, static_cast<float>(facing)});
     }
     std::stable_sort(seen.begin(), seen.end(),
                      [](const Seen& a, const Seen& b) { return a.at.z < b.at.z; });
-    const glm::vec2 middle(0.5 * (low + high));
-    const double half = 0.5 * std::max(high.x - low.x, high.y - low.y);
-    const float scale = half > 0.0 ? static_cast<float>(1.0 / half) : 1.0F;
     std::vector<ThumbnailDot> dots;
     dots.reserve(seen.size());
-    for (const Seen& each : seen)
-        dots.push_back({(glm::vec2(each.at) - middle) * scale, each.facing});
+    for (const Seen& each : seen) dots.push_back({frame.place(each.at), each.facing});
     return dots;
 }
 
 void StartPage::prepare() {
     if (!tiles.empty()) return;
-    std::vector<const Scene*> all;
-    for (const Scene& scene : scenes()) all.push_back(&scene);
-    for (const FailureScene& each : failureScenes()) all.push_back(&each.scene);
-    for (const Scene* const each : all) {
-        const Scene& scene = *each;
-        SceneTile tile{scene.id, scene.title, scene.watch, thumbnail(scene.build(), kDots), {}};
-        tile.reach = glm::vec2(0.0F);
-        for (const ThumbnailDot& dot : tile.dots) {
-            tile.reach = glm::max(tile.reach, glm::abs(dot.at));
-        }
-        tiles.push_back(std::move(tile));
-    }
+    tiles.reserve(scenes().size() + failureScenes().size());
+    for (const Scene& scene : scenes()) tiles.push_back(tileOf(scene, nullptr));
+    for (const FailureScene& each : failureScenes()) tiles.push_back(tileOf(each.scene, &each));
 }
 
 }  // namespace se::view

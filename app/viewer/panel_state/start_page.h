@@ -1,6 +1,8 @@
-/// Content of the start page for the built-in scenes: small pictures made of their points.
+/// Content of the start page for the built-in scenes: small pictures of their meshes, half grown,
+/// or finished with the failure that they show.
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <string_view>
 #include <vector>
@@ -15,13 +17,28 @@ struct ThumbnailDot {
     float facing = 0.0F;  ///< 1: faces the viewer; 0 or less: its back side is visible.
 };
 
+/// A triangle of a small picture.
+struct ThumbnailFace {
+    std::array<glm::vec2, 3> at{};  ///< As ThumbnailDot::at.
+    float facing = 0.0F;            ///< As ThumbnailDot::facing.
+    bool failure = false;           ///< Part of the failure that the scene shows.
+};
+
+/// An edge or, with both ends equal, a point of the failure that a scene shows.
+struct ThumbnailMark {
+    glm::vec2 from{0.0F};
+    glm::vec2 to{0.0F};
+};
+
 /// A scene as listed on the page.
 struct SceneTile {
     std::string_view id;
     std::string_view title;
     std::string_view watch;
-    std::vector<ThumbnailDot> dots;  ///< Those at the back first.
-    glm::vec2 reach{1.0F};           ///< Half the width and height that they take.
+    std::vector<ThumbnailDot> dots;    ///< Those at the back first.
+    std::vector<ThumbnailFace> faces;  ///< Those at the back first.
+    std::vector<ThumbnailMark> marks;
+    glm::vec2 reach{1.0F};  ///< Half the width and height that they take.
 };
 
 /// The picture of some points, of at most `most` of them.

@@ -24,6 +24,21 @@ TEST_CASE("The start page has a tile with a picture for every scene") {
     }
 }
 
+TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
+    StartPage page;
+    page.prepare();
+    for (std::size_t i = 0; i < page.tiles.size(); ++i) {
+        const SceneTile& tile = page.tiles[i];
+        CAPTURE(std::string(tile.id));
+        CHECK(tile.faces.size() >= 1);
+        const auto failing =
+            std::count_if(tile.faces.begin(), tile.faces.end(),
+                          [](const ThumbnailFace& each) { return each.failure; });
+        const bool shows = failing > 0 || !tile.marks.empty();
+        CHECK(shows == (i >= scenes().size()));
+    }
+}
+
 TEST_CASE("A picture omits points without a position, and has at most the requested number") {
     PointFile points;
     for (int i = 0; i < 1000; ++i) points.position.emplace_back(i, 0.5 * i, 0.0);

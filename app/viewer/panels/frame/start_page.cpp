@@ -15,9 +15,10 @@ namespace se::view {
 
 namespace {
 
-constexpr float kLeastTile = 14.5F;  ///< Width in em.
-constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
-constexpr float kSide = 19.0F;       ///< Width of the column beside the tiles, in em.
+constexpr float kLeastTile = 14.5F;       ///< Width in em.
+constexpr float kPicture = 7.4F;          ///< Height of the picture in a tile, in em.
+constexpr std::size_t kEdgesBelow = 500;  ///< Triangles of a picture with edges.
+constexpr float kSide = 19.0F;            ///< Width of the column beside the tiles, in em.
 
 bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
 
@@ -43,12 +44,41 @@ void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile&
     const ImVec2 middle(0.5F * (low.x + high.x), 0.5F * (low.y + high.y));
     const float scale = std::min(0.44F * (high.x - low.x) / std::max(0.01F, tile.reach.x),
                                  0.42F * (high.y - low.y) / std::max(0.01F, tile.reach.y));
-    const float dot = std::max(1.0F, 0.08F * context.em);
+    const float dot = std::max(1.0F, 0.06F * context.em);
+    const auto place = [&](glm::vec2 at) {
+        return ImVec2(middle.x + at.x * scale, middle.y - at.y * scale);
+    };
     for (const ThumbnailDot& each : tile.dots) {
-        if (each.facing <= 0.0F) continue;
-        const ImU32 color = toU32(mix(palette.done, palette.used, std::min(1.0F, each.facing)));
-        const ImVec2 at(middle.x + each.at.x * scale, middle.y - each.at.y * scale);
+        const ImVec2 at = place(each.at);
+        const float share = 0.45F + 0.55F * std::clamp(each.facing, 0.0F, 1.0F);
+        const ImU32 color = toU32(mix(palette.background, palette.done, share));
         list->AddRectFilled({at.x - dot, at.y - dot}, {at.x + dot, at.y + dot}, color, dot);
+    }
+    for (const ThumbnailFace& each : tile.faces) {
+        // Lit from the viewer; the back side is darker.
+        const float light = each.facing > 0.0F ? 0.45F + 0.55F * each.facing : 0.3F;
+        const Color color =
+            mix(palette.background, each.failure ? palette.rejected : palette.used, light);
+        const ImVec2 a = place(each.at[0]);
+        const ImVec2 b = place(each.at[1]);
+        const ImVec2 c = place(each.at[2]);
+        list->AddTriangleFilled(a, b, c, toU32(color));
+        // Where triangles are large enough to be seen.
+        if (tile.faces.size() < kEdgesBelow)
+            list->AddTriangle(a, b, c, toU32(palette.background.withAlpha(0.5F)));
+    }
+    const ImU32 failure = toU32(palette.rejected);
+    // The failure shines through what is in front of it.
+    for (const ThumbnailFace& each : tile.faces) {
+        if (each.failure)
+            list->AddTriangle(place(each.at[0]), place(each.at[1]), place(each.at[2]), failure,
+                              std::max(1.0F, 0.08F * context.em));
+    }
+    for (const ThumbnailMark& each : tile.marks) {
+        if (each.from != each.to)
+            list->AddLine(place(each.from), place(each.to), failure, 0.16F * context.em);
+        else
+            list->AddCircleFilled(place(each.from), 0.22F * context.em, failure);
     }
 }
 
@@ -103,7 +133,9 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
 
 void drawTiles(const PanelContext& context) {
     const float em = context.em;
-    heading(context, "Scenes");
+    heading(context, "Start here");
+    ImGui::SameLine(0.0F, context.em);
+    ImGui::TextDisabled("Built-in scenes, half grown; a click opens one.");
     StartPage& page = context.state<StartPage>();
     page.prepare();
     if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
@@ -217,6 +249,7 @@ void drawMessage(const PanelContext& context) {
 void drawSide(const PanelContext& context) {
     if (ImGui::BeginChild("##startSide", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
         drawMessage(context);
+        heading(context, "Bring my scan");
         drawDropHint(context);
         ImGui::Spacing();
         drawNew(context);
