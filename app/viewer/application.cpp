@@ -234,13 +234,24 @@ void Application::drawUserInterface(const PanelRects& rects) {
     }
 }
 
+/// The user's sizes. A line in Find leaves its room to an open panel of Change.
+PanelSizes Application::panelSizes() const {
+    constexpr float kTabsOfFind = 26.0F;
+    PanelSizes sizes = ui_.settings.panels;
+    sizes.quiet = ui_.panelsQuiet;
+    const auto asked = [&](PanelGroup group) {
+        return ui_.tab.asked[static_cast<std::size_t>(group)];
+    };
+    float& find = sizes.of(Splitter::Find);
+    if (find <= 0.0F && asked(PanelGroup::Change) && !asked(PanelGroup::Find)) find = kTabsOfFind;
+    return sizes;
+}
+
 PanelRects Application::areasIn(glm::vec2 size) const {
     const float em = imgui_->em();
     if (ui_.picture.viewAlone) return viewAlone(size);
     if (ui_.growth.open) return computePageRects(size, em);
-    PanelSizes sizes = ui_.settings.panels;
-    sizes.quiet = ui_.panelsQuiet;
-    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer, sizes);
+    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer, panelSizes());
 }
 
 bool Application::frame(glm::ivec2 size, double seconds) {

@@ -103,6 +103,7 @@ class Application {
     void observeEdits();
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
+    PanelSizes panelSizes() const;
     void placeCamera(const PanelRects& rects);
     void moveCamera();
     void drawUserInterface(const PanelRects& rects);

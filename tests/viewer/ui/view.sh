@@ -44,8 +44,8 @@ frame_pivot
 read -r x y < <(center "region view")
 lit() {
     local dx dy
-    for dy in 0 40 -40 80 -80 120 -120; do
-        for dx in 40 60 80 100 120 140 160 180 200 220; do
+    for dy in 0 25 -25 50 -50 75 -75 100 -100; do
+        for dx in 25 40 55 70 85 100 120 140 160 180 200 220; do
             move_to $((x + dx)) $((y + dy))
             [ "$(field hovered)" != null ] && return 0
         done

@@ -171,11 +171,14 @@ void drawRules(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RuleSet rules = session.input().rules();
     const std::size_t count = differingCount(rules);
-    tabNote(session.input().isRerunning() ? "re-running ..."
-            : count == 0                  ? "values of the set"
-                                          : counted(count, "differs", "differ"));
     const RuleListFields place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", fitted(session.input().isRerunning() ? "re-running ..."
+                                     : count == 0                  ? "values of the set"
+                                                  : counted(count, "differs", "differ"),
+                                     ImGui::GetContentRegionAvail().x)
+                                  .c_str());
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
     if (chosen) context.requests().rules = *chosen;
 }

@@ -36,7 +36,9 @@ class PageDrawing {
             end();
             code_ = !code_;
         } else if (code_) {
-            textIn(context_.fonts.mono, std::string(line));
+            ImGui::PushFont(context_.fonts.mono);
+            wrappedText(std::string(line));
+            ImGui::PopFont();
         } else if (line.starts_with("#")) {
             end();
             ImGui::Spacing();
