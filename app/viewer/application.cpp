@@ -234,7 +234,8 @@ void Application::drawUserInterface(const PanelRects& rects) {
     }
 }
 
-/// The user's sizes. A line in Find leaves its room to an open panel of Change.
+/// The user's sizes. A line in Find leaves its room to an open panel of Change; in Learn the dial
+/// belongs to Understand, and leaves its room to the other groups.
 PanelSizes Application::panelSizes() const {
     constexpr float kTabsOfFind = 26.0F;
     PanelSizes sizes = ui_.settings.panels;
@@ -242,6 +243,8 @@ PanelSizes Application::panelSizes() const {
     const auto asked = [&](PanelGroup group) {
         return ui_.tab.asked[static_cast<std::size_t>(group)];
     };
+    if (ui_.tab.group == PanelGroup::Find || ui_.tab.group == PanelGroup::Change)
+        sizes.of(Splitter::LearnDial) = -1.0F;
     float& find = sizes.of(Splitter::Find);
     if (find <= 0.0F && asked(PanelGroup::Change) && !asked(PanelGroup::Find)) find = kTabsOfFind;
     return sizes;

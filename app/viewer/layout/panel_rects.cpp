@@ -161,7 +161,8 @@ void layOutColumns(PanelRects& l, float em, const PanelSizes& sizes) {
     Rect& column = learn ? l.left : l.right;
     const float high = column.size.y / em;
     const Splitter splitter = learn ? Splitter::LearnDial : Splitter::Dial;
-    l.dialApart = (debug && !l.narrow && high >= kDialRoom) || (learn && high >= kLearnDialRoom);
+    l.dialApart = (debug && !l.narrow && high >= kDialRoom) ||
+                  (learn && high >= kLearnDialRoom && sizes.of(splitter) >= 0.0F);
     if (l.dialApart) {
         const float automatic = std::min(column.size.x / em + 1.0F, 0.45F * high);
         const float dial = std::round(em * sizes.within(splitter, automatic, 8.0F, high - 10.0F));

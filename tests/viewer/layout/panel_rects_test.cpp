@@ -159,6 +159,10 @@ TEST_CASE("Learn has the dial below the rule where there is room") {
     CHECK(l.dial.min.y == l.left.max().y);
     CHECK(l.dial.size.x == l.left.size.x);
     CHECK_FALSE(computePanelRects({1280, 800}, 32, LayoutPreset::Learn).dialApart);
+    PanelSizes without;
+    without.of(Splitter::LearnDial) = -1.0F;
+    CHECK_FALSE(computePanelRects({1280, 800}, 16, LayoutPreset::Learn, DrawerChoice::Auto, without)
+                    .dialApart);
 }
 
 TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {

@@ -14,7 +14,7 @@ press ctrl+p; type_text "lasso"; press Return
 says piece_tool true; says piece_inside 0
 camera=$(field camera)
 read -r x y < <(center "region view")
-drag "$x" $((y - 110)) 190 260
+drag "$x" $((y - 60)) 190 130
 leaves piece_inside 0
 [ "$(field camera)" = "$camera" ] || fail "a box turns the view"
 inside=$(field piece_inside)
@@ -32,7 +32,7 @@ press x; says piece_tool true; says piece_inside 0
 press Delete; says notice "No points are inside.*"; says points "$all"
 
 # Left out: the run ends with the rest, and the camera stays.
-drag "$x" $((y - 110)) 190 260
+drag "$x" $((y - 60)) 190 130
 leaves piece_inside 0
 inside=$(field piece_inside)
 camera=$(field camera)
