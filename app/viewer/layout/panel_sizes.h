@@ -26,9 +26,10 @@ inline constexpr std::array<std::string_view, kSplitterCount> kSplitterNames = {
     "left", "right", "dial", "lower", "find", "rings", "learnColumn", "learnDial"};
 
 struct PanelSizes {
-    std::array<float, kSplitterCount> ems{};  ///< Width or height in em; 0: automatic.
-    bool folded = false;                      ///< Find and Change show their tabs alone.
-    bool quiet = false;                       ///< Find and Change show a line each below their tabs.
+    /// Width or height in em; 0: automatic; LearnDial negative: no dial of its own.
+    std::array<float, kSplitterCount> ems{};
+    bool folded = false;  ///< Find and Change show their tabs alone.
+    bool quiet = false;   ///< Find and Change show a line each below their tabs.
 
     float& of(Splitter splitter) { return ems[static_cast<std::size_t>(splitter)]; }
     float of(Splitter splitter) const { return ems[static_cast<std::size_t>(splitter)]; }
