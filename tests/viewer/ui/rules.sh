@@ -3,6 +3,19 @@
 # it. A fork at a test, and the way back.
 . "$(dirname "$0")/harness.sh"
 
+# reach NAME: scrolls the group Change until the item can be clicked, and clicks it.
+reach() {
+    local x y top high h
+    read -r x y < <(inside "region change" 85 60)
+    for _ in $(seq 40); do
+        read -r _ top _ high < <(field "region change" | tr -d '[],')
+        read -r _ h < <(center "$1")
+        [ "$h" -gt $((top + 50)) ] && [ "$h" -lt $((top + high - 20)) ] && { click_on "$1"; return; }
+        click "$x" "$y" "$([ "$h" -le $((top + 50)) ] && echo 4 || echo 5)"
+    done
+    fail "$1 does not come into sight"
+}
+
 size=1600x980 start scene:torus --goto 60.sphere.1
 says pivot 60
 says choices '\[\]'
@@ -60,8 +73,8 @@ click_on "what if here"
 says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
 click_on "true run"; says what_if '\[\]'; says phase ready
 # Refused, with the reason: a point in its own list.
-click_on "what if list"; press ctrl+a; type_text "1 1"
-click_on "what if neighbors"
+reach "what if list"; press ctrl+a; type_text "1 1"
+reach "what if neighbors"
 says message ".*is refused\. Point 1 is in the list twice\..*"
 says what_if '\[\]'
 stop
