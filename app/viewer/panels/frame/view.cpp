@@ -11,6 +11,7 @@
 #include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
+#include "panel_state/ui_state.h"
 #include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
 #include "scene/motion.h"
