@@ -83,7 +83,10 @@ bool Application::poll() {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askOfComparison(commands_, CompareAsk::FirstDifference);
     }
-    if (session_.takeProblemFound()) ui_.tab.wanted = kDoctorTab;
+    if (session_.takeProblemFound()) {
+        ui_.tab.wanted = kDoctorTab;
+        ui_.tab.byFinding = true;
+    }
     const bool notice = !session_.messages().notice().empty();
     return std::exchange(noticed_, notice) != notice || changed || compared;
 }

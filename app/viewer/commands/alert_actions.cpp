@@ -249,8 +249,8 @@ std::string openText(const RunFailureSearch& found) {
         if (widest == nullptr || widthOf(each) > widthOf(*widest)) widest = &each;
     }
     if (widest == nullptr) return "";
-    return grouped(loops) + (loops == 1 ? " loop stays open, " : " loops stay open, the widest ") +
-           shortNumber(widthOf(*widest)) + " across (" + grouped(widest->edges.size()) + " edges)";
+    return grouped(loops) + (loops == 1 ? " open, " : " open, up to ") +
+           shortNumber(widthOf(*widest)) + " across";
 }
 
 void closeHoles(CommandContext& context, double width) {

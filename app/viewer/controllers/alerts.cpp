@@ -71,8 +71,10 @@ void AlertController::poll() {
     if (!fresh || !file || !interactive_ || document_.placed()) return;
     opened_ = openOnVerdict(c_);
     // Problems of the input come first: the doctor has the tab.
-    if (opened_ && c_.ui.tab.wanted.empty() && c_.ui.tab.title != kDoctorTab)
+    if (opened_ && c_.ui.tab.wanted.empty() && c_.ui.tab.title != kDoctorTab) {
         c_.ui.tab.wanted = kAlertsTab;
+        c_.ui.tab.byFinding = true;
+    }
 }
 
 void AlertController::reportChange() {

@@ -44,10 +44,12 @@ struct OpenTab {
 
     std::string title;   ///< The one opened last.
     std::string wanted;  ///< To be opened in the next frame; empty: unchanged.
+    /// By a finding, not by the user: below the view one line says so, and the view keeps its size.
+    bool byFinding = false;
     ByGroup open;
     ByGroup learn;                              ///< In the layout Learn.
     PanelGroup group = PanelGroup::Understand;  ///< Shown where several groups share a column.
-    /// Whether the user or a finding opened the tab: until then it is one line.
+    /// Whether the tab was opened: until then it is one line.
     std::array<bool, kPanelGroupCount> asked{};
 };
 

@@ -99,7 +99,7 @@ stop
 # most severe place, which is seen at its size then.
 start scene:noise
 press End; says at_end true; says alert_search done; press 1 shift+f; denies "pin 1" "\[.*"
-read -r x y < <(center "region view") || exit 1
+read -r x y < <(inside "region view" 70 80) || exit 1
 for _ in $(seq 8); do click "$x" "$y" 5; done
 says "pin 1" "\[.*"
 far=$(field camera)

@@ -8,13 +8,14 @@ awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "vn" { print v[++m], $2, $3, 
 all=$(wc -l <"$work/sphere.xyz")
 
 start "$work/sphere.xyz"
-says phase ready; says points "$all"; says aside '\{\}'; says doctor done; press ctrl+shift+j
+says phase ready; says points "$all"; says aside '\{\}'; says doctor done
 # Found by its words; the strip says what to do.
 press ctrl+p; type_text "lasso"; press Return
 says piece_tool true; says piece_inside 0
 camera=$(field camera)
 read -r x y < <(center "region view")
-drag "$x" $((y - 110)) 190 260
+# Below the plate of the tool.
+drag $((x + 60)) $((y - 80)) 190 230
 leaves piece_inside 0
 [ "$(field camera)" = "$camera" ] || fail "a box turns the view"
 inside=$(field piece_inside)
@@ -32,7 +33,8 @@ press x; says piece_tool true; says piece_inside 0
 press Delete; says notice "No points are inside.*"; says points "$all"
 
 # Left out: the run ends with the rest, and the camera stays.
-drag "$x" $((y - 110)) 190 260
+# Below the plate of the tool.
+drag $((x + 60)) $((y - 80)) 190 230
 leaves piece_inside 0
 inside=$(field piece_inside)
 camera=$(field camera)
@@ -66,7 +68,7 @@ click_on "return left_out"; says points "$all"; says aside '\{\}'
 
 # A line, by its button: kept alone.
 press x; says piece_tool true
-press ctrl+shift+j; click_on "piece lasso"
+click_on "piece lasso"
 read -r x y < <(center "region view")
 move_to $((x - 60)) $((y - 60))
 act 1 xdotool mousedown 1

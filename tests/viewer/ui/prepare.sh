@@ -58,9 +58,9 @@ reach "prepare spacings"; type_text "1.5"; press Return; says prepare false
 keeps '"reach": 1.5'
 # Normals that face a scanner are flipped ones; it takes three numbers.
 press ctrl+shift+r; says prepare true
-click_on "prepare From the input##m"
-read -r x y < <(inside "prepare scanner" 16 50); click "$x" "$y"; type_text "5"; press Return; says prepare true
-read -r x y < <(inside "prepare scanner" 50 50); click "$x" "$y"; type_text "0"
+reach "prepare From the input##m"; reach "prepare scanner"; type_text "0"; press Return; says prepare true
+reach "prepare scanner"
+read -r x y < <(inside "prepare scanner" 16 50); click "$x" "$y"; type_text "5"
 read -r x y < <(inside "prepare scanner" 84 50); click "$x" "$y"; type_text "-3"; press Return
 says prepare false; says phase ready
 keeps '"scanner": ['

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "input/tab_order.h"
@@ -140,13 +141,18 @@ void drawFold(const PanelContext& context) {
 
 void openWantedTab(const PanelContext& context) {
     std::string& wanted = context.state<OpenTab>().wanted;
+    const bool byFinding = std::exchange(context.state<OpenTab>().byFinding, false);
     if (wanted.empty()) return;
     const auto all = sidePanels();
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const SidePanel& p) { return p.title == wanted; });
     wanted.clear();
-    if (found != all.end() && placeOf(context.rects, *found) == PanelPlace::Tab)
+    if (found == all.end() || placeOf(context.rects, *found) != PanelPlace::Tab) return;
+    if (byFinding && context.rects.groupsApart) {
+        openTitle(context, found->group) = context.state<OpenTab>().title = found->title;
+    } else {
         open(context, *found);
+    }
 }
 
 bool groupsAreQuiet(const PanelContext& context) {

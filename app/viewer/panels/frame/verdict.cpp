@@ -133,17 +133,17 @@ void drawOpen(const PanelContext& context, const RunFailureSearch& found) {
     double width = valueOf(context.session().input().rules(), limit);
     const std::string text = openText(found);
     if (text.empty() && width == 0.0) return;
-    ImGui::Spacing();
-    dimText(text.empty() ? "Nothing stays open." : text + ".");
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Close holes up to");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(6.0F * context.em);
-    if (ImGui::InputDouble("across", &width, 0.0, 0.0, "%.4g", kEntered) && isValue(limit, width))
+    ImGui::SetNextItemWidth(5.0F * context.em);
+    if (ImGui::InputDouble("##holes", &width, 0.0, 0.0, "%.4g", kEntered) && isValue(limit, width))
         closeHoles(context.commands, width);
     nameItem(context, "verdict close holes",
              "The largest hole to close, openings of the scan too, in the unit of the file; 0: as "
              "the rules say. Enter runs the points again.");
+    ImGui::SameLine();
+    dimText(text.empty() ? "nothing is open" : text);
 }
 
 struct CardAction {
