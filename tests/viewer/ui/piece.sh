@@ -68,7 +68,7 @@ click_on "return left_out"; says points "$all"; says aside '\{\}'
 
 # A line, by its button: kept alone.
 press x; says piece_tool true
-click_on "piece lasso"
+press ctrl+shift+j; click_on "piece lasso"
 read -r x y < <(center "region view")
 move_to $((x - 60)) $((y - 60))
 act 1 xdotool mousedown 1

@@ -74,7 +74,7 @@ says derived '\[ "neighbors", "orientation", "types" \]'
 stop
 # A choice takes precedence over the doctor's fix, and the form shows it.
 start "$work/flipped.xyz"; says phase ready; says doctor done
-click_on "doctor fix all"; says cures '\[ "flipped_normals" \]'; says phase ready
+click_on "tab Doctor"; click_on "doctor fix all"; says cures '\[ "flipped_normals" \]'; says phase ready
 press ctrl+shift+r; says prepare true
 reach "prepare From the input##m"; click_on "prepare ok"; says prepare false; says cures '\[\]'
 stop
