@@ -40,8 +40,8 @@ struct Options {
     std::optional<glm::ivec2> size;
     std::filesystem::path screenshot;  ///< Empty: open a window.
     PictureLook picture;
-    int frames = 0;                    ///< Quit after that number of frames; 0: when closed.
-    double uiScale = 0.0;              ///< 0: not given.
+    int frames = 0;        ///< Quit after that number of frames; 0: when closed.
+    double uiScale = 0.0;  ///< 0: not given.
     std::optional<Theme> theme;
     std::optional<MeshStyle> meshStyle;
     std::optional<PointTint> pointTint;

@@ -117,7 +117,8 @@ void addPoints(const LayerInput& in, DrawList& out) {
     out.marginTint = !in.leastMargin.empty();
     if (count > kShapesUpTo) {
         for (PointStyle& style : out.cloudStyles.styles) {
-            if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot, style.onMesh};
+            if (style.shape != Shape::Hidden)
+                style = {style.color, 0.16F, Shape::Dot, style.onMesh};
         }
     }
     fillStyles(in, out);

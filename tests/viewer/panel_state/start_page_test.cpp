@@ -31,9 +31,8 @@ TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
         const SceneTile& tile = page.tiles[i];
         CAPTURE(std::string(tile.id));
         CHECK(tile.faces.size() >= 1);
-        const auto failing =
-            std::count_if(tile.faces.begin(), tile.faces.end(),
-                          [](const ThumbnailFace& each) { return each.failure; });
+        const auto failing = std::count_if(tile.faces.begin(), tile.faces.end(),
+                                           [](const ThumbnailFace& each) { return each.failure; });
         const bool shows = failing > 0 || !tile.marks.empty();
         CHECK(shows == (i >= scenes().size()));
     }
