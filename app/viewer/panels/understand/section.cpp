@@ -20,7 +20,7 @@ constexpr float kTurnPerEm = 6.0F;
 /// Width of the picture relative to its height, at most: a profile is flat.
 constexpr float kFlattest = 1.6F;
 /// A point farther from the plane than this share of the reach is beside it.
-constexpr double kBeside = 0.15;
+constexpr double kPlaneShare = 0.15;
 /// Size of a name, in em.
 constexpr float kSectionName = 0.8F;
 
@@ -182,7 +182,7 @@ class SectionDrawer {
 
     /// Points beside the plane have their letter alone.
     void nameOf(const SectionPoint& point) {
-        const bool beside = std::abs(point.off) > kBeside * section_.reach;
+        const bool beside = std::abs(point.off) > kPlaneShare * section_.reach;
         if (beside && !point.underTest && !point.letter.empty())
             return addName(point.at, point.letter, c_.palette.*sectionLook(point).color);
         const std::string letter = point.letter.empty() ? "" : point.letter + " ";
