@@ -15,9 +15,9 @@ namespace {
 /// Samples a pixel of the surfaces. Lines and marks have smooth edges of their own.
 constexpr GLint kSamples = 4;
 /// Places in frames_, buffers_ and textures_.
-enum Frame : std::uint8_t { kSampled, kSurfaces, kShaded, kKept, kPicture };
-enum Buffer : std::uint8_t { kSampledColor, kSampledDepth, kPictureDepth };
-enum Texture : std::uint8_t { kSurfaceColor, kSurfaceDepth, kKeptColor, kPictureColor };
+enum FrameSlot : std::uint8_t { kSampled, kSurfaces, kShaded, kKept, kPicture };
+enum BufferSlot : std::uint8_t { kSampledColor, kSampledDepth, kPictureDepth };
+enum TextureSlot : std::uint8_t { kSurfaceColor, kSurfaceDepth, kKeptColor, kPictureColor };
 
 void attach(GLuint frame, GLuint color, GLuint depth) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame);
