@@ -32,7 +32,7 @@ struct FaceVertex {
 };
 
 /// Share of the point spacing by which points are moved toward the eye.
-constexpr float kPointBias = 0.12F;
+constexpr float kMarkBias = 0.12F;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
 /// Diameter of solid dots, as a share of their distance.
@@ -410,7 +410,7 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
                                                  : std::max(1.5F, style.size * view.em * zoom);
         sizes[i] = {size, static_cast<float>(shape)};
     }
-    useCamera(shader, view.camera, kPointBias * spacing_);
+    useCamera(shader, view.camera, kMarkBias * spacing_);
     shader.set("uStyleColor", std::span<const glm::vec4>(colors));
     shader.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
     shader.set("uBackground", glm::vec3(view.background.r, view.background.g, view.background.b));

@@ -45,10 +45,11 @@ Picture reduced(const Picture& picture, int factor) {
         for (int x = 0; x < out.size.x; ++x) {
             Sum sum{};
             for (int i = 0; i < factor * factor; ++i) {
-                const std::size_t row = static_cast<std::size_t>(y * factor + i / factor) *
-                                        static_cast<std::size_t>(picture.size.x);
-                const auto column = static_cast<std::size_t>(x * factor + i % factor);
-                addPixel(&picture.rgba[4 * (row + column)], sum);
+                const glm::ivec2 from(x * factor + i % factor, y * factor + i / factor);
+                const auto row = static_cast<std::size_t>(from.y);
+                const auto column = static_cast<std::size_t>(from.x);
+                const auto width = static_cast<std::size_t>(picture.size.x);
+                addPixel(&picture.rgba[4 * (row * width + column)], sum);
             }
             const unsigned weight = std::max(sum[3], 1U);
             for (std::size_t c = 0; c < 3; ++c)
