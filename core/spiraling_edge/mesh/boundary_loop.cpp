@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <utility>
 #include <vector>
+
+#include "spiraling_edge/base/disjoint_sets.h"
 
 namespace se {
 namespace {
@@ -47,6 +50,27 @@ bool endsAtMost(const PointSet& points, std::span<const LoopSide> loop) {
 }
 
 }  // namespace
+
+std::vector<std::vector<TriangleSide>> connectedParts(const std::vector<TriangleSide>& border,
+                                                      std::size_t points) {
+    DisjointSets joined(points);
+    for (const TriangleSide& side : border) joined.unite(side.low, side.high);
+    std::map<Index, std::vector<TriangleSide>> parts;  // by least point
+    for (const TriangleSide& side : border) parts[joined.find(side.low)].push_back(side);
+    std::vector<std::vector<TriangleSide>> found;
+    found.reserve(parts.size());
+    for (auto& [least, sides] : parts) found.push_back(std::move(sides));
+    return found;
+}
+
+std::vector<LoopSide> loopSidesOf(std::span<const TriangleSide> sides) {
+    std::vector<LoopSide> loop;
+    loop.reserve(sides.size());
+    for (const TriangleSide& side : sides)
+        loop.push_back(side.ascending ? LoopSide{side.low, side.high}
+                                      : LoopSide{side.high, side.low});
+    return loop;
+}
 
 LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop) {
     assert(!loop.empty());

@@ -5,7 +5,9 @@
 /// points, by the measures of `rim` (fill.cpp); or it runs along the walls, or around a patch.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
@@ -17,13 +19,17 @@ namespace se {
 struct LoopSide {
     Index from, to;
 };
-inline LoopSide loopSideOf(const TriangleSide& side) {
-    return side.ascending ? LoopSide{side.low, side.high} : LoopSide{side.high, side.low};
-}
+
+/// The connected parts of a boundary, of which these are the sides, by their least points;
+/// `points`: the number of points of the mesh. O(b log b + points) for b sides.
+std::vector<std::vector<TriangleSide>> connectedParts(const std::vector<TriangleSide>& border,
+                                                      std::size_t points);
 
 /// The shape of a loop: one closed chain of sides, or several with common points, in any order.
 /// Requires at least one side.
 LoopShape shapeOf(const PointSet& points, std::span<const LoopSide> loop);
+/// The same sides in the direction of their triangles.
+std::vector<LoopSide> loopSidesOf(std::span<const TriangleSide> sides);
 
 /// True if the surface ends at this loop of this shape, be it that a normal is missing (zero), that
 /// it runs along walls, or that it is wide and most of its points have a wide free sector. The

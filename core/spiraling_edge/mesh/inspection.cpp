@@ -266,7 +266,7 @@ bool isLoop(const MeshFailure& failure) {
 
 double widthOf(const MeshFailure& loop) {
     assert(isLoop(loop));
-    return loop.length > 0.0 ? 4.0 * loop.area / loop.length : 0.0;
+    return LoopShape{static_cast<Index>(loop.edges.size()), loop.length, loop.area}.width();
 }
 
 namespace {

@@ -1,9 +1,6 @@
 /// The boundary loops of an inspected mesh. O(t log t).
-#include <algorithm>
-#include <iterator>
-#include <map>
+#include <utility>
 
-#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
 
@@ -36,19 +33,13 @@ void ofLoops(const InspectedMesh& mesh, bool wanted, Failures& failures) {
 }  // namespace
 
 std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
-    DisjointSets joined(mesh.points.size());
     std::vector<TriangleSide> border;
     forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
-        if (edge.size() != 1) return;
-        border.push_back(edge[0]);
-        joined.unite(edge[0].low, edge[0].high);
+        if (edge.size() == 1) border.push_back(edge[0]);
     });
-    std::map<Index, std::vector<TriangleSide>> sides;  // by least point
-    for (const TriangleSide& side : border) sides[joined.find(side.low)].push_back(side);
     std::vector<BoundaryLoop> loops;
-    for (auto& [least, its] : sides) {
-        std::vector<LoopSide> chain;
-        std::transform(its.begin(), its.end(), std::back_inserter(chain), loopSideOf);
+    for (std::vector<TriangleSide>& its : connectedParts(border, mesh.points.size())) {
+        const std::vector<LoopSide> chain = loopSidesOf(its);
         BoundaryLoop loop{std::move(its), shapeOf(mesh.points, chain)};
         loop.isOpening = isOutlineOfPatch(mesh, loop) || isOpening(mesh.points, chain, loop.shape);
         loops.push_back(std::move(loop));

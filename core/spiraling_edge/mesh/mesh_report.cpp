@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <map>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/parallel.h"
@@ -38,14 +37,10 @@ void countPieces(const MeshSides& mesh, MeshReport& report) {
 /// Counts the loops of the boundary, of which these are the sides, and measures the widest.
 void countLoops(const MeshSides& mesh, const std::vector<TriangleSide>& border,
                 MeshReport& report) {
-    DisjointSets joined(mesh.points.size());
-    for (const TriangleSide& side : border) joined.unite(side.low, side.high);
-    std::map<Index, std::vector<LoopSide>> loops;
-    for (const TriangleSide& side : border)
-        loops[joined.find(side.low)].push_back(loopSideOf(side));
+    const auto loops = connectedParts(border, mesh.points.size());
     report.boundaryLoops = loops.size();
-    for (const auto& [root, loop] : loops) {
-        const double width = shapeOf(mesh.points, loop).width();
+    for (const std::vector<TriangleSide>& loop : loops) {
+        const double width = shapeOf(mesh.points, loopSidesOf(loop)).width();
         if (width < report.widestLoopWidth) continue;
         report.widestLoopWidth = width;
         report.widestLoopEdges = loop.size();
