@@ -7,6 +7,7 @@
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/prepare/facing.h"
 
 namespace se::cli {
 namespace {
@@ -104,18 +105,17 @@ void DerivedArguments::addTo(CLI::App& app) {
 }
 
 Vec3 DerivedArguments::scanner(const PointFile& file) const {
-    const auto n = numbersIn(scanner_, 3);
-    if (!n) {
+    const Result<Vec3> position = scannerFromText(scanner_);
+    if (!position) {
         throw Failure(ExitCode::Usage,
-                      fmt::format("--scanner {}: expected three numbers separated by commas: X,Y,Z",
-                                  scanner_));
+                      fmt::format("--scanner {}: {}", scanner_, position.error().message));
     }
     if (file.hasNormals() && !orient_ && !deriveNormals_) {
         throw Failure(ExitCode::Usage,
                       "--scanner: the file has normals; add --orient to turn them, or "
                       "--derive-normals");
     }
-    return {(*n)[0], (*n)[1], (*n)[2]};
+    return position.value();
 }
 
 WallBox boxFromText(const std::string& text) {

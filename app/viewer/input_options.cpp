@@ -4,8 +4,8 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
-#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/prepare/facing.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 
@@ -91,12 +91,9 @@ void takeOverDerived(const RawInput& raw, Options& o) {
     if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
     o.normalsGiven = raw.orient || raw.deriveNormals;
     if (raw.scanner.empty()) return;
-    const auto at = numbersIn(raw.scanner, 3);
-    if (!at) {
-        throw CLI::ValidationError("--scanner " + raw.scanner,
-                                   "expected three numbers separated by commas: X,Y,Z");
-    }
-    o.input.scanner = Vec3((*at)[0], (*at)[1], (*at)[2]);
+    const Result<Vec3> scanner = scannerFromText(raw.scanner);
+    if (!scanner) throw CLI::ValidationError("--scanner " + raw.scanner, scanner.error().message);
+    o.input.scanner = scanner.value();
 }
 
 /// New points of --new. Throws as takeOverInput() does.

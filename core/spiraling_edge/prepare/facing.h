@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/result.h"
 #include "spiraling_edge/base/types.h"
 
 namespace se {
@@ -45,5 +47,9 @@ std::vector<FacingVote> votesOutward(const FacingInput& input);
 /// other side of the body. The side is known from a majority of half the votes on. Deterministic.
 /// O(points log points).
 std::vector<FacingVote> votesTowardScanner(const FacingInput& input, const Vec3& scanner);
+
+/// The position of a scanner from three finite numbers separated by commas. Fails with a sentence
+/// that says what was expected.
+Result<Vec3> scannerFromText(std::string_view text);
 
 }  // namespace se
