@@ -117,17 +117,8 @@ class DialDrawer {
     }
 
     const DialTick* underPointer() const {
-        const ImVec2 mouse = ImGui::GetMousePos();
-        const DialTick* best = nullptr;
-        float bestDistance = c_.em;
-        for (const DialTick& tick : dial_.ticks) {
-            const ImVec2 at = tip(tick);
-            const float distance = std::hypot(mouse.x - at.x, mouse.y - at.y);
-            if (distance >= bestDistance) continue;
-            bestDistance = distance;
-            best = &tick;
-        }
-        return best;
+        return nearestToPointer(dial_.ticks, c_.em,
+                                [this](const DialTick& tick) { return tip(tick); });
     }
 
   private:

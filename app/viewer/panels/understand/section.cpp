@@ -85,17 +85,8 @@ class SectionDrawer {
     }
 
     const SectionPoint* underPointer() const {
-        const ImVec2 mouse = ImGui::GetMousePos();
-        const SectionPoint* best = nullptr;
-        float nearest = c_.em;
-        for (const SectionPoint& point : section_.points) {
-            const ImVec2 place = at(point.at);
-            const float distance = std::hypot(mouse.x - place.x, mouse.y - place.y);
-            if (distance >= nearest) continue;
-            nearest = distance;
-            best = &point;
-        }
-        return best;
+        return nearestToPointer(section_.points, c_.em,
+                                [this](const SectionPoint& point) { return at(point.at); });
     }
 
   private:

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -74,6 +75,21 @@ inline float textWidth(const std::string& text) { return ImGui::CalcTextSize(tex
 void dimAtRight(const std::string& text);
 /// A line across, with space above and below it.
 void separator();
+/// The item whose place on the screen is nearest to the pointer, and nearer than `reach` pixels;
+/// null if none is. `placeOf(item)` is a position in pixels.
+template <class Items, class PlaceOf>
+auto nearestToPointer(const Items& items, float reach, const PlaceOf& placeOf) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    decltype(&*items.begin()) best = nullptr;
+    for (const auto& item : items) {
+        const ImVec2 place = placeOf(item);
+        const float distance = std::hypot(mouse.x - place.x, mouse.y - place.y);
+        if (distance >= reach) continue;
+        reach = distance;
+        best = &item;
+    }
+    return best;
+}
 /// A line of text in this font.
 void textIn(ImFont* font, const std::string& text);
 
