@@ -113,7 +113,8 @@ void KeptPicture::target(unsigned frame, const PixelRect& rect) {
     glScissor(rect.min.x, rect.min.y, rect.max.x - rect.min.x, rect.max.y - rect.min.y);
 }
 
-void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background, bool smooth) {
+void KeptPicture::beginSurfaces(const PixelRect& rect, const Color& background, Finish finish) {
+    const bool smooth = finish == Finish::Full;
     unresolved_ = smooth ? rect : PixelRect{};
     target(frames_[smooth ? kSampled : kSurfaces], rect);
     glClearColor(background.r, background.g, background.b, 1.0F);

@@ -3,12 +3,17 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 
 #include "scene/palette.h"
 #include "scene/screen_rect.h"
 
 namespace se::view {
+
+/// Quick while the camera moves; full: with several samples a pixel, which takes half as long
+/// again, and with ambient occlusion.
+enum class Finish : std::uint8_t { Quick, Full };
 
 class KeptPicture {
   public:
@@ -24,9 +29,8 @@ class KeptPicture {
 
     /// Remembers the target of drawing, which end() restores.
     void begin();
-    /// Makes the surfaces the target, cleared in `rect`; nothing is drawn outside of it. `smooth`:
-    /// with several samples a pixel, which takes half as long again.
-    void beginSurfaces(const PixelRect& rect, const Color& background, bool smooth);
+    /// Makes the surfaces the target, cleared in `rect`; nothing is drawn outside of it.
+    void beginSurfaces(const PixelRect& rect, const Color& background, Finish finish);
     /// Completes surfaceColor() and surfaceDepth() in the rectangle of beginSurfaces().
     void endSurfaces();
     /// Makes the kept color the target, without depth.

@@ -37,12 +37,13 @@ Status LinePass::load(const std::filesystem::path& folder) {
     return success();
 }
 
-void LinePass::describe() {
+void LinePass::describeFrom(std::size_t first) {
+    const std::size_t at = first * sizeof(LineInstance);
     batch_.describe(0, sizeof(LineInstance),
-                    {{0, 3, offsetof(LineInstance, from)},
-                     {1, 3, offsetof(LineInstance, to)},
-                     {2, 4, offsetof(LineInstance, color)},
-                     {3, 3, offsetof(LineInstance, widthDashArrow)}},
+                    {{0, 3, at + offsetof(LineInstance, from)},
+                     {1, 3, at + offsetof(LineInstance, to)},
+                     {2, 4, at + offsetof(LineInstance, color)},
+                     {3, 3, at + offsetof(LineInstance, widthDashArrow)}},
                     true);
 }
 
@@ -55,12 +56,7 @@ void LinePass::drawRange(std::size_t first, std::size_t last, Part part) {
     glColorMask(color, color, color, color);
     glDepthMask(halos ? GL_TRUE : GL_FALSE);
     // Without a first instance in this version of OpenGL, the attributes begin there.
-    batch_.describe(0, sizeof(LineInstance),
-                    {{0, 3, first * sizeof(LineInstance) + offsetof(LineInstance, from)},
-                     {1, 3, first * sizeof(LineInstance) + offsetof(LineInstance, to)},
-                     {2, 4, first * sizeof(LineInstance) + offsetof(LineInstance, color)},
-                     {3, 3, first * sizeof(LineInstance) + offsetof(LineInstance, widthDashArrow)}},
-                    true);
+    describeFrom(first);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(last - first));
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);

@@ -20,8 +20,6 @@ class LinePass {
   public:
     /// Compiles the shader; see Renderer::create().
     Status load(const std::filesystem::path& folder);
-    /// To be called once, before drawing.
-    void describe();
     /// The shader, whose camera has to be set before draw().
     Shader& shader() { return shader_; }
     /// Draws into the present target, whose depth is that of the mesh; it is lost.
@@ -29,6 +27,8 @@ class LinePass {
 
   private:
     enum class Part { Lines, Halos };
+    /// Makes this line of the upload the first that is drawn.
+    void describeFrom(std::size_t first);
     /// Draws lines of the upload, from `first` up to `last`.
     void drawRange(std::size_t first, std::size_t last, Part part);
 

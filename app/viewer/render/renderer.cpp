@@ -80,7 +80,6 @@ void Renderer::describeBatches() {
                       {{0, 3, offsetof(SpriteVertex, position)},
                        {1, 4, offsetof(SpriteVertex, color)},
                        {2, 2, offsetof(SpriteVertex, sizeShape)}});
-    lines_.describe();
     const std::vector<glm::vec3> sphere = unitSphere();
     shell_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
     shell_.upload(0, sphere.data(), sphere.size() * sizeof(glm::vec3));
@@ -137,7 +136,7 @@ void Renderer::keep(const DrawList& list, SurfaceView view, Finish finish) {
     view.rect = partOf(changed.mesh);
     const PixelRect around = view.rect.grown(Relief::reach(view.em), view.size);
     if (!view.rect.empty()) {
-        picture_.beginSurfaces(view.rect, view.background, full);
+        picture_.beginSurfaces(view.rect, view.background, finish);
         surface_.drawSolid(list, view);
         picture_.endSurfaces();
         if (full) relief_.findOcclusion(picture_, around, view.camera, view.em);

@@ -17,9 +17,6 @@
 
 namespace se::view {
 
-/// Quick while the camera moves; full: with ambient occlusion.
-enum class Finish : std::uint8_t { Quick, Full };
-
 class Renderer {
   public:
     /// Compiles the shaders; from `shaderFolder` unless it is empty. Call with a current OpenGL
