@@ -240,17 +240,10 @@ void fixByTrials(CommandContext& context) {
     context.ui.requests.resume = Resume::End;
 }
 
-std::string openText(const RunFailureSearch& found) {
-    const MeshFailure* widest = nullptr;
-    std::size_t loops = 0;
-    for (const MeshFailure& each : found.all) {
-        if (!isLoop(each)) continue;
-        ++loops;
-        if (widest == nullptr || widthOf(each) > widthOf(*widest)) widest = &each;
-    }
-    if (widest == nullptr) return "";
-    return grouped(loops) + (loops == 1 ? " open, " : " open, up to ") +
-           shortNumber(widthOf(*widest)) + " across";
+std::string openText(const OpenLoops& loops) {
+    if (loops.count == 0) return "";
+    return grouped(loops.count) + (loops.count == 1 ? " open, " : " open, up to ") +
+           shortNumber(loops.width) + " across";
 }
 
 void closeHoles(CommandContext& context, double width) {

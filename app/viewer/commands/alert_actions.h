@@ -60,9 +60,8 @@ void switchOn(CommandContext& context, const Remedy& remedy);
 std::optional<SettingsChange> bestChange(const CommandContext& context);
 /// Runs the input again with the settings of bestChange(), to its end. Requires one.
 void fixByTrials(CommandContext& context);
-/// What stays open in the finished mesh: "5 open, up to 0.0178 across", in the unit of the file;
-/// empty if nothing does.
-std::string openText(const RunFailureSearch& found);
+/// Loops that stay open: "5 open, up to 0.0178 across", in the unit of the file; empty if none do.
+std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
 /// the file; 0: as the rules say. With the rules of robust if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);

@@ -13,6 +13,7 @@ void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     started_ = stopped_ = false;
     groups_.clear();
+    openLoops_ = {};
     inOrder_.clear();
     alertOfFailure_.clear();
     placeOf_.clear();
@@ -52,6 +53,11 @@ void AlertSearch::indexAnswer() {
         if (total.listed == 0) continue;
         groups_.push_back({&failureClasses()[i], first, total.listed, total});
         first += total.listed;
+    }
+    for (const MeshFailure& each : found()->all) {
+        if (!isLoop(each)) continue;
+        ++openLoops_.count;
+        openLoops_.width = std::max(openLoops_.width, widthOf(each));
     }
     alertOfFailure_.assign(found()->all.size(), kNoAlert);
     for (std::size_t i = 0; i < all.size(); ++i) alertOfFailure_[all[i].position] = i;

@@ -25,6 +25,12 @@ struct AlertGroup {
     ClassTotal total;  ///< Of the run; more than `count` if not all are listed.
 };
 
+/// The boundary loops of a mesh, holes and openings.
+struct OpenLoops {
+    std::size_t count = 0;
+    double width = 0.0;  ///< Of the widest, scene units.
+};
+
 class AlertSearch {
   public:
     /// Sets the run to search, which starts at start(); a search in progress is cancelled.
@@ -59,6 +65,7 @@ class AlertSearch {
     /// Results; null until the search is done.
     const RunFailureSearch* found() const { return query_.answer(); }
     std::span<const AlertGroup> groups() const { return groups_; }
+    const OpenLoops& openLoops() const { return openLoops_; }
     /// Places with faults, the most severe first: of all failures, followed or not.
     std::span<const FaultPlace> places() const {
         return done() ? std::span<const FaultPlace>(query_.answer()->places)
@@ -80,6 +87,7 @@ class AlertSearch {
     bool started_ = false;
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
+    OpenLoops openLoops_;
     std::vector<std::size_t> inOrder_;
     std::vector<std::size_t> alertOfFailure_;  ///< Per failure of all: its alert, or kNoAlert.
     std::vector<std::size_t> placeOf_;         ///< Per alert: its place, or kNoAlert.

@@ -1,6 +1,9 @@
 #include "trial_settings.h"
 
+#include <cassert>
+
 #include "rule_set.h"
+#include "strings.h"
 
 namespace se::view {
 
@@ -25,6 +28,13 @@ InputSpec withChange(InputSpec spec, const SettingsChange& change) {
     spec.rim = spec.rim || change.rim;
     if (!change.drop.empty()) spec.fixes.emplace_back(change.drop);
     return spec;
+}
+
+std::string noneBetterText(const Trials& trials) {
+    assert(!trials.tried.empty());
+    const std::size_t changes = trials.tried.size() - 1;
+    return "No better settings among " + grouped(changes) +
+           (changes == 1 ? " change" : " changes") + " tried.";
 }
 
 }  // namespace se::view

@@ -1,8 +1,11 @@
 /// The options of an input as core's settings of a run (run_settings.h), and back.
 #pragma once
 
+#include <string>
+
 #include "model.h"
 #include "spiraling_edge/explain/run_settings.h"
+#include "spiraling_edge/explain/trial.h"
 
 namespace se::view {
 
@@ -10,5 +13,8 @@ namespace se::view {
 RunSettings settingsOf(const InputSpec& spec, const PointFile& given);
 /// The input after a change of its settings; points that the change drops become a fix.
 InputSpec withChange(InputSpec spec, const SettingsChange& change);
+
+/// "No better settings among 5 changes tried." Requires a trial.
+std::string noneBetterText(const Trials& trials);
 
 }  // namespace se::view

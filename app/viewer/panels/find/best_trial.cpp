@@ -2,6 +2,7 @@
 #include "commands/alert_actions.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "run/trial_settings.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -27,8 +28,7 @@ void drawBestTrial(const PanelContext& context, const std::string& name) {
     } else if (job.busy()) {
         dimText("Other settings are being tried: see the card over the mesh.");
     } else if (job.ended() && job.complaint().empty() && job.trials().tried.size() > 1) {
-        dimText("No better settings among " + withS(job.trials().tried.size() - 1, "change") +
-                " tried.");
+        dimText(noneBetterText(job.trials()));
     }
 }
 

@@ -14,6 +14,7 @@
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "run/number_format.h"
+#include "run/trial_settings.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
 
@@ -123,15 +124,15 @@ void drawTrials(const PanelContext& context) {
     } else if (!job.complaint().empty()) {
         dimText(job.complaint());
     } else if (job.best() == nullptr && !tried.empty()) {
-        dimText("No better settings among " + withS(tried.size() - 1, "change") + " tried.");
+        dimText(noneBetterText(job.trials()));
     }
 }
 
-/// What stays open, and the width up to which it is to be closed.
-void drawOpen(const PanelContext& context, const RunFailureSearch& found) {
+/// Loops that stay open, and the width up to which they are to be closed.
+void drawOpen(const PanelContext& context, const OpenLoops& loops) {
     static const RuleSetting& limit = *findRuleSetting("holewidth");
     double width = valueOf(context.session().input().rules(), limit);
-    const std::string text = openText(found);
+    const std::string text = openText(loops);
     if (text.empty() && width == 0.0) return;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Close holes up to");
@@ -215,7 +216,7 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));
         if (faulty) drawTrials(context);
-        drawOpen(context, *alerts.found());
+        drawOpen(context, alerts.openLoops());
         ImGui::Spacing();
     }
     drawActions(context, alerts);
