@@ -29,7 +29,7 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
            " in all.";
 }
 
-/// What has become of the place that was shown in the mesh before: "1 hole of 3 edges is gone. ";
+/// A sentence about the place that was shown in the mesh before: "1 hole of 3 edges is gone. ";
 /// empty if none was shown. The place is still there if a new one reaches its most severe fault.
 std::string changeOfPlace(const Session& session) {
     const EarlierMesh& earlier = session.earlierMesh();

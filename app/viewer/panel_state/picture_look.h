@@ -1,4 +1,4 @@
-/// What a picture of the program shows, as the command line says.
+/// Parts and size of a picture of the program, as the command line chooses them.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,7 @@ namespace se::view {
 
 enum class ViewWay : std::uint8_t { AlongNormal, AlongSurface };
 
-/// What the camera follows: it moves where one of these changes.
+/// The decision that the camera follows: it moves where one of these changes.
 struct FollowedDecision {
     std::uint32_t generation = 0;  ///< Of the input.
     Index pivot = kNone;

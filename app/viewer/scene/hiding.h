@@ -1,4 +1,4 @@
-/// What hides a decision from the eye: triangles in front of its points. They are drawn as ghosts.
+/// Triangles that hide a decision from the eye: in front of its points. They are drawn as ghosts.
 #pragma once
 
 #include <span>
