@@ -14,6 +14,7 @@
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 
@@ -90,11 +91,15 @@ void dumpRun(json& out, const Session& session) {
     out["points"] = session.model().points.size();
     out["pivot"] = session.record().pivot;
     out["event"] = session.cursor();
+    out["decision"] = session.event() != nullptr ? describe(*session.event()) : std::string{};
     out["events"] = session.record().events.size();
     out["at_end"] = session.atEnd();
     out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();
     out["rings"] = session.picture().rings.size();
     out["selected"] = indexOrNull(session.selected());
+    const PointDrag& drag = session.drag();
+    out["dragged"] = indexOrNull(drag.active() ? drag.point() : kNone);
+    out["drag_turns"] = drag.turn().has_value();
     out["selection"] = std::string(kindName(session.selection().kind));
     const auto corners = session.selection().corners();
     out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());

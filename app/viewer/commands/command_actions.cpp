@@ -64,6 +64,7 @@ void escape(C& c) {
         ui.growth.asked = GrowthAsk::Leave;
         return;
     }
+    if (c.session.drag().held()) return c.session.drag().takeBack();
     if (ui.piece.on) return endPieceTool(c);
     if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
     const bool picked = c.session.selection().kind != SelectionKind::None ||

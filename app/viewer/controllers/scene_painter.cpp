@@ -106,6 +106,9 @@ void ScenePainter::upload(const Session& session) {
         renderer_->surface().setModel(session.shown());
         filled_.revision = 0;
     }
+    const PointDrag& drag = session.drag();
+    if (std::exchange(uploadedDrag_, drag.revision()) != drag.revision() && drag.active())
+        renderer_->surface().movePoint(session.shown(), drag.point(), session.triangles());
     renderer_->surface().setTriangles(session.shown(), session.triangles());
     renderer_->surface().setRepaired(session.shown(), session.picture().repaired);
 }

@@ -16,6 +16,8 @@ class ViewDrag {
     /// A button came down at `pointer`, in pixels of the window: as the window reports it, since by
     /// the next frame the pointer may be elsewhere.
     void press(glm::vec2 pointer) { press_ = pointer; }
+    /// Where the last button came down.
+    glm::vec2 pressedAt() const { return press_; }
     /// The latest button keeps what is under it. Motion of the pointer before it does
     /// not count.
     void begin() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -93,6 +94,10 @@ class BackgroundJob {
     /// Once ended(): the text of the exception that ended the work; empty if there was none.
     const std::string& complaint() const { return job_->complaint; }
     void close() { job_.reset(); }
+    /// Blocks until the job is complete, at most for `timeout`. True if it is.
+    bool waitFor(std::chrono::milliseconds timeout) {
+        return !job_ || job_->thread->waitFor(timeout);
+    }
     /// Blocks until the job is complete.
     void waitUntilDone() {
         if (job_) job_->thread->waitUntilDone();

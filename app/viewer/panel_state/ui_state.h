@@ -15,6 +15,7 @@
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
+#include "move_tool.h"
 #include "picture_look.h"
 #include "piece_tool.h"
 #include "scene/camera_move.h"
@@ -73,6 +74,7 @@ struct UiState {
     CommandPalette palette;
     PrepareForm prepare;
     PieceTool piece;
+    MoveTool move;
     GrowthPage growth;
     MeshForm mesh;
     ComparePage compare;

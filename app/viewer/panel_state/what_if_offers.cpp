@@ -152,11 +152,15 @@ void WhatIfForm::take(const Session& session, Index wanted) {
     generation = session.generation();
     const PointSet& points = session.shown().points;
     if (wanted >= points.size()) return;
-    for (int i = 0; i < 3; ++i) to[static_cast<std::size_t>(i)] = exact(points.position[wanted][i]);
+    show(points.position[wanted]);
     list.clear();
     for (const Index q : points.neighbors[wanted]) {
         list += (list.empty() ? "" : " ") + std::to_string(q);
     }
+}
+
+void WhatIfForm::show(const Vec3& position) {
+    for (int i = 0; i < 3; ++i) to[static_cast<std::size_t>(i)] = exact(position[i]);
 }
 
 Result<WhatIf> WhatIfForm::move(std::uint32_t pivot) const {

@@ -38,6 +38,8 @@ struct WhatIfForm {
 
     /// Loads the values of the point, if the point or the run is another one.
     void take(const Session& session, Index point);
+    /// Shows another position.
+    void show(const Vec3& position);
     /// Parses the fields, for a change from the pivot of the cursor on. Fails with a sentence.
     Result<WhatIf> move(std::uint32_t pivot) const;
     Result<WhatIf> neighbors(std::uint32_t pivot) const;

@@ -22,8 +22,8 @@ State& PanelContext::state() const {
     return std::get<State&>(std::tie(
         ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing, ui.click,
         ui.compare, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
-        ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.section, ui.startPage,
-        ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+        ui.move, ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.section,
+        ui.startPage, ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
@@ -45,6 +45,7 @@ template LeaveQuestion& PanelContext::state() const;
 template LedgerPanel& PanelContext::state() const;
 template LookBack& PanelContext::state() const;
 template MeshForm& PanelContext::state() const;
+template MoveTool& PanelContext::state() const;
 template Navigation& PanelContext::state() const;
 template PieceTool& PanelContext::state() const;
 template PrepareForm& PanelContext::state() const;

@@ -165,6 +165,24 @@ void Surface::setModel(const Model& model) {
     changed_ = {everything(), everything()};
 }
 
+void Surface::movePoint(const Model& model, Index point, std::span<const Triangle> triangles) {
+    const auto note = [this](const glm::vec3& place) {
+        changed_.mesh.add(place);
+        changed_.points.add(place);
+    };
+    note(places_[point]);
+    places_[point] = model.place[point];
+    note(places_[point]);
+    const CloudVertex vertex{model.place[point], model.normal[point]};
+    cloud_.append(0, point * sizeof(CloudVertex), &vertex, sizeof(CloudVertex));
+    cloudBounds_.add(point, model.place[point]);
+    for (std::size_t i = 0; i < meshTriangles_; ++i) {
+        const Triangle& t = triangles[i];
+        if (t.a != point && t.b != point && t.c != point) continue;
+        changed_.mesh.add(uploadCorners(mesh_, &meshBounds_, model, triangles, {i, i + 1}));
+    }
+}
+
 void Surface::setTriangles(const Model& model, std::span<const Triangle> triangles) {
     if (triangles.size() <= meshTriangles_) return;
     uploadCorners(mesh_, &meshBounds_, model, triangles, {meshTriangles_, triangles.size()});

@@ -37,6 +37,9 @@ class Surface {
 
     /// Uploads positions and normals. Discards all triangles.
     void setModel(const Model& model);
+    /// Uploads the new place of one point, and the corners there of the uploaded triangles, which
+    /// are the first of `triangles`.
+    void movePoint(const Model& model, Index point, std::span<const Triangle> triangles);
     /// Uploads the triangles after those that are uploaded already.
     void setTriangles(const Model& model, std::span<const Triangle> triangles);
     /// Uploads the triangles that differ from the uploaded repaired mesh; null is allowed.

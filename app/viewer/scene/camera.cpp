@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 
 namespace se::view {
@@ -238,6 +239,15 @@ void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample,
     pose_.pitchDegrees = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
     frame(glm::vec3(0.0F), kSceneRadius);
     if (!sample.empty()) fit(sample, aspect);
+}
+
+Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel) {
+    const glm::mat4 back = glm::inverse(camera.viewProjection());
+    const glm::vec2 ndc(2.0F * pixel.x / size.x - 1.0F, 1.0F - 2.0F * pixel.y / size.y);
+    const glm::vec4 low = back * glm::vec4(ndc, -1.0F, 1.0F);
+    const glm::vec4 high = back * glm::vec4(ndc, 1.0F, 1.0F);
+    const glm::vec3 from = glm::vec3(low) / low.w;
+    return {from, glm::normalize(glm::vec3(high) / high.w - from)};
 }
 
 glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size) {

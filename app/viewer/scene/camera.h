@@ -108,6 +108,17 @@ class Camera {
     unsigned revision_ = 0;
 };
 
+/// A line of sight; the direction has unit length.
+struct Ray {
+    glm::vec3 from{0.0F};
+    glm::vec3 way{0.0F};
+
+    glm::vec3 at(float distance) const { return from + distance * way; }
+};
+
+/// The line of sight through a pixel (y down) of a view of `size` pixels, from the near plane on.
+Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel);
+
 /// Pixel position (y down) and depth of a point; depth <= 0 means behind the camera.
 glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size);
 

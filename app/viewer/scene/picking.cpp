@@ -46,14 +46,6 @@ class Projector {
     glm::mat4 toClip_;
 };
 
-/// A line of sight; the direction has unit length.
-struct Ray {
-    glm::vec3 from{0.0F};
-    glm::vec3 way{0.0F};
-
-    glm::vec3 at(float distance) const { return from + distance * way; }
-};
-
 struct Hit {
     Triangle triangle;
     float distance = std::numeric_limits<float>::max();
@@ -121,7 +113,7 @@ class ScenePicker {
           model_(scene.model),
           at_(at),
           project_(at.camera, at.size),
-          ray_(rayThrough(at.pixel)) {}
+          ray_(rayThrough(at_.camera, at_.size, at.pixel)) {}
 
     Pick pick() const {
         const Hit front = firstHit(ray_, kNone);
@@ -137,20 +129,12 @@ class ScenePicker {
     }
 
   private:
-    Ray rayThrough(glm::vec2 pixel) const {
-        const glm::mat4 back = glm::inverse(at_.camera.viewProjection());
-        const glm::vec2 ndc(2.0F * pixel.x / at_.size.x - 1.0F, 1.0F - 2.0F * pixel.y / at_.size.y);
-        const glm::vec4 low = back * glm::vec4(ndc, -1.0F, 1.0F);
-        const glm::vec4 high = back * glm::vec4(ndc, 1.0F, 1.0F);
-        const glm::vec3 from = glm::vec3(low) / low.w;
-        return {from, glm::normalize(glm::vec3(high) / high.w - from)};
-    }
     Ray rayTo(Index point) const {
         if (!at_.camera.orthographic) {
             return {at_.camera.eye, glm::normalize(model_.place[point] - at_.camera.eye)};
         }
         const glm::vec3 at = project_(model_.place[point]);
-        return rayThrough(glm::vec2(at));
+        return rayThrough(at_.camera, at_.size, glm::vec2(at));
     }
 
     /// Calls a function with each triangle that the ray may pass within `margin` of.

@@ -7,7 +7,7 @@
 
 namespace se::view {
 
-Session::Session() : moves_(*this), questions_(std::make_unique<Questions>()) {}
+Session::Session() : moves_(*this), drag_(*this), questions_(std::make_unique<Questions>()) {}
 
 Session::~Session() = default;
 
@@ -24,6 +24,7 @@ void Session::rerun(const RuleSet& rules, Resume resume) {
 
 void Session::cancelOpening() {
     input_.cancel();
+    if (input_.isRerun()) drag_.takeBack();
     dismissError();
     messages_.say(input_.isRerun() ? "Cancelled: the run is unchanged." : "Opening was cancelled.");
 }
@@ -31,6 +32,7 @@ void Session::cancelOpening() {
 /// The old run stays if a new one is refused.
 void Session::fail(std::string why) {
     if (!input_.isRerun()) return input_.fail(std::move(why));
+    drag_.takeBack();
     dismissError();
     messages_.say(std::move(why));
 }
@@ -51,6 +53,7 @@ void Session::keepFinishedMesh(const Opened& opened) {
 void Session::adopt(Opened opened) {
     keepFinishedMesh(opened);
     overviewJob_.reset();
+    drag_.forget();
     model_ = std::move(opened.model);
     moved_ = std::move(opened.moved);
     record_.reset();
@@ -98,6 +101,7 @@ bool Session::poll() {
         changed = true;
     }
     changed = moves_.poll() || changed;
+    changed = drag_.poll() || changed;
     if (overviewJob_) {
         const bool gone = overviewJob_->done();
         changed = overviewJob_->poll(overview_) || changed;
@@ -139,6 +143,7 @@ void Session::waitUntilDone() {
         if (moves_.awaitsStop()) hits_.waitUntilDone();
         poll();
     }
+    drag_.waitUntilDone();
     doctorJob_.waitUntilDone();
     questions_->waitUntilDone();
     alerts_.waitUntilDone();
@@ -150,10 +155,13 @@ void Session::waitUntilDone() {
 void Session::take(RunnerAnswer& answer) {
     triangles_.insert(triangles_.end(), answer.newTriangles.begin(), answer.newTriangles.end());
     meshIndex_.append(*model_, triangles_);
-    if (answer.record) record_ = answer.record;
+    if (!answer.record) return;
+    drag_.forget();
+    record_ = answer.record;
 }
 
 const Model& Session::shown() const {
+    if (drag_.active()) return drag_.model();
     const Model* found = model_.get();
     for (const MovedModel& each : moved_) {
         if (record_ != nullptr && each.from <= record_->pivot) found = each.model.get();

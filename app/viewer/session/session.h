@@ -22,6 +22,7 @@
 #include "jobs/watch_scan.h"
 #include "messages.h"
 #include "moves.h"
+#include "point_drag.h"
 #include "run/model.h"
 #include "run/overview.h"
 #include "run/selection.h"
@@ -76,7 +77,8 @@ class Session {
         assert(ready());
         return *model_;
     }
-    /// The model with points where what-ifs have moved them up to the cursor: for drawing.
+    /// The model with points where the user drags them, or where what-ifs have moved them up to the
+    /// cursor: for drawing.
     const Model& shown() const;
     /// Shared ownership, for background jobs.
     std::shared_ptr<const Model> sharedModel() const { return model_; }
@@ -136,6 +138,9 @@ class Session {
     std::string noticedText() const;
     Moves& moves() { return moves_; }
     const Moves& moves() const { return moves_; }
+    /// The point that the user drags; while there is one, record() is the pivot with it moved.
+    PointDrag& drag() { return drag_; }
+    const PointDrag& drag() const { return drag_; }
 
     // Searches in the run.
     RunAlerts& alerts() { return alerts_; }
@@ -168,7 +173,8 @@ class Session {
     const Highlights& highlights() const { return highlights_; }
 
   private:
-    friend class Moves;  // sets the cursor, in the record that the runner thread has delivered
+    friend class Moves;      // sets the cursor, in the record that the runner thread has delivered
+    friend class PointDrag;  // sets record and cursor
 
     void setCursor(std::size_t cursor);
     void setCursorToLast();
@@ -196,6 +202,7 @@ class Session {
     Highlights highlights_;
 
     Moves moves_;
+    PointDrag drag_;
     RunAlerts alerts_;
     TrialJob trials_;
     HitSearch hits_;

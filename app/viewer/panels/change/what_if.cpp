@@ -1,4 +1,5 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
+#include "panel_state/move_tool.h"
 #include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
@@ -49,6 +50,13 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
     if (rules.whatIf.empty()) return ImGui::TextDisabled("No what-ifs are active.");
     if (textButton(context, "Remove all what-ifs", "what if clear"))
         context.run("edit.whatif.clear");
+}
+
+/// What a drag in the view does.
+void drawDragHint(const Session& session) {
+    if (session.drag().held()) return dimText("Shift: along its normal. Esc takes it back.");
+    if (session.drag().possible(session.picture().pivot))
+        dimText("Drag a point of this pivot in the view: its decisions follow.");
 }
 
 void drawOffers(const PanelContext& context, const RuleSet& rules) {
@@ -124,11 +132,13 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
 
 void drawWhatIf(const PanelContext& context) {
     const Session& session = context.session();
+    context.state<MoveTool>().offeredIn = ImGui::GetFrameCount();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RuleSet rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
     tabNote(count == 0 ? "" : counted(count, "change", "changes"));
     drawPresent(context, rules);
+    drawDragHint(session);
     ImGui::Spacing();
     drawOffers(context, rules);
     drawPoint(context, rules);

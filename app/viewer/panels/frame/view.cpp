@@ -203,6 +203,7 @@ void hoverNeighbor(const PanelContext& context) {
 void handleMouse(const PanelContext& context) {
     const bool piece = context.state<PieceTool>().on && !context.beside;
     if (context.session().ready() && (piece ? handlePieceTool : handleLasso)(context)) return;
+    if (context.session().ready() && !piece && handleMoveTool(context)) return;
     moveCameraByMouse(context);
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
@@ -265,6 +266,7 @@ void drawWithOverlays(const PanelContext& context) {
     drawFaultPins(context, pins);
     drawOver(context, arrow, axes);
     drawLasso(context);
+    drawMoveWay(context);
     if (!context.beside) drawPieceLine(context);
 }
 

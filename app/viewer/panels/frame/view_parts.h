@@ -26,6 +26,12 @@ bool handlePieceTool(const PanelContext& context);
 /// The box or the lasso, while it is drawn.
 void drawPieceLine(const PanelContext& context);
 
+/// Drags a point while the panel What if is open. True while it takes the mouse. To be called right
+/// after the scene's own item.
+bool handleMoveTool(const PanelContext& context);
+/// The way of the point that is being dragged, and where its verdict turns.
+void drawMoveWay(const PanelContext& context);
+
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
 

@@ -1,0 +1,168 @@
+// A point that is dragged in the view: in its tangent plane, with Shift along its normal. Its way
+// is drawn from where it was, with a tick where the verdict at the cursor changes.
+#include "panel_state/move_tool.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "input/view_drag.h"
+#include "panel_state/what_if_offers.h"
+#include "panels/widgets/widgets.h"
+#include "scene/picking.h"
+#include "scene/point_move.h"
+#include "session/session.h"
+#include "view_parts.h"
+
+namespace se::view {
+
+namespace {
+
+/// Distance in pixels, as a share of the window's height, from which a press is a drag.
+constexpr float kMoveShare = 0.01F;
+/// Radius around a point within which a press is on it, in em.
+constexpr float kReachOfPress = 0.7F;
+
+glm::vec2 toolPointer() {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    return {mouse.x, mouse.y};
+}
+
+CameraMatrices cameraOf(const PanelContext& context) {
+    const Rect& view = context.rects.view;
+    return context.camera().matrices(view.size.x / view.size.y);
+}
+
+bool isOffered(const PanelContext& context) {
+    return !context.beside && ImGui::GetFrameCount() - context.state<MoveTool>().offeredIn <= 1;
+}
+
+/// The point at a pixel of the window among those that can be dragged: the pivot, its neighbors and
+/// the selected one. kNone if there is none.
+Index draggableAt(const PanelContext& context, glm::vec2 pixel) {
+    const Session& session = context.session();
+    const Index pivot = session.picture().pivot;
+    if (!session.drag().possible(pivot)) return kNone;
+    const auto neighbors = session.shown().points.neighbors[pivot];
+    std::vector<Index> points(neighbors.begin(), neighbors.end());
+    points.push_back(pivot);
+    if (session.selected() != kNone) points.push_back(session.selected());
+    const Rect& view = context.rects.view;
+    return pickAmong(session.shown(), points, cameraOf(context), view.size, pixel - view.min,
+                     kReachOfPress * context.em);
+}
+
+void beginMove(const PanelContext& context, MoveTool& tool) {
+    Session& session = context.session();
+    context.playback().pause();
+    session.drag().begin(tool.pressed);
+    session.select(tool.pressed);
+    tool.anchor = session.shown().place[tool.pressed];
+    const Rect& view = context.rects.view;
+    const glm::vec3 at = project(cameraOf(context), tool.anchor, view.size);
+    tool.offset = view.min + glm::vec2(at) - context.state<ViewDrag>().pressedAt();
+    tool.alongNormal = ImGui::GetIO().KeyShift;
+}
+
+void followPointer(const PanelContext& context, MoveTool& tool) {
+    PointDrag& drag = context.session().drag();
+    const Model& model = drag.model();
+    const bool along = ImGui::GetIO().KeyShift;
+    if (std::exchange(tool.alongNormal, along) != along) tool.anchor = model.place[drag.point()];
+    const Rect& view = context.rects.view;
+    const glm::vec2 pixel = toolPointer() + tool.offset - view.min;
+    const glm::vec3& normal = model.normal[drag.point()];
+    const auto place = along
+                           ? placeOnLine(cameraOf(context), view.size, pixel, tool.anchor, normal)
+                           : placeInPlane(cameraOf(context), view.size, pixel, tool.anchor, normal);
+    if (!place) return;
+    const double spacing = static_cast<double>(model.spacing) / model.scale;
+    Vec3 to = model.center + Vec3(*place) / model.scale;
+    for (int i = 0; i < 3; ++i) to[i] = roundedTo(to[i], spacing);
+    drag.moveTo(to);
+    context.state<WhatIfForm>().show(to);
+}
+
+void endMove(const PanelContext& context) {
+    PointDrag& drag = context.session().drag();
+    if (drag.to() == drag.from()) return drag.takeBack();
+    context.requests().rules = withWhatIf(context.session().input().rules(), drag.release());
+}
+
+/// "moved by 0.31 spacings"
+std::string moveText(const PointDrag& drag) {
+    const Model& model = drag.model();
+    const double spacing = static_cast<double>(model.spacing) / model.scale;
+    char text[64];
+    std::snprintf(text, sizeof text, "moved by %.2f spacings",
+                  glm::distance(drag.from(), drag.to()) / spacing);
+    return text;
+}
+
+}  // namespace
+
+bool handleMoveTool(const PanelContext& context) {
+    MoveTool& tool = context.state<MoveTool>();
+    PointDrag& drag = context.session().drag();
+    const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    ViewDrag& motion = context.state<ViewDrag>();
+    if (drag.held()) {
+        if (ImGui::IsMousePosValid()) followPointer(context, tool);
+        if (!down) endMove(context);
+        return true;
+    }
+    if (tool.pressed != kNone) {
+        motion.move(toolPointer(), kMoveShare * ImGui::GetIO().DisplaySize.y);
+        if (down && motion.drags() && drag.possible(tool.pressed)) beginMove(context, tool);
+        if (!down || motion.drags()) tool.pressed = kNone;
+        return down;
+    }
+    if (!isOffered(context)) return false;
+    const bool pressed = ImGui::IsItemActivated() && down && !ImGui::GetIO().KeyCtrl;
+    if (pressed) tool.pressed = draggableAt(context, motion.pressedAt());
+    if (tool.pressed != kNone) motion.begin();
+    const bool hovers = ImGui::IsItemHovered() && !ImGui::IsItemActive();
+    if (hovers && draggableAt(context, toolPointer()) != kNone)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return tool.pressed != kNone;
+}
+
+void drawMoveWay(const PanelContext& context) {
+    const PointDrag& drag = context.session().drag();
+    if (context.beside || !drag.active()) return;
+    const ScreenProjection screen(context);
+    const Model& model = drag.model();
+    const auto from = screen.at(model.toView(drag.from()));
+    const auto to = screen.at(model.toView(drag.to()));
+    if (!from || !to) return;
+    const float em = context.em;
+    const float width = std::max(1.5F, 0.12F * em);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 ink = toU32(context.palette.text);
+    list->AddLine(toVec2(*from), toVec2(*to), ink, width);
+    list->AddCircle(toVec2(*from), 0.35F * em, ink, 0, width);
+    std::string text = moveText(drag);
+    if (const auto turn = drag.turn() ? screen.at(model.toView(*drag.turn())) : std::nullopt) {
+        const glm::vec2 way = *turn - *from;
+        const float length = glm::length(way);
+        const glm::vec2 along = length > 0.0F ? way / length : glm::vec2(1.0F, 0.0F);
+        const glm::vec2 across = 0.7F * em * glm::vec2(-along.y, along.x);
+        list->AddLine(toVec2(*to), toVec2(*turn), toU32(context.palette.text.withAlpha(0.4F)),
+                      width);
+        const ImVec2 left = toVec2(*turn - across);
+        const ImVec2 right = toVec2(*turn + across);
+        list->AddLine(left, right, toU32(context.palette.background), 4.0F * width);
+        list->AddLine(left, right, ink, 2.0F * width);
+        context.where()["move turn"] = {*turn, glm::vec2(1.0F)};
+    }
+    context.where()["move way"] = {glm::min(*from, *to), glm::abs(*to - *from)};
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const Rect& view = context.rects.view;
+    const glm::vec2 size(extent.x + 0.8F * em, extent.y + 0.3F * em);
+    const glm::vec2 corner =
+        glm::clamp(*to + glm::vec2(1.2F, 1.2F) * em, view.min, view.max() - size);
+    fill(list, {corner, size}, context.palette.panel.withAlpha(0.92F), 0.3F * em);
+    list->AddText({corner.x + 0.4F * em, corner.y + 0.15F * em}, ink, text.c_str());
+}
+
+}  // namespace se::view
