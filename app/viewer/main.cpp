@@ -164,6 +164,22 @@ void benchStill(const Options& options, Offscreen& target, Application& applicat
                [](Application&) {});
 }
 
+/// Cost of frames in which a neighbor of the pivot is dragged, with the pivot made again for each.
+void benchDrag(const Options& options, Offscreen& target, Application& application) {
+    PointDrag& drag = application.session().drag();
+    const se::Index pivot = application.session().picture().pivot;
+    const auto& lists = application.session().model().points.neighbors;
+    if (!drag.possible(pivot) || lists[pivot].empty()) return;
+    drag.begin(lists[pivot][0]);
+    benchMoves(options, target, application, "a neighbor of the pivot is dragged",
+               [](Application& each) {
+                   PointDrag& held = each.session().drag();
+                   const Model& model = held.model();
+                   held.moveTo(held.to() + se::Vec3(1e-3 * model.spacing / model.scale, 0.0, 0.0));
+               });
+    drag.takeBack();
+}
+
 /// Cost of frames while other settings are tried (trial.h), if the input lasts long enough.
 void benchBesideTrials(const Options& options, Offscreen& target, Application& application) {
     application.session().trials().start();
@@ -218,6 +234,7 @@ int runBench(const Options& options) {
         session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
     });
     benchStill(options, target, application);
+    benchDrag(options, target, application);
     benchBesideTrials(options, target, application);
     return dumpState(application);
 }

@@ -56,6 +56,7 @@ void beginMove(const PanelContext& context, MoveTool& tool) {
     Session& session = context.session();
     context.playback().pause();
     session.drag().begin(tool.pressed);
+    tool.holds = true;
     session.select(tool.pressed);
     tool.anchor = session.shown().place[tool.pressed];
     const Rect& view = context.rects.view;
@@ -106,7 +107,8 @@ bool handleMoveTool(const PanelContext& context) {
     PointDrag& drag = context.session().drag();
     const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     ViewDrag& motion = context.state<ViewDrag>();
-    if (drag.held()) {
+    tool.holds = tool.holds && drag.held();
+    if (tool.holds) {
         if (ImGui::IsMousePosValid()) followPointer(context, tool);
         if (!down) endMove(context);
         return true;
