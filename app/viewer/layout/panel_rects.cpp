@@ -90,9 +90,10 @@ Columns columnsFor(LayoutPreset layoutPreset, float width, bool narrow, const Pa
     return columns;
 }
 
-bool isFolded(float emsHigh, DrawerChoice choice) {
+/// `opened`: a panel of Find or Change is open below the view, which the drawer leaves its room to.
+bool isFolded(float emsHigh, DrawerChoice choice, bool opened) {
     if (emsHigh < kDrawerFrom || choice == DrawerChoice::Folded) return true;
-    return choice == DrawerChoice::Auto && emsHigh < kLowBelow;
+    return choice == DrawerChoice::Auto && emsHigh < (opened ? kHighFrom : kLowBelow);
 }
 
 /// Divides the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
@@ -237,7 +238,8 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     l.layoutPreset = layoutPreset;
     l.caption = debug || compare ? 1.0F : kLargeCaption;
     l.narrow = debug && ems.x < kNarrowBelow;
-    l.drawerFolded = present || isFolded(ems.y, choice);
+    const bool opened = debug && !l.narrow && !sizes.quiet && !sizes.folded;
+    l.drawerFolded = present || isFolded(ems.y, choice, opened);
     const auto px = [em](float length) { return std::round(length * em); };
     const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow, sizes);
     const float left = px(columns.left);

@@ -166,6 +166,7 @@ struct SectionPanel {
     double turnDegrees = 0.0;  ///< Of the plane about the normal, in (-180, 180].
     SectionInputs inputs;      ///< Of the section as last made.
     NormalSection made;
+    int shownIn = -1;  ///< The last frame in which the panel was drawn.
 
     void turn(double degrees) {
         const double sum = std::remainder(turnDegrees + degrees, 360.0);

@@ -77,6 +77,8 @@ class SectionMaker {
         made_.pivot = picture.pivot;
         made_.through = pointOfPlane(picture);
         plane_ = planeAt(model, picture.pivot, made_.through, turnDegrees);
+        made_.along = plane_.along;
+        made_.normal = plane_.normal;
         spacing_ = static_cast<double>(model.spacing) / model.scale;
     }
 

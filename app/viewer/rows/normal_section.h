@@ -44,6 +44,8 @@ struct SectionCircle {
 struct NormalSection {
     Index pivot = kNone;
     Index through = kNone;  ///< The point that the plane goes through without a turn; may be none.
+    Vec3 along{0.0};        ///< Unit directions of the plane, in scene space: to the right, and
+    Vec3 normal{0.0};       ///< up.
     double reach = 0.0;     ///< Half the side of what is shown, scene units.
     std::vector<SectionCut> cuts;
     std::vector<SectionPoint> points;  ///< Without the pivot.

@@ -74,16 +74,27 @@ TEST_CASE("The view never has less than 40 percent of the width") {
 TEST_CASE("Small windows have one column, low ones one strip") {
     CHECK_FALSE(computePanelRects({1280, 800}, 16).narrow);
     CHECK(computePanelRects({1280, 800}, 32).narrow);
-    CHECK_FALSE(computePanelRects({1280, 800}, 16).drawerFolded);
-    CHECK_FALSE(computePanelRects({1280, 700}, 16).drawerFolded);
-    CHECK(computePanelRects({1280, 699}, 16).drawerFolded);
-    CHECK(computePanelRects({1280, 800}, 32).drawerFolded);
+    PanelSizes sizes;
+    const auto folded = [&](float height, float em) {
+        return computePanelRects({1280.0F, height}, em, LayoutPreset::Debug, DrawerChoice::Auto,
+                                 sizes)
+            .drawerFolded;
+    };
+    sizes.quiet = true;
+    CHECK_FALSE(folded(800.0F, 16.0F));
+    CHECK_FALSE(folded(700.0F, 16.0F));
+    CHECK(folded(699.0F, 16.0F));
+    CHECK(folded(800.0F, 32.0F));
+    // Open panels below the view take the room of two strips, unless the window is high.
+    sizes.quiet = false;
+    CHECK(folded(800.0F, 16.0F));
+    CHECK_FALSE(folded(900.0F, 16.0F));
 }
 
 TEST_CASE("Find and Change are side by side below the view, and can be folded") {
     PanelSizes sizes;
     const auto laidOut = [&] {
-        return computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Auto, sizes);
+        return computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Open, sizes);
     };
     const PanelRects open = laidOut();
     REQUIRE(open.groupsApart);

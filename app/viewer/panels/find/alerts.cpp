@@ -375,7 +375,10 @@ std::string alertsLine(const PanelContext& context) {
     if (alerts.failures().empty())
         return alerts.sound() ? "No failures found: the mesh is sound."
                               : "No failures found, but the search ended early.";
-    return verdictText(alerts) + ". " + context.key("step.alert.next") + " shows the next one.";
+    const std::string next = ". " + context.key("step.alert.next") + " shows the next one.";
+    if (alerts.sound())
+        return "The mesh is sound; " + counted(alerts.failures().size(), "alert", "alerts") + next;
+    return verdictText(alerts) + next;
 }
 
 void drawAlerts(const PanelContext& context) {

@@ -57,7 +57,8 @@ void drawEmptyView(const PanelContext& context) {
         } else {
             dimText("Choose on the left what to compare this run with, or", width);
             const std::string usual = usualOther(context.session().input().spec()).rules + " rules";
-            if (textButton(context, "Compare with the " + usual, "compare usual"))
+            if (textButton(context, fitted("Compare with the " + usual, width - 0.8F * context.em),
+                           "compare usual"))
                 context.run("run.compare");
         }
         ImGui::EndGroup();

@@ -266,6 +266,7 @@ void drawWithOverlays(const PanelContext& context) {
     drawFaultPins(context, pins);
     drawOver(context, arrow, axes);
     drawLasso(context);
+    drawSectionPlane(context);
     drawMoveWay(context);
     if (!context.beside) drawPieceLine(context);
 }

@@ -29,6 +29,8 @@ void drawPieceLine(const PanelContext& context);
 /// Drags a point while the panel What if is open. True while it takes the mouse. To be called right
 /// after the scene's own item.
 bool handleMoveTool(const PanelContext& context);
+/// The plane of the panel Section, while that is open.
+void drawSectionPlane(const PanelContext& context);
 /// The way of the point that is being dragged, and where its verdict turns.
 void drawMoveWay(const PanelContext& context);
 

@@ -254,6 +254,7 @@ void drawSection(const PanelContext& context) {
     Session& session = context.session();
     if (!session.ready()) return;
     SectionPanel& panel = context.state<SectionPanel>();
+    panel.shownIn = ImGui::GetFrameCount();
     const NormalSection& section = sectionHere(context);
     heading(context, "Section", planeText(section, panel.turnDegrees));
     if (section.empty()) {

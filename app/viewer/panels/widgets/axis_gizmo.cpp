@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "layout/overlays.h"
 #include "scene/camera.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// Sizes in em.
 constexpr float kPlate = 5.4F;
+constexpr glm::vec2 kLeastRoom{18.0F, 12.0F};
 constexpr float kArm = 1.75F;
 constexpr float kEnd = 0.62F;
 constexpr float kFarEnd = 0.42F;
@@ -71,6 +73,9 @@ void drawEnd(const PanelContext& context, const AxisEnd& end, const glm::vec2& o
 
 std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
+    // In a small view the decision needs the room.
+    const glm::vec2 room = context.rects.view.size / em;
+    if (room.x < kLeastRoom.x || room.y < kLeastRoom.y) return std::nullopt;
     constexpr std::array kCorners = {Corner::BottomLeft, Corner::BottomRight, Corner::TopLeft};
     const std::optional<Rect> place =
         freeCorner({context.rects.view, 0.5F * em, taken, {}}, glm::vec2(kPlate * em), kCorners);
