@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/stepper/given_start.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/stepper.h"
 
@@ -101,24 +102,20 @@ class Rig {
     Rig& stacked(const std::vector<Index>& points) {
         EdgeRings& rings = state_.rings;
         const Index active = rings.active();
-        if (active != kNone) rings.push(active, state_.pivot.pivot);
-        const Index head = makeRing(points);
+        const Index head = addRing(state_, points);
         rings.push(rings.ringOf(head), head);
         if (active != kNone) rings.activate(active);
         return *this;
     }
     /// The active ring, the pivot first; its steps are mesh edges.
     Rig& ring(const std::vector<Index>& points) {
-        state_.pivot.pivot = makeRing(points);
+        state_.pivot.pivot = addRing(state_, points);
         state_.phase = Phase::Pivot;
         return *this;
     }
     /// Existing triangles. They do not change status or rings.
     Rig& mesh(const std::vector<Triangle>& triangles) {
-        for (const Triangle& t : triangles) {
-            state_.triangles.push_back(t);
-            if (!state_.edges.empty()) state_.edges.add(t);
-        }
+        addTriangles(state_, triangles);
         given_ = triangles.size();
         return *this;
     }
@@ -139,11 +136,7 @@ class Rig {
     }
     /// The steps that leave the entries of `point`, or only those to `next`, are no mesh edges.
     Rig& open(Index point, Index next = kNone) {
-        for (Index e = state_.rings.firstEntryOf(point); e != kNone;
-             e = state_.rings[e].nextOfPoint) {
-            const Index to = state_.rings.point(state_.rings.next(e));
-            if (next == kNone || to == next) state_.rings.setOpen(e, true);
-        }
+        openSteps(state_, {point, next});
         return *this;
     }
 
@@ -220,21 +213,6 @@ class Rig {
         }
     }
 
-    Index makeRing(const std::vector<Index>& points) {
-        EdgeRings& rings = state_.rings;
-        const Index head = rings.start(points[0], points[1]);
-        Index last = rings.next(head);
-        for (std::size_t i = 2; i < points.size(); ++i) {
-            last = rings.insertAfter(last, points[i]);
-        }
-        Index entry = head;
-        for (const Index p : points) {
-            ++state_.status[p];
-            rings.setOpen(entry, false);
-            entry = rings.next(entry);
-        }
-        return head;
-    }
     Stepper& stepper() {
         if (!stepper_) {
             for (const auto& one : lists_) points_.neighbors.append(one);

@@ -222,6 +222,19 @@ class LedgerBuilder {
             addEvent(pivot, event);
         }
     }
+    /// The reason why there is no deciding line: the subject is one of a given start.
+    std::optional<Error> withoutDecision(const State& end) const {
+        const auto isMade = [](const LedgerLine& line) { return line.role == LineRole::Made; };
+        const auto& lines = ledger_.lines;
+        const bool made = std::any_of(lines.begin(), lines.end(), isMade);
+        if (!lines.empty() && (made || !isInMesh(end.mesh(), subject_))) return {};
+        std::string name = nameOf(subject_);
+        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        return Error{name +
+                     (isInMesh(params_.start.triangles, subject_)
+                          ? " is in the mesh that the run begins with: no decision made it."
+                          : " is in no decision of the run, which begins with a given mesh.")};
+    }
     /// Finds the deciding line. Call it after the last pivot was added, with the state there.
     Ledger finish(const State& end) {
         ledger_.present = isInMesh(end.mesh(), subject_);
@@ -364,6 +377,7 @@ Result<Ledger> why(const PointSet& points, const Params& params, const Subject& 
     const std::optional<State> end = scanRun(
         points, params, [&](const ScannedPivot& pivot) { builder.add(pivot); }, progress);
     if (!end) return Error{"Cancelled."};
+    if (auto error = builder.withoutDecision(*end)) return *error;
     return builder.finish(*end);
 }
 

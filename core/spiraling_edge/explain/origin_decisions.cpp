@@ -32,7 +32,9 @@ struct MadeTriangle {
 class TriangleDecisions {
   public:
     TriangleDecisions(const PointSet& points, const Params& params)
-        : points_(points), params_(params), at_(points.size()) {}
+        : points_(points), params_(params), at_(points.size()) {
+        for (const Triangle& given : params.start.triangles) add({given, {}, false});
+    }
 
     bool read(const Progress& progress) {
         const auto onPivot = [&](const ScannedPivot& pivot) {
@@ -60,12 +62,17 @@ class TriangleDecisions {
         const auto* emit = as<EmitEvidence>(event);
         if (emit == nullptr || emit->triangle != made_.size()) return;
         const Triangle& t = emit->corners;
-        for (const Index p : {t.a, t.b, t.c}) at_[p].push_back(emit->triangle);
         const auto decision = lastDecision(decided_, t);
         const bool alone =
             !decision && std::any_of(decided_.begin(), decided_.end(),
                                      [](const LedgerLine& each) { return fillsHole(each.event); });
-        made_.push_back({t, decision ? decision->event.address : Address{}, alone});
+        add({t, decision ? decision->event.address : Address{}, alone});
+    }
+
+    void add(const MadeTriangle& made) {
+        const Triangle& t = made.corners;
+        for (const Index p : {t.a, t.b, t.c}) at_[p].push_back(static_cast<Index>(made_.size()));
+        made_.push_back(made);
     }
 
     /// The last earlier triangle that shares an edge of this one at its own pivot.

@@ -10,6 +10,7 @@
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/ring_lanes.h"
 #include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/stepper/given_start.h"
 
 namespace se {
 
@@ -47,14 +48,20 @@ namespace {
 
 /// The event that made a ring, and those of the rings that it was made of.
 struct Making {
-    LedgerLine line;
-    std::vector<std::size_t> of;  ///< Earlier makings.
+    std::optional<LedgerLine> line;  ///< Nothing for a ring of a given start.
+    std::vector<std::size_t> of;     ///< Earlier makings.
 };
 
 /// Follows the rings of a run by their lanes up to the place of the query, and collects the answer.
 class RingFinder {
   public:
-    explicit RingFinder(const RingAddress& ring) : ring_(ring) {}
+    RingFinder(const RingAddress& ring, const State& start) : ring_(ring) {
+        lanes_.begin(start.rings);
+        for (const LaneChange& given : lanes_.takeChanges()) {
+            made_[given.lane] = makings_.size();
+            makings_.emplace_back();
+        }
+    }
 
     void add(const ScannedPivot& pivot) {
         if (found_) return;
@@ -80,6 +87,10 @@ class RingFinder {
             return Error{"There is no " + nameOf(ring_) + ": " +
                          (rings_ == 1 ? "1 ring is" : std::to_string(rings_) + " rings are") +
                          " there."};
+        }
+        if (lines_.empty()) {
+            return Error{"The " + nameOf(ring_) +
+                         " is one of the rings that the run begins with: no decision made it."};
         }
         RingHistory history{ring_, *length_, lines_, lines_.size() - 1, {}};
         std::string name = nameOf(ring_);
@@ -109,7 +120,7 @@ class RingFinder {
     void note(Index pivot, const Event& event, const LaneChange& change) {
         const bool join = change.kind == LaneChangeKind::Join;
         if (!join && !beginsLane(change.kind)) return;
-        Making making{{event, pivot, LineRole::Made, {}}, {}};
+        Making making{LedgerLine{event, pivot, LineRole::Made, {}}, {}};
         if (join) making.of.push_back(made_.at(change.lane));
         if (change.kind != LaneChangeKind::Seed) making.of.push_back(made_.at(change.other));
         // A seed makes its ring, a split both of its rings, a join the one that remains.
@@ -124,7 +135,7 @@ class RingFinder {
         std::vector<LedgerLine> lines;
         for (std::size_t i = makings_.size(); i-- > 0;) {
             if (!wanted[i]) continue;
-            lines.push_back(makings_[i].line);
+            if (makings_[i].line) lines.push_back(*makings_[i].line);
             for (const std::size_t parent : makings_[i].of) wanted[parent] = true;
         }
         std::reverse(lines.begin(), lines.end());
@@ -146,7 +157,7 @@ class RingFinder {
 
 Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingAddress& ring,
                             const Progress& progress) {
-    RingFinder finder(ring);
+    RingFinder finder(ring, startState(points, params));
     // Events after the place are not needed.
     const auto goOn = [&](double share) {
         return !finder.found() && (!progress || progress(share));

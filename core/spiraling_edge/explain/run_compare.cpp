@@ -29,7 +29,8 @@ std::array<Index, 3> cornersOf(const Triangle& t) {
 class TriangleOrigins {
   public:
     void add(const Event& event) {
-        if (isA<EmitEvidence>(event)) {
+        if (const auto* emit = as<EmitEvidence>(event)) {
+            emitted_.resize(emit->triangle);  // those of a given start: address 0
             emitted_.push_back(event.address);
         } else if (editsMesh(event)) {
             repairs_.push_back(event);
@@ -138,7 +139,7 @@ void comparePivot(const Walker& a, const Walker& b, RunComparison& found) {
 std::optional<Address> firstMade(const MadeMesh& mesh, std::span<const Index> triangles) {
     std::optional<Address> first;
     for (const Index t : triangles) {
-        if (t >= mesh.made.size()) continue;
+        if (t >= mesh.made.size() || mesh.made[t].pivot == 0) continue;
         const Address& made = mesh.made[t];
         if (!first || std::pair(made.pivot, made.n) < std::pair(first->pivot, first->n))
             first = made;

@@ -43,6 +43,7 @@ Result<Params> paramsOf(const RunSettings& settings) {
     if (settings.keepOpposing) params->dropOpposingNormals = false;
     if (settings.keepNoise) params->setNoiseAside = false;
     params->whatIf = settings.whatIf;
+    params->start = settings.start;
     return *params;
 }
 

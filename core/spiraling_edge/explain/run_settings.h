@@ -22,6 +22,7 @@ struct RunSettings {
     PrepareOptions prepare = {};  ///< For prepareOptionsFor(), which the rules have a part in.
     /// Checks of the doctor whose points are set aside; proposedDrop() finds them.
     std::vector<std::string> drops = {};
+    GivenStart start = {};  ///< The state that the run begins with (given_start.h).
 };
 /// The params of the settings. Fails if there is no such set or rule.
 Result<Params> paramsOf(const RunSettings& settings);

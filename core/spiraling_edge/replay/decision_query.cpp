@@ -100,7 +100,7 @@ bool scanDecisions(const PointSet& points, const Params& params, bool failures,
                    const std::function<void(const Decision&, RunPosition)>& visit,
                    const Progress& progress) {
     std::optional<LiveCheck> live;
-    if (failures) live.emplace(points);
+    if (failures) live.emplace(points, params.start);
     RunPosition place;
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {

@@ -85,6 +85,14 @@ class LiveCheck::Checker {
           used_(points.size(), false),
           trianglesAt_(points.size()) {}
 
+    /// Triangles of before the run.
+    void take(std::span<const Triangle> given) {
+        std::vector<LiveFailure> notOfTheRun;
+        found_ = &notOfTheRun;
+        for (const Triangle& each : given) checkTriangle(each);
+        found_ = nullptr;
+    }
+
     void check(const Event& event, std::vector<LiveFailure>& found) {
         found_ = &found;
         address_ = event.address;
@@ -248,8 +256,10 @@ class LiveCheck::Checker {
     Address address_;
 };
 
-LiveCheck::LiveCheck(const PointSet& points) : checker_(std::make_unique<Checker>(points)) {
+LiveCheck::LiveCheck(const PointSet& points, const GivenStart& start)
+    : checker_(std::make_unique<Checker>(points)) {
     assert(validate(points).ok());
+    checker_->take(start.triangles);
 }
 LiveCheck::~LiveCheck() = default;
 LiveCheck::LiveCheck(LiveCheck&&) noexcept = default;

@@ -9,6 +9,7 @@
 
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/given_start.h"
 
 namespace se {
 
@@ -39,8 +40,9 @@ inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
 /// failures they repair were failures when they were made. Deterministic.
 class LiveCheck {
   public:
-    /// `points` must outlive this object. Requires a valid PointSet.
-    explicit LiveCheck(const PointSet& points);
+    /// `points` must outlive this object. Triangles of `start`, Params::start of the run, count as
+    /// earlier ones; their own failures are not reported. Requires a valid PointSet.
+    explicit LiveCheck(const PointSet& points, const GivenStart& start = {});
     ~LiveCheck();
     LiveCheck(LiveCheck&&) noexcept;
     LiveCheck& operator=(LiveCheck&&) noexcept;

@@ -29,6 +29,16 @@ std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) 
 
 std::vector<LaneChange> LaneTracker::takeChanges() { return std::exchange(changes_, {}); }
 
+void LaneTracker::begin(const EdgeRings& rings) {
+    const auto add = [&](Index ring) {
+        const Ring added{freeLane(), rings.length(ring), false};
+        ring == rings.active() ? void(active_ = added) : stack_.push_back(added);
+        note(LaneChangeKind::Seed, added.lane, added.lane);
+    };
+    for (const Index ring : rings.stack()) add(ring);
+    if (rings.active() != kNone) add(rings.active());
+}
+
 void LaneTracker::take(const Event& event) {
     pivot_ = event.address.pivot;
     std::visit(Overloaded{[&](const SeedEvidence&) {

@@ -16,7 +16,7 @@ namespace se {
 
 /// Kind of change of a lane.
 enum class LaneChangeKind : std::uint8_t {
-    Seed,       ///< Begins, with a ring of two.
+    Seed,       ///< Begins, with a ring of two, or as a ring of a given start.
     Split,      ///< Begins, split off the lane `other`.
     Activated,  ///< Comes off the stack.
     Join,       ///< Ends in the lane `other`.
@@ -52,6 +52,8 @@ class LaneTracker {
         bool fresh = false;  ///< Pushed by the current pivot.
     };
 
+    /// Gives the rings of a given start their lanes. Call it before the first event.
+    void begin(const EdgeRings& rings);
     /// Takes the next event of the run.
     void take(const Event& event);
     /// Corrects the lanes from the rings, for changes without an event. Call between two pivots.

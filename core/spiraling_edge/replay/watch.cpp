@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/given_start.h"
 
 namespace se {
 namespace {
@@ -73,7 +74,9 @@ std::string allForms() {
 /// Counts the USED points from the points in the events of each pivot.
 class UsedCounter {
   public:
-    explicit UsedCounter(std::size_t points) : used_(points, false) {}
+    explicit UsedCounter(const State& start) : used_(start.status.size(), false) {
+        for (Index p = 0; p < used_.size(); ++p) look(p, start);
+    }
 
     std::size_t count() const { return count_; }
     void add(const ScannedPivot& pivot) {
@@ -128,14 +131,15 @@ bool scanWatches(
     std::vector<double> values(expressions.size());
     std::uint64_t tests = 0;
     std::uint64_t refused = 0;
-    UsedCounter used(points.size());
+    const State start = startState(points, params);
+    UsedCounter used(start);
     const auto show = [&](std::uint32_t pivot, const State& state) {
         const WatchedRun run{state, tests, refused, used.count()};
         std::transform(expressions.begin(), expressions.end(), values.begin(),
                        [&](const WatchExpression& each) { return each.valueIn(run); });
         visit(pivot, values);
     };
-    show(0, State(points.size()));
+    show(0, start);
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             const Outcome outcome = outcomeOf(event);

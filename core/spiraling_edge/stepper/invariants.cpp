@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "spiraling_edge/stepper/given_start.h"
 
 namespace se {
 namespace {
@@ -118,7 +121,9 @@ InvariantChecker::InvariantChecker(const PointSet& points, const Params& params,
       params_(params),
       level_(level),
       trianglesOf_(points.size()),
-      before_(points.size()) {}
+      before_(startState(points, params)) {
+    for (Index i = 0; i < before_.triangles.size(); ++i) takeTriangle(before_.triangles[i], i);
+}
 
 /// Invariants 6 and 9.
 std::string InvariantChecker::checkPivot(const State& s) const {
@@ -171,16 +176,23 @@ std::string InvariantChecker::checkRingCount(const State& s) const {
     return rings == ringsBefore + change ? "" : "10: a ring came or went";
 }
 
+/// Invariant 5, for the next triangle of the mesh.
+std::string InvariantChecker::takeTriangle(const Triangle& t, Index number) {
+    std::string problem;
+    for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+        if (++directedEdges_[edgeKey(u, v)] > 1) problem = at("5: an edge is passed twice", u);
+    }
+    for (const Index p : {t.a, t.b, t.c}) trianglesOf_[p].push_back(number);
+    return problem;
+}
+
 /// Invariants 3, 4 and 5.
 std::string InvariantChecker::checkEdges(const State& s) {
-    for (std::size_t i = before_.triangles.size(); i < s.triangles.size(); ++i) {
-        const Triangle& t = s.triangles[i];
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-            if (++directedEdges_[edgeKey(u, v)] > 1) return at("5: an edge is passed twice", u);
-        }
-        for (const Index p : {t.a, t.b, t.c}) trianglesOf_[p].push_back(static_cast<Index>(i));
-    }
     std::string problem;
+    for (std::size_t i = before_.triangles.size(); i < s.triangles.size(); ++i) {
+        problem = takeTriangle(s.triangles[i], static_cast<Index>(i));
+        if (!problem.empty()) return problem;
+    }
     for (const Index ring : liveRings(s.rings)) {
         for (const Index e : s.rings.entriesOf(ring)) {
             if (s.rings.open(e)) continue;

@@ -49,13 +49,14 @@ class InvariantChecker {
 
     InvariantChecker(const PointSet& points, const Params& params, Level level);
 
-    /// Call after every stepPivot(), first of all for a fresh State. Empty if all hold.
+    /// Call after every stepPivot(), first of all for the state at the start. Empty if all hold.
     std::string check(const State& state);
 
   private:
     std::string checkPivot(const State& state) const;
     std::string checkStatusChanges(const State& state) const;
     std::string checkRingCount(const State& state) const;
+    std::string takeTriangle(const Triangle& triangle, Index number);
     std::string checkEdges(const State& state);
     std::string checkSurrounded(const State& state) const;
 

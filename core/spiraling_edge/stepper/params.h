@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/stepper/given_start.h"
 #include "spiraling_edge/stepper/what_if.h"
 
 namespace se {
@@ -223,6 +224,8 @@ struct Params {
     bool setNoiseAside = false;
     /// Overrides of single decisions by the user; empty: the rules decide everything.
     std::vector<WhatIf> whatIf = {};
+    /// The state that the run begins with; empty: nothing is made yet.
+    GivenStart start = {};
 
     /// True if the user limits the holes that are closed.
     bool limitsHoles() const { return maxHoleWidth > 0.0 || maxHoleEdges > 0; }

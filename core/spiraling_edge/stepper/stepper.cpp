@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 
+#include "spiraling_edge/stepper/given_start.h"
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
@@ -53,14 +54,6 @@ template <AnyContext Context>
 /// True for the phases after which the run is between two pivots.
 bool endsStep(Phase phase) { return phase == Phase::Advance || isRepair(phase); }
 
-State freshState(const PointSet& points, const Params& params) {
-    State state(points.size());
-    state.triangles.reserve(2 * points.size());  // about the number of a closed surface
-    state.done.reserve(points.size());
-    if (params.robust.needsEdges()) state.edges = EdgeTable(points.size());
-    return state;
-}
-
 /// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
     const Phase phase = state.phase;
@@ -80,7 +73,7 @@ Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
       params_(params),
       edited_(editedPoints(*points_, params)),
       altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
-      state_(freshState(*points_, params)),
+      state_(startState(*points_, params)),
       log_(log) {}
 
 const PointSet& Stepper::points() const {
@@ -173,6 +166,6 @@ StopReason Stepper::reason() const {
     return state_.capped() ? StopReason::Capped : StopReason::Finished;
 }
 
-State Stepper::takeState() { return exchangeState(freshState(*points_, params_)); }
+State Stepper::takeState() { return exchangeState(startState(*points_, params_)); }
 
 }  // namespace se
