@@ -36,15 +36,15 @@ stages() {
     stage sort torus 333.sort.9 --focus
     stage sort-beyond sphere 100.sort.8 --focus
     stage sort-tie grid 4.sort.13 --focus
-    stage limits figure-4 8.limits.3 --focus
-    stage_from convex figure-5 54.convex.1 -0.42,0.13,0.07 1.2 35 20
-    stage reciprocal figure-9 42.reciprocal.1 --focus
+    stage limits figure-8 8.limits.3 --focus
+    stage_from convex small-torus 54.convex.1 -0.42,0.13,0.07 1.2 35 20
+    stage reciprocal coarse-torus 42.reciprocal.1 --focus
     stage_from hole linked-tori 120.hole.2 0.668,0.207,0.40 0.5 62 25 --neighbors 24
     stage sphere-inside sphere 30.sphere.1 --focus
     stage sphere-removed sphere 30.sphere.2 --focus
-    stage sphere-gap figure-5 29.sphere.4 --focus
-    stage twopoint figure-9 15.twopoint.1 --focus
-    stage twopoint-over figure-9 87.twopoint.1 --focus
+    stage sphere-gap small-torus 29.sphere.4 --focus
+    stage twopoint coarse-torus 15.twopoint.1 --focus
+    stage twopoint-over coarse-torus 87.twopoint.1 --focus
     stage emit sphere 30.emit.2 --focus
     stage ring sphere 14.ring.4 --focus
     stage split figure-12 35.split.1 --focus
@@ -55,9 +55,9 @@ stages() {
     stage done-alert genus-2 630.done.7 --neighbors 24 --focus
     stage done-rim sheet 777.done.64
     # Rules beyond the paper.
-    stage guard figure-5 52.guard.1 --rules robust --focus
+    stage guard small-torus 52.guard.1 --rules robust --focus
     stage_from fill genus-2 641.fill.1 -0.62,-0.49,0.0 0.8 -99 -13 --neighbors 24 --rule fill=on
-    stage_from reinsert figure-7 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
+    stage_from reinsert long-lists 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
     stage_from flip torus 887.flip.1 0.297,-0.952,0.038 0.6 -72.7 7.7 --rules robust
     stage_from reseat linked-tori 1571.reseat.1 0.83,-0.2,-0.125 0.55 -75 0 --neighbors 32 --rules corrected \
         --rule guard=on --rule reinsert=on --rule flip=on --rule reseat=on

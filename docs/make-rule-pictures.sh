@@ -110,7 +110,7 @@ picture wallsdone "$work/ball.ply" "-0.15 -0.42 0.83" 0.8 "0 0" --rules paper -k
 picture bothwalls ../assets/points/corner.ply "-0.08 -1.106 -2.444" 0.85 "0 0" --rules robust
 focus=0.8 picture guard $scans/oni.xyz "0.075 -0.076 0.236" 0.1 "0 40" --rules robust -k 24
 picture nopillow scene:genus-2 "1.507 -1.338 0.143" 0.18 "40 0" --rules paper -k 20
-picture gap scene:figure-9 "-0.1 -0.9 -0.03" 0.45 "15 0" --rules paper -k 12
+picture gap scene:coarse-torus "-0.1 -0.9 -0.03" 0.45 "15 0" --rules paper -k 12
 picture nocross $scans/hippo.ply "-0.0915 0.0365 0.042" 0.03 "0 0" --rules robust
 focus=0.9 picture nofold $scans/kitten.xyz "-0.2065 0.0487 -0.193" 0.05 "0 -20" --rules corrected -k 32
 picture nomeet $scans/fin90.xyz "0.0146 0.1174 0.0204" 0.08 "0 -40" --rules robust

@@ -67,7 +67,9 @@ Verdict ourVerdict(const NamedMesh& mesh) {
 
 NamedMesh meshOf(const se::Scene& scene, const char* rules) {
     NamedMesh mesh{std::string(scene.id) + " " + rules, se::test::prepared(scene.build()), {}};
-    mesh.triangles = se::test::runAll(mesh.points, *se::paramsByName(rules)).state.mesh();
+    mesh.triangles =
+        se::test::runAll(mesh.points, se::test::withStartOf(scene, *se::paramsByName(rules)))
+            .state.mesh();
     return mesh;
 }
 

@@ -25,7 +25,7 @@ reported() {
 found() { grep -oE "(^| )$1 [0-9]+" <<<"$2" | grep -oE '[0-9]+$'; }
 
 inputs=("$@")
-[ $# -gt 0 ] || inputs=(scene:{sphere,torus,linked-tori,genus-2,sheet,grid,figure-7,figure-14,half-turn,finished-edge} \
+[ $# -gt 0 ] || inputs=(scene:{sphere,torus,linked-tori,genus-2,sheet,grid,long-lists,figure-14,half-turn,finished-edge} \
     scene:{four-edge-hole,noise,tee-at-wall,close-sheets,uneven-density,flipped-patch,near-duplicates,stranded-point})
 bad=0
 for input in "${inputs[@]}"; do

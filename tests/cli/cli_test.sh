@@ -362,8 +362,8 @@ trace_has_one_line_per_event() {
 
 trace_is_the_golden_one() {
     # core_tests made and checks these files; here another build must give the same.
-    expect 0 run scene:figure-4 --trace trace.txt
-    grep -E '^8\.' trace.txt | diff - "$here/../golden/figure-4.txt" || fail "pivot 8 differs"
+    expect 0 run scene:figure-8 --trace trace.txt
+    grep -E '^8\.' trace.txt | diff - "$here/../golden/figure-8.txt" || fail "pivot 8 differs"
     expect 0 run scene:figure-12 --trace trace.txt
     grep -E '^(35|74)\.' trace.txt | diff - "$here/../golden/figure-12.txt" || fail "pivots differ"
 }
@@ -903,7 +903,7 @@ doctor_says_what_is_wrong() {
     is $? 1 "code of standard input"
     empty out
     # A note is no fault.
-    expect 0 doctor scene:figure-4
+    expect 0 doctor scene:figure-8
     says out "note     unsymmetric_lists"
     expect 1 doctor scene:grid
 }
@@ -1260,7 +1260,7 @@ compare_takes_a_mesh_of_another_program() {
 }
 
 compare_keeps_a_word_with_blanks() {
-    expect 1 compare scene:figure-4 --with --what-if "9.sphere.2 keep 46"
+    expect 1 compare scene:figure-8 --with --what-if "9.sphere.2 keep 46"
     says out "9.sphere.2 keep 46"
     # One word alone holds all options of B.
     expect 1 compare scene:torus -k 10 --with "--rules corrected --reach 2.2" -q

@@ -74,6 +74,12 @@ inline PointSet prepared(const PointFile& file, const NeighborOptions& options =
 /// The points of a built-in scene.
 inline PointSet sceneNamed(std::string_view id) { return prepared(findScene(id)->build()); }
 
+/// The params with the start of a built-in scene.
+inline Params withStartOf(const Scene& scene, Params params) {
+    params.start = startOfScene(scene.id);
+    return params;
+}
+
 /// A run to the end.
 struct Run {
     State state;

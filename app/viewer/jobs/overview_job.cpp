@@ -23,7 +23,8 @@ class Observer {
   public:
     explicit Observer(const Model& model)
         : model_(model), stepper_(model.points, model.params, &log_) {
-        if (model.points.size() <= kMaxWatched) live_.emplace(model.points);
+        if (model.points.size() <= kMaxWatched) live_.emplace(model.points, model.params.start);
+        lanes_.begin(state().rings);
     }
 
     const State& state() const { return stepper_.state(); }

@@ -344,6 +344,8 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     progress.part = LoadPart::Placing;
     progress.share = kPreparedShare;
     if (const Status status = validate(prepared.value().points); !status) return status.error();
+    if (const Status status = requireStart(prepared.value().points, model->params.start); !status)
+        return Error{model->name + ": the given start does not fit. " + status.error().message};
     model->points = std::move(prepared.value().points);
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};

@@ -35,8 +35,10 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules) {
 }
 
 Result<Params> paramsOf(const InputSpec& spec) {
-    return se::paramsOf(
-        RunSettings{spec.rules, spec.choices, spec.whatIf, spec.keepOpposing, spec.keepNoise});
+    RunSettings settings{spec.rules, spec.choices, spec.whatIf, spec.keepOpposing, spec.keepNoise};
+    if (isScene(spec.source))
+        settings.start = startOfScene(spec.source.substr(kScenePrefix.size()));
+    return se::paramsOf(settings);
 }
 
 RuleSet withRule(const RuleSet& rules, std::string_view name, double value) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/stepper/given_start.h"
 
 namespace se {
 
@@ -17,6 +18,8 @@ struct Scene {
     PointFile (*build)();    ///< Makes the points; equal on every machine.
     /// Address of the decision that it shows, with the set `paper`; empty: the start of the run.
     std::string_view address = {};
+    /// The state that its run begins with (Params::start); null: nothing is made yet.
+    GivenStart (*start)() = nullptr;
 };
 
 /// A scene that fails, and why.
@@ -32,12 +35,15 @@ struct FailureScene {
 /// The failure gallery.
 std::span<const FailureScene> failureScenes();
 
-/// All scenes that work, the default first.
+/// All scenes that work, the default first; those of the figures of the paper (figures.h) last.
 std::span<const Scene> scenes();
 /// The scene of that id in either table; null if there is none.
 const Scene* findScene(std::string_view id);
 /// The address of the decision that a scene of either table shows; empty if it shows the whole run,
 /// or if there is no scene of that id.
 std::string_view addressOfScene(std::string_view id);
+/// The state that the run of a scene begins with, for Params::start; empty if it begins as usual,
+/// or if there is no scene of that id. Every program that opens a scene has to set it.
+GivenStart startOfScene(std::string_view id);
 
 }  // namespace se

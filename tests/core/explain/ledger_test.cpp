@@ -78,12 +78,30 @@ void checkRandomSubjects(const PointSet& points, const Params& params, std::size
 TEST_CASE("ledger: the answer for any subject is a decision of the run, on every scene") {
     for (const Scene& scene : scenes()) {
         CAPTURE(scene.id);
+        if (scene.start != nullptr) continue;  // the next test
         checkRandomSubjects(prepared(scene.build()), paper(), kSanitized ? 3 : 12);
     }
     for (const FailureScene& each : failureScenes()) {
         CAPTURE(each.scene.id);
         checkRandomSubjects(prepared(each.scene.build()), paper(), kSanitized ? 2 : 8);
     }
+}
+
+TEST_CASE("ledger: of a given mesh no decision is told, of triangles made from it on one is") {
+    const Scene& scene = *findScene("figure-4");
+    const PointSet points = prepared(scene.build());
+    const Params params = withStartOf(scene, paper());
+    const auto answer = [&](const Subject& subject) { return why(points, params, subject); };
+    const auto given = answer(Subject::edge(0, 3));
+    REQUIRE_FALSE(given.ok());
+    CHECK(given.error().message ==
+          "Edge 0-3 is in the mesh that the run begins with: no decision made it.");
+    Timeline timeline(points, params);
+    timeline.seek(0xffffffffU);
+    const std::vector<Triangle> mesh = timeline.state().mesh();
+    checkAnswer(timeline, mesh, answer(Subject::triangle(0, 5, 7)).value());
+    checkAnswer(timeline, mesh, answer(Subject::edge(0, 8)).value());
+    CHECK(answer(Subject::edge(0, 8)).value().answer.ends_with("removed. (1.limits.5)"));
 }
 
 TEST_CASE("ledger: the same on points that no surface gave, with and without the robust rules") {

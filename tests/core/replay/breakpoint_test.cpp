@@ -116,8 +116,8 @@ std::set<std::pair<Index, Index>> finishedSteps(const EdgeRings& rings) {
 
 TEST_CASE("breakpoints: every kind stops at the same addresses from both sides") {
     std::map<std::size_t, std::size_t> hits;
-    for (const char* id : {"torus", "sheet", "figure-7", "figure-9", "figure-12", "linked-tori",
-                           "four-edge-hole", "noise", "stranded-point"}) {
+    for (const char* id : {"torus", "sheet", "long-lists", "coarse-torus", "figure-12",
+                           "linked-tori", "four-edge-hole", "noise", "stranded-point"}) {
         CAPTURE(id);
         checkBothSides(sceneOf(id), hits);
     }

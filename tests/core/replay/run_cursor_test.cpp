@@ -29,7 +29,7 @@ TEST_CASE("Forward by decision passes every event of the run once, and back take
     for (const char* rules : {"paper", "robust"}) {
         CAPTURE(rules);
         const Params params = paramsByName(rules).value();
-        const PointSet points = test::sceneNamed("figure-7");
+        const PointSet points = test::sceneNamed("long-lists");
         std::vector<std::string> expected{"start"};
         for (const Event& event : eventsOf(points, params)) {
             expected.push_back(toString(event.address));

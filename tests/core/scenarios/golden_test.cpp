@@ -88,7 +88,7 @@ TEST_CASE("golden: a sphere of twelve points") {
 }
 
 TEST_CASE("golden: the limits of Figure 4, the split and the join of Figures 11 and 12") {
-    checkGolden("figure-4", logOf(prepared(findScene("figure-4")->build()), {8}));
+    checkGolden("figure-8", logOf(prepared(findScene("figure-8")->build()), {8}));
     checkGolden("figure-12", logOf(prepared(findScene("figure-12")->build()), {35, 74}));
 }
 

@@ -156,7 +156,7 @@ TEST_CASE("invariant 8: angles increase") {
 }
 
 TEST_CASE("invariant 9: a pivot without triangles changes no status") {
-    const PointSet points = prepared(findScene("figure-4")->build());
+    const PointSet points = prepared(findScene("figure-8")->build());
     for (const bool stranded : {false, true}) {
         InvariantChecker checker(points, paper(), Level::AnyInput);
         State state(points.size());
@@ -174,7 +174,7 @@ TEST_CASE("invariant 10: rings come and go only by what is counted") {
 
 TEST_CASE("invariant 11: the circuit is shorter than the ring, the start pointer only advances") {
     CHECK(begins(found([](State& s) { s.circuit = s.rings.length(s.rings.active()); }), "11:"));
-    const PointSet points = prepared(findScene("figure-4")->build());
+    const PointSet points = prepared(findScene("figure-8")->build());
     State state(points.size());
     state.startPointer = 1;
     CHECK(begins(checkInvariants(state, points, paper()), "11:"));
@@ -199,7 +199,7 @@ TEST_CASE("invariant 12: what becomes DONE is surrounded") {
 }
 
 TEST_CASE("invariant 13: at the end every point is DONE") {
-    const PointSet points = prepared(findScene("figure-4")->build());
+    const PointSet points = prepared(findScene("figure-8")->build());
     State state = runAll(points, paper()).state;
     CHECK(checkInvariants(state, points, paper()) == "");
     state.status[7] = kUnused;

@@ -290,7 +290,7 @@ TEST_CASE("the robust rules keep the mesh a manifold, whatever their limits") {
 
 TEST_CASE("sentences state what the rule in force did") {
     const PointSet points = closedPoints();
-    const PointSet uneven = prepared(findScene("figure-7")->build());
+    const PointSet uneven = prepared(findScene("long-lists")->build());
     const auto saysOf = [&](const PointSet& on, const char* rule, std::string_view words) {
         return count(on, with(rule), [&](const Event& event) {
             return describe(event).find(words) != std::string::npos;

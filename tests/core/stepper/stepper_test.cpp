@@ -45,7 +45,7 @@ TEST_CASE("advance, stepPivot, runUntil and run lead to the same state") {
 }
 
 TEST_CASE("stepPivot completes exactly one pivot") {
-    const PointSet points = sceneNamed("figure-4");
+    const PointSet points = sceneNamed("figure-8");
     Stepper stepper(points, paper());
     for (std::uint32_t n = 1; stepper.stepPivot(); ++n) {
         CHECK(stepper.state().counters.pivots == n);
@@ -56,7 +56,7 @@ TEST_CASE("stepPivot completes exactly one pivot") {
 }
 
 TEST_CASE("stepPivot from the middle of a pivot completes that one") {
-    const PointSet points = sceneNamed("figure-4");
+    const PointSet points = sceneNamed("figure-8");
     Stepper stepper(points, paper());
     while (stepper.state().phase != Phase::Sphere) stepper.advance();
     CHECK(stepper.stepPivot());
@@ -79,8 +79,9 @@ TEST_CASE("a run with a log equals one without") {
         if (scene.id.substr(0, 6) != "figure") continue;
         const PointSet points = prepared(scene.build());
         EventLog log;
-        Stepper with(points, paper(), &log);
-        Stepper without(points, paper());
+        const Params params = withStartOf(scene, paper());
+        Stepper with(points, params, &log);
+        Stepper without(points, params);
         do {
             CHECK(stateHash(with.state()) == stateHash(without.state()));
             with.advance();
@@ -106,7 +107,7 @@ TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
 }
 
 TEST_CASE("the hash differs between states at every phase") {
-    const PointSet points = sceneNamed("figure-4");
+    const PointSet points = sceneNamed("figure-8");
     Stepper stepper(points, paper());
     std::vector<std::uint64_t> seen;
     do {
@@ -155,7 +156,7 @@ TEST_CASE("the hash covers which point is on which stacked ring") {
 }
 
 TEST_CASE("the hash covers the mesh that is edited after the last pivot") {
-    const PointSet points = sceneNamed("figure-5");
+    const PointSet points = sceneNamed("small-torus");
     Stepper stepper(points, robust());
     stepper.run();
     State state = stepper.state();
@@ -181,7 +182,7 @@ TEST_CASE("the hash covers kind and point of each alert") {
 }
 
 TEST_CASE("takeState gives the run away and starts over") {
-    const PointSet points = sceneNamed("figure-4");
+    const PointSet points = sceneNamed("figure-8");
     Stepper stepper(points, paper());
     stepper.run();
     const State taken = stepper.takeState();
@@ -190,7 +191,7 @@ TEST_CASE("takeState gives the run away and starts over") {
 }
 
 TEST_CASE("a run that makes too many triangles is stopped with an alert") {
-    const PointSet points = sceneNamed("figure-4");
+    const PointSet points = sceneNamed("figure-8");
     Params params = paper();
     params.maxTrianglesPerPoint = 1;
     Stepper stepper(points, params);
@@ -237,7 +238,7 @@ TEST_CASE("An observer is shown the decisions of the log, and its run ends in th
     for (const char* rules : {"paper", "robust"}) {
         CAPTURE(rules);
         const Params params = paramsByName(rules).value();
-        const PointSet points = sceneNamed("figure-7");
+        const PointSet points = sceneNamed("long-lists");
         EventLog log;
         Stepper logged(points, params, &log);
         CHECK(logged.run() == StopReason::Finished);
@@ -357,7 +358,7 @@ TEST_CASE("3 a run that is stopped ends with its last pivot") {
     Params params = paper();
     params.maxTrianglesPerPoint = 1;
     State state;
-    const Event end = endOf(sceneNamed("figure-4"), params, state);
+    const Event end = endOf(sceneNamed("figure-8"), params, state);
     REQUIRE(state.capped());
     CHECK(end.address.pivot == state.counters.pivots);
     CHECK(std::get<FinishedEvidence>(end.evidence).capped);

@@ -407,18 +407,18 @@ TEST_CASE("A scene opens at the decision that it demonstrates, in every layout")
     for (const LayoutPresetRow& row : layoutPresets()) {
         CAPTURE(row.name);
         app.ui.layoutPreset = row.id;
-        app.document.open("scene:figure-4");
+        app.document.open("scene:figure-8");
         app.arrive();
-        CHECK(app.place() == findScene("figure-4")->address);
+        CHECK(app.place() == findScene("figure-8")->address);
         CHECK(app.document.takeFocus());
         app.document.open("scene:sphere");
         app.arrive();
     }
     // A named position takes precedence.
-    AlertApp named("scene:figure-4", {}, "3.sort.1");
+    AlertApp named("scene:figure-8", {}, "3.sort.1");
     CHECK(named.place() == "3.sort.1");
     CHECK_FALSE(named.document.takeFocus());
-    CHECK(AlertApp("scene:figure-4", {}, "0").place() == "start");
+    CHECK(AlertApp("scene:figure-8", {}, "0").place() == "start");
 }
 
 TEST_CASE("Failures of a decision are noticed at it, and drawn") {

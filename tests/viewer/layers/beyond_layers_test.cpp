@@ -90,7 +90,7 @@ const Palette& kColors = paletteOf(Theme::Dark);
 
 TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles, four letters") {
     // The first step after the last pivot: it edits the triangles of the run themselves.
-    const auto place = RunAt::at<FlipEvidence>(spec("scene:figure-5", "robust"), Stage::Flip);
+    const auto place = RunAt::at<FlipEvidence>(spec("scene:small-torus", "robust"), Stage::Flip);
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<FlipEvidence>();
     const DrawList list = place->drawn(addRepairs);
@@ -118,7 +118,7 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
 
 TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put into") {
     const auto place =
-        RunAt::at<ReinsertEvidence>(spec("scene:figure-7", "robust", 16), Stage::Reinsert);
+        RunAt::at<ReinsertEvidence>(spec("scene:long-lists", "robust", 16), Stage::Reinsert);
     REQUIRE(place != nullptr);
     const Index point = place->evidence<ReinsertEvidence>().point;
     const DecisionState& picture = place->session.picture();
@@ -184,7 +184,7 @@ TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
 
 TEST_CASE("Drawn for guard: the triangle that a rule objects to, and its measure") {
     const auto place = RunAt::at<GuardEvidence>(
-        spec("scene:figure-5", "robust"), Stage::Guard,
+        spec("scene:small-torus", "robust"), Stage::Guard,
         [](const GuardEvidence& e) { return e.verdict == Verdict::Steep; });
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<GuardEvidence>();

@@ -76,7 +76,7 @@ TEST_CASE("Drawn for sort: the slicing plane, the drop line and the angle") {
 }
 
 TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") {
-    OpenSession open("scene:figure-4");
+    OpenSession open("scene:figure-8");
     const Address moved = firstWhere<LimitEvidence>(
         open, [](const LimitEvidence& e) { return e.verdict == Verdict::Moved; });
     const DrawList list = drawn(open, moved, {LayerId::Limits});
@@ -86,7 +86,7 @@ TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") 
 }
 
 TEST_CASE("Drawn for convex: a hollow corner and the path along the ring") {
-    OpenSession open("scene:figure-5");
+    OpenSession open("scene:small-torus");
     const Address behind = firstWhere<DropEvidence>(
         open, [](const DropEvidence& e) { return e.verdict == Verdict::BeyondConvex; });
     const DrawList list = drawn(open, behind, {LayerId::Convexity});
@@ -97,7 +97,7 @@ TEST_CASE("Drawn for convex: a hollow corner and the path along the ring") {
 }
 
 TEST_CASE("Drawn for reciprocal: a second disc at e, its range and the line to p") {
-    OpenSession open("scene:figure-6");
+    OpenSession open("scene:small-sheet");
     const Address refused = firstWhere<ReciprocalEvidence>(
         open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::NotReciprocal; });
     const DrawList list = drawn(open, refused, {LayerId::Reciprocal});
@@ -109,7 +109,7 @@ TEST_CASE("Drawn for reciprocal: a second disc at e, its range and the line to p
 }
 
 TEST_CASE("Drawn for hole: the plane through start and end and the side of p") {
-    OpenSession open("scene:figure-7");
+    OpenSession open("scene:long-lists");
     const DrawList list =
         drawn(open, firstWhere<HoleEvidence>(open, [](const auto&) { return true; }),
               {LayerId::HolePlane});
@@ -136,7 +136,7 @@ TEST_CASE("Drawn for sphere: one circle, the radius and the limit of the gap") {
 }
 
 TEST_CASE("Drawn for twopoint: the one triangle hatched, its angle against 180 degrees") {
-    OpenSession open("scene:figure-9");
+    OpenSession open("scene:coarse-torus");
     const DrawList list =
         drawn(open, firstWhere<TwoPointEvidence>(open, [](const auto&) { return true; }),
               {LayerId::TwoPoint});
@@ -236,7 +236,7 @@ TEST_CASE("A point that cannot begin a ring is crossed, with the reason") {
 }
 
 TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
-    OpenSession open("scene:figure-9");
+    OpenSession open("scene:coarse-torus");
     const auto hatched = [&](void (*add)(const LayerInput&, DrawList&)) {
         const DrawList list = drawnAt(open, Moment{}, add);
         float area = 0.0F;

@@ -95,11 +95,11 @@ void checkWanted(const Event& event, const std::vector<EvidenceRow>& rows) {
 TEST_CASE("Inspect: every event has the rows required for its stage, in names that fit") {
     std::set<Stage> seen;
     for (const auto& [scene, rules] : {std::pair{"scene:sphere", "paper"},
-                                       {"scene:figure-5", "paper"},
-                                       {"scene:figure-7", "paper"},
+                                       {"scene:small-torus", "paper"},
+                                       {"scene:long-lists", "paper"},
                                        {"scene:figure-12", "paper"},
                                        {"scene:figure-14", "paper"},
-                                       {"scene:figure-9", "robust"},
+                                       {"scene:coarse-torus", "robust"},
                                        {"scene:genus-2", "robust"}}) {
         forEachEvent(scene, rules, 3000,
                      [&](const Model&, const DecisionState&, const Event& event,
@@ -147,7 +147,7 @@ TEST_CASE("Inspect: a triangle's least angle, area and orientation are those of 
 
 TEST_CASE("Inspect: a convex corner is over 180 degrees, and the height is off p's plane") {
     int tests = 0;
-    forEachEvent("scene:figure-5", "paper", 130,
+    forEachEvent("scene:small-torus", "paper", 130,
                  [&](const Model& model, const DecisionState& picture, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* drop = std::get_if<DropEvidence>(&event.evidence);
@@ -188,7 +188,7 @@ TEST_CASE(
     "Inspect: of the conditions of Figure 4 the first that fails is the last that is tested") {
     int moved = 0;
     int failed = 0;
-    forEachEvent("scene:figure-4", "paper", 60,
+    forEachEvent("scene:figure-8", "paper", 60,
                  [&](const Model&, const DecisionState&, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* limit = std::get_if<LimitEvidence>(&event.evidence);

@@ -32,7 +32,8 @@ TEST_CASE("Paper: words and lines are joined as in the file") {
 
 TEST_CASE("Paper: every event of a run has a line of its rule") {
     std::set<std::pair<std::string, std::size_t>> seen;
-    for (const char* scene : {"scene:sphere", "scene:sheet", "scene:figure-7", "scene:figure-9"}) {
+    for (const char* scene :
+         {"scene:sphere", "scene:sheet", "scene:long-lists", "scene:coarse-torus"}) {
         for (const char* rules : {"paper", "robust"}) {
             LoadProgress progress;
             const auto model = test::loadModel({scene, {}, rules}, progress);

@@ -106,7 +106,8 @@ TEST_CASE("Dial: the range runs from start to end, and the gap of a sphere test 
 TEST_CASE("Dial: the limits that angles are compared with are marked, and refusals named") {
     int spheres = 0;
     int refusals = 0;
-    forEachDial("scene:figure-9", [&](const DecisionState&, const Event& event, const Dial& dial) {
+    forEachDial("scene:coarse-torus", [&](const DecisionState&, const Event& event,
+                                          const Dial& dial) {
         if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
             const bool wide = sphere->gapDegrees > 120.0;
             const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
@@ -158,23 +159,24 @@ TEST_CASE("Dial: a third point has a slot before and after the pivot, one of the
 
 TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point") {
     int discs = 0;
-    forEachDial("scene:figure-6", [&](const DecisionState&, const Event& event, const Dial& dial) {
-        const auto* test = std::get_if<ReciprocalEvidence>(&event.evidence);
-        CHECK(dial.reciprocal.has_value() == (test != nullptr));
-        if (test == nullptr) return;
-        CHECK(dial.reciprocal->e == test->point);
-        CHECK(dial.reciprocal->inside == (test->verdict == Verdict::Kept));
-        CHECK(dial.reciprocal->inside ==
-              (dial.reciprocal->pivotDegrees > 0.0 &&
-               dial.reciprocal->pivotDegrees < dial.reciprocal->limitDegrees));
-        ++discs;
-    });
+    forEachDial("scene:small-sheet",
+                [&](const DecisionState&, const Event& event, const Dial& dial) {
+                    const auto* test = std::get_if<ReciprocalEvidence>(&event.evidence);
+                    CHECK(dial.reciprocal.has_value() == (test != nullptr));
+                    if (test == nullptr) return;
+                    CHECK(dial.reciprocal->e == test->point);
+                    CHECK(dial.reciprocal->inside == (test->verdict == Verdict::Kept));
+                    CHECK(dial.reciprocal->inside ==
+                          (dial.reciprocal->pivotDegrees > 0.0 &&
+                           dial.reciprocal->pivotDegrees < dial.reciprocal->limitDegrees));
+                    ++discs;
+                });
     CHECK(discs > 0);
 }
 
 TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
     int moved = 0;
-    forEachDial("scene:figure-4", [&](const DecisionState&, const Event& event, const Dial& dial) {
+    forEachDial("scene:figure-8", [&](const DecisionState&, const Event& event, const Dial& dial) {
         const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
         if (limit == nullptr) return;
         CHECK(dial.caption.find('?') == std::string::npos);
@@ -185,20 +187,21 @@ TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
     });
     CHECK(moved > 0);
     int convex = 0;
-    forEachDial("scene:figure-5", [&](const DecisionState&, const Event& event, const Dial& dial) {
-        const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-        if (drop == nullptr || drop->verdict != Verdict::BeyondConvex) return;
-        const std::size_t first = dial.caption.find("after");
-        REQUIRE(first != std::string::npos);
-        CHECK(dial.caption.find("after", first + 1) == std::string::npos);
-        ++convex;
-    });
+    forEachDial("scene:small-torus",
+                [&](const DecisionState&, const Event& event, const Dial& dial) {
+                    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+                    if (drop == nullptr || drop->verdict != Verdict::BeyondConvex) return;
+                    const std::size_t first = dial.caption.find("after");
+                    REQUIRE(first != std::string::npos);
+                    CHECK(dial.caption.find("after", first + 1) == std::string::npos);
+                    ++convex;
+                });
     CHECK(convex > 0);
 }
 
 TEST_CASE("Dial: the new start and end of Figure 4 are not crossed out") {
     int limits = 0;
-    forEachDial("scene:figure-4", [&](const DecisionState& picture, const Event& event,
+    forEachDial("scene:figure-8", [&](const DecisionState& picture, const Event& event,
                                       const Dial& dial) {
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
         if (drop == nullptr || !drop->isLimit()) return;

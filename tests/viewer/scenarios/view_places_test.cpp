@@ -167,7 +167,7 @@ TEST_CASE("Dial: a name without room is left out, the last first") {
 }
 
 TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it names, once each") {
-    OpenSession open("scene:figure-9");
+    OpenSession open("scene:coarse-torus");
     open.session.moves().goToText("42.reciprocal.1");
     open.session.waitUntilDone();
     const DecisionState& picture = open.session.picture();
@@ -193,7 +193,7 @@ TEST_CASE("A close-up shows all points of a decision, with room for names") {
         for (const char* address : {"42.reciprocal.1", "15.twopoint.1", "30.advance.1"}) {
             CAPTURE(size.x);
             CAPTURE(address);
-            OpenSession open("scene:figure-9");
+            OpenSession open("scene:coarse-torus");
             open.session.moves().goToText(address);
             open.session.waitUntilDone();
             Camera camera;

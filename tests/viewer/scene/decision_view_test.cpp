@@ -38,10 +38,10 @@ TEST_CASE("Sort, limits and sphere are seen along the normal") {
 }
 
 TEST_CASE("A hole and a convexity test are seen along the surface") {
-    OpenSession hole("scene:figure-7");
+    OpenSession hole("scene:long-lists");
     const Address tested = firstWhere<HoleEvidence>(hole, [](const HoleEvidence&) { return true; });
     CHECK(std::abs(steepness(hole, tested)) < 0.3F);
-    OpenSession convex("scene:figure-5");
+    OpenSession convex("scene:small-torus");
     Timeline timeline(convex.session.model().points, convex.session.model().params);
     bool found = false;
     for (std::uint32_t pivot = 1; pivot < 60 && !found; ++pivot) {
@@ -56,7 +56,7 @@ TEST_CASE("A hole and a convexity test are seen along the surface") {
 }
 
 TEST_CASE("Along the surface, the side is chosen where no triangle hides the decision") {
-    OpenSession open("scene:figure-5");
+    OpenSession open("scene:small-torus");
     open.session.moves().goToText("54.convex.1");
     open.session.waitUntilDone();
     const Model& model = open.session.model();

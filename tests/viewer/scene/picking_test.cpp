@@ -265,7 +265,7 @@ TEST_CASE("An edge of the ring is reported as such, an edge of nothing is not pr
 }
 
 TEST_CASE("Creation: every triangle was made by its decision emit") {
-    for (const char* scene : {"scene:sphere", "scene:torus", "scene:figure-7"}) {
+    for (const char* scene : {"scene:sphere", "scene:torus", "scene:long-lists"}) {
         OpenSession open(scene);
         const RunOverview& run = open.session.overview();
         for (std::uint32_t pivot = 1; pivot <= std::min(60U, run.lastPivot); ++pivot) {

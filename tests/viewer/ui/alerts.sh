@@ -23,11 +23,11 @@ says alert_search done; says alerts "[0-9]+"; says address "200\.split\.1"
 denies open_tab Alerts
 stop
 for layout in learn present compare; do
-    start scene:figure-4 --layout "$layout"; says phase ready; says layout "$layout"
+    start scene:figure-8 --layout "$layout"; says phase ready; says layout "$layout"
     says address "8\.limits\.1"
     stop
 done
-start scene:figure-4 --goto 3; says pivot 3; stop
+start scene:figure-8 --goto 3; says pivot 3; stop
 
 # A scene that fails opens on its decision, with its alert.
 size=1600x980 start scene:four-edge-hole

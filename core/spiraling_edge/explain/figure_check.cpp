@@ -1,0 +1,138 @@
+/// Runs of a figure, and the decisions at the addresses of its expectations.
+#include "spiraling_edge/explain/figure_check.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <string_view>
+
+#include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/stepper/rule_settings.h"
+
+namespace se {
+namespace {
+
+std::string ringText(const RingEvidence& e) {
+    const std::string status = e.status < 0    ? "DONE"
+                               : e.status == 0 ? "UNUSED"
+                                               : "USED " + std::to_string(e.status);
+    return (e.inserted ? "enters, " : "leaves, ") + status;
+}
+
+/// What is done by an event that is no test.
+std::string deedText(const Event& event) {
+    return std::visit(Overloaded{[](const EmitEvidence&) { return std::string("made"); },
+                                 [](const RingEvidence& e) { return ringText(e); },
+                                 [](const SkipEvidence&) { return std::string("passed over"); },
+                                 [](const SplitEvidence&) { return std::string("splits"); },
+                                 [](const JoinEvidence&) { return std::string("joins"); },
+                                 [](const CloseEvidence&) { return std::string("closed"); },
+                                 [](const AdvanceEvidence&) { return std::string("next pivot"); },
+                                 [](const SeedEvidence&) { return std::string("seed"); },
+                                 [](const StrandEvidence&) { return std::string("stranded"); },
+                                 [](const FreeEvidence&) { return std::string("freed"); },
+                                 [](const auto&) { return std::string(); }},
+                      event.evidence);
+}
+
+/// The points that an expectation about the event names.
+std::string pointsText(const Event& event, std::span<const PointName> names) {
+    if (const auto* emit = as<EmitEvidence>(event)) {
+        const Triangle& t = emit->corners;
+        return nameOf(t.a, names) + " " + nameOf(t.b, names) + " " + nameOf(t.c, names);
+    }
+    if (const auto* insert = as<InsertEvidence>(event)) return nameOf(insert->third, names);
+    const Index point = subjectOf(event);
+    return point == kNone ? std::string() : nameOf(point, names);
+}
+
+PointSet pointsOf(const Figure& figure) {
+    assert(figure.hasScene());
+    Result<Prepared> prepared = prepare(figure.scene.build(), {});
+    assert(prepared.ok());
+    return std::move(prepared.value().points);
+}
+
+/// A run of a figure.
+struct FigureRun {
+    std::vector<CheckedExpectation> expectations;
+    std::vector<Triangle> mesh;
+};
+
+FigureRun runOf(const Figure& figure, const PointSet& points, const Params& params) {
+    FigureRun run;
+    for (const FigureExpectation& each : figure.expectations)
+        run.expectations.push_back({each, false, {}});
+    const auto note = [&](const Event& event) {
+        const std::string address = toString(event.address);
+        for (CheckedExpectation& each : run.expectations) {
+            if (each.expected.address != address) continue;
+            each.found = describe(event, figure.names);
+            each.holds = outcomeText(event) == each.expected.outcome &&
+                         pointsText(event, figure.names) == each.expected.points;
+        }
+    };
+    std::optional<State> end = scanRun(points, params, [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) note(event);
+    });
+    assert(end);
+    run.mesh = end->mesh();
+    return run;
+}
+
+Params withStart(const Figure& figure, Params params) {
+    params.start = figure.scene.start != nullptr ? figure.scene.start() : GivenStart{};
+    return params;
+}
+
+std::size_t countOf(FaultKind kind, const PointSet& points, const std::vector<Triangle>& mesh) {
+    return countFaults(findFaults(points, mesh))[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace
+
+std::string outcomeText(const Event& event) {
+    const std::string_view verdict = endingText(event);
+    return verdict.empty() ? deedText(event) : std::string(verdict);
+}
+
+bool FigureCheck::holds() const {
+    return showsAbsence && std::all_of(expectations.begin(), expectations.end(),
+                                       [](const CheckedExpectation& each) { return each.holds; });
+}
+
+std::vector<CheckedExpectation> expectationsOf(const Figure& figure, Params params) {
+    return runOf(figure, pointsOf(figure), withStart(figure, std::move(params))).expectations;
+}
+
+Params withoutRule(const Figure& figure, Params params) {
+    const RuleSetting* rule = findRuleSetting(figure.rule.name);
+    assert(rule != nullptr && isValue(*rule, figure.rule.value));
+    rule->set(params, figure.rule.value);
+    return params;
+}
+
+FigureCheck checkFigure(const Figure& figure) {
+    const PointSet points = pointsOf(figure);
+    const Params params = withStart(figure, {});
+    FigureRun with = runOf(figure, points, params);
+    const FigureRun without = runOf(figure, points, withoutRule(figure, params));
+    FigureCheck check;
+    check.brokenWithout = static_cast<std::size_t>(
+        std::count_if(without.expectations.begin(), without.expectations.end(),
+                      [](const CheckedExpectation& each) { return !each.holds; }));
+    check.showsAbsence = check.brokenWithout > 0 && with.mesh != without.mesh;
+    if (figure.fault) {
+        check.faultsWith = countOf(*figure.fault, points, with.mesh);
+        check.faultsWithout = countOf(*figure.fault, points, without.mesh);
+        check.showsAbsence = check.showsAbsence && check.faultsWith == 0 && check.faultsWithout > 0;
+    }
+    check.expectations = std::move(with.expectations);
+    return check;
+}
+
+}  // namespace se

@@ -1,0 +1,46 @@
+/// Check of a figure of the paper: whether its run decides what the figure shows, and does not
+/// without the figure's rule.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/scenes/figures.h"
+#include "spiraling_edge/stepper/params.h"
+
+namespace se {
+
+/// What a decision comes to: the verdict of a test in the words of verdictText(), else what is
+/// done: "made", "enters, USED 1", "leaves, DONE", "passed over", "splits", "joins", "closed",
+/// "next pivot", "seed", "stranded", "freed". Empty for events that change nothing.
+std::string outcomeText(const Event& event);
+
+/// An expectation and the decision at its address.
+struct CheckedExpectation {
+    FigureExpectation expected;
+    bool holds = false;
+    /// The sentence of the decision, with the names of the figure; empty if there is none.
+    std::string found;
+};
+
+/// The result of a check.
+struct FigureCheck {
+    std::vector<CheckedExpectation> expectations;  ///< Under the set `paper`.
+    std::size_t brokenWithout = 0;  ///< Expectations that do not hold without the rule.
+    std::size_t faultsWith = 0;     ///< Faults of Figure::fault, with the rule,
+    std::size_t faultsWithout = 0;  ///< ... and without it.
+    bool showsAbsence = false;      ///< The mesh or an expectation differs, and has the fault.
+    bool holds() const;
+};
+
+/// The expectations of a figure under some params; their start is replaced by that of the figure.
+/// Requires a figure with a scene.
+std::vector<CheckedExpectation> expectationsOf(const Figure& figure, Params params);
+
+/// `params` without the rule of the figure.
+Params withoutRule(const Figure& figure, Params params);
+
+/// Runs a figure with and without its rule. Requires a figure with a scene.
+FigureCheck checkFigure(const Figure& figure);
+
+}  // namespace se

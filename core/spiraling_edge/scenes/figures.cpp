@@ -1,0 +1,414 @@
+/// The table of figures. Addresses, names and outcomes were found by
+/// `spiraling-edge run scene:figure-N --trace -`; tests/core/scenes/figures_test.cpp walks it.
+#include "spiraling_edge/scenes/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "spiraling_edge/scenes/figure_scenes.h"
+
+namespace se {
+namespace {
+
+constexpr double kOff = 0.0;
+constexpr double kTwoPointOff = 2.0;  // of over, from and off
+constexpr double kNextIsStart = 1.0;  // of end and start
+constexpr double kOther = 1.0;        // of end, other, longer and shorter
+
+// ---- names --------------------------------------------------------------------------------------
+
+constexpr PointName kNumbers[] = {{0, "1"},   {1, "2"},   {2, "3"},   {3, "4"},   {4, "5"},
+                                  {5, "6"},   {6, "7"},   {7, "8"},   {8, "9"},   {9, "10"},
+                                  {10, "11"}, {11, "12"}, {12, "13"}, {13, "14"}, {14, "15"},
+                                  {15, "16"}, {16, "17"}, {17, "18"}};
+constexpr PointName kNames3[] = {{0, "p"}, {1, "first"}, {2, "last"},
+                                 {3, "t"}, {4, "r"},     {7, "r'"}};
+constexpr PointName kNames4[] = {{0, "p"}, {1, "first"}, {2, "last"}, {5, "q"},
+                                 {6, "t"}, {8, "s"},     {9, "r"}};
+constexpr PointName kNames5[] = {{0, "p"}, {1, "1"}, {2, "2"}, {3, "r"}, {4, "last"}};
+constexpr PointName kNames6[] = {{0, "p"}, {1, "pfirst"}, {2, "plast"},
+                                 {5, "e"}, {7, "efirst"}, {6, "elast"}};
+constexpr PointName kNames7[] = {{0, "p"}, {1, "first"}, {2, "last"}, {3, "r"}, {4, "q"}};
+constexpr PointName kNames8[] = {{15, "p"}, {20, "first"}, {9, "t"},    {46, "q"},
+                                 {31, "s"}, {35, "r"},     {39, "last"}};
+constexpr PointName kNames9[] = {{0, "p"}, {1, "first"}, {2, "last"}};
+constexpr PointName kNames11[] = {{0, "p"},   {1, "first"}, {2, "last"}, {5, "start"},
+                                  {6, "end"}, {7, "t"},     {8, "s"}};
+constexpr PointName kNames13[] = {{0, "p"}, {1, "first"}, {2, "last"}};
+constexpr PointName kNames14[] = {{0, "p"}, {4, "first"}, {46, "q"}};
+constexpr PointName kNames18[] = {{66, "p"}, {74, "q"}, {75, "r"}};
+constexpr PointName kNames19[] = {{49, "p"}, {14, "q"}, {45, "r"}};
+constexpr PointName kNames20[] = {{0, "p"}, {2, "q"}, {3, "r"}};
+
+// ---- expectations -------------------------------------------------------------------------------
+
+constexpr FigureExpectation kExpected1[] = {
+    {"1.sphere.1", "9", "removed"},       {"1.sphere.2", "10", "removed"},
+    {"1.sphere.3", "3", "inside sphere"}, {"1.sphere.4", "11", "removed"},
+    {"1.sphere.5", "4", "inside sphere"}, {"1.sphere.6", "14", "removed"},
+    {"1.sphere.7", "5", "inside sphere"}, {"1.sphere.8", "6", "inside sphere"},
+    {"1.sphere.9", "18", "removed"},      {"1.sphere.10", "7", "inside sphere"},
+    {"1.sphere.11", "8", "removed"},
+};
+constexpr FigureExpectation kExpected2[] = {
+    {"1.advance.1", "2", "next pivot"},   {"2.ring.2", "8", "enters, USED 1"},
+    {"2.ring.3", "9", "enters, USED 1"},  {"2.ring.4", "10", "enters, USED 1"},
+    {"3.ring.2", "11", "enters, USED 1"}, {"5.ring.1", "5", "leaves, DONE"},
+    {"5.ring.4", "16", "enters, USED 1"}, {"5.advance.1", "6", "next pivot"},
+};
+constexpr FigureExpectation kExpected3[] = {
+    {"1.sort.1", "r", "kept"},
+    {"1.sort.4", "t", "beyond last"},
+    {"1.sort.6", "r'", "same angle"},
+};
+constexpr FigureExpectation kExpected4[] = {
+    {"1.limits.1", "q", "moved"},   {"1.limits.3", "t", "moved"},
+    {"1.limits.5", "s", "outside"}, {"1.limits.6", "q", "now start"},
+    {"1.limits.7", "t", "now end"}, {"1.limits.8", "r", "outside"},
+};
+constexpr FigureExpectation kExpected5[] = {
+    {"1.sort.4", "2", "kept"},
+    {"1.limits.1", "2", "convex"},
+    {"1.convex.1", "2", "after convex end"},
+};
+constexpr FigureExpectation kExpected6[] = {
+    {"1.sort.1", "e", "kept"},
+    {"1.reciprocal.1", "e", "not reciprocal"},
+    {"1.twopoint.1", "", "over 180"},
+};
+constexpr FigureExpectation kExpected7[] = {
+    {"1.hole.1", "q", "far side"},
+    {"1.hole.2", "r", "kept"},
+    {"1.emit.1", "p first r", "made"},
+    {"1.emit.2", "p r last", "made"},
+};
+constexpr FigureExpectation kExpected8[] = {
+    {"9.sphere.1", "t", "inside sphere"},
+    {"9.sphere.2", "q", "removed"},
+    {"9.sphere.3", "s", "inside sphere"},
+};
+constexpr FigureExpectation kExpected9[] = {
+    {"1.twopoint.1", "", "over 180"},
+    {"1.advance.1", "last", "next pivot"},
+    {"2.twopoint.1", "", "under 180"},
+};
+constexpr FigureExpectation kExpected10[] = {
+    {"9.emit.1", "p first t", "made"},
+    {"9.emit.2", "p t s", "made"},
+    {"9.emit.3", "p s r", "made"},
+    {"9.emit.4", "p r last", "made"},
+};
+constexpr FigureExpectation kExpected11[] = {
+    {"1.ring.1", "p", "leaves, DONE"},    {"1.ring.2", "first", "leaves, USED 1"},
+    {"1.ring.3", "last", "leaves, DONE"}, {"1.ring.4", "t", "enters, USED 1"},
+    {"1.ring.5", "s", "enters, USED 1"},  {"1.advance.1", "end", "next pivot"},
+};
+constexpr FigureExpectation kExpected12[] = {
+    {"35.split.1", "19", "splits"},
+    {"74.ring.2", "39", "enters, USED 2"},
+    {"74.join.1", "39", "joins"},
+};
+constexpr FigureExpectation kExpected13[] = {
+    {"1.skip.1", "p", "passed over"},
+    {"1.advance.1", "last", "next pivot"},
+    {"2.sphere.2", "6", "removed"},
+    {"2.sphere.3", "7", "gap too wide"},
+    {"2.emit.1", "last p 4", "made"},
+    {"4.emit.2", "first 5 p", "made"},
+};
+constexpr FigureExpectation kExpected14[] = {
+    {"1.insert.1", "q", "after"},
+    {"1.emit.1", "p first 34", "made"},
+    {"1.emit.4", "p 38 q", "made"},
+};
+constexpr FigureExpectation kExpected15[] = {
+    {"1.insert.1", "q", "before"},
+    {"1.emit.1", "p q 38", "made"},
+    {"1.emit.4", "p 34 first", "made"},
+};
+constexpr FigureExpectation kExpected16[] = {{"1.insert.1", "q", "after"}};
+constexpr FigureExpectation kExpected17[] = {
+    {"64.insert.1", "r", "before"},
+    {"64.emit.1", "p r q", "made"},
+};
+constexpr FigureExpectation kExpected18[] = {
+    {"64.insert.1", "r", "before"},
+    {"64.limits.1", "58", "no edge"},
+    {"64.emit.1", "p r q", "made"},
+};
+constexpr FigureExpectation kExpected19[] = {
+    {"56.insert.1", "r", "after"},
+};
+constexpr FigureExpectation kExpected20[] = {
+    {"1.insert.1", "r", "before"},
+    {"1.emit.1", "p r q", "made"},
+};
+
+// ---- the table ----------------------------------------------------------------------------------
+
+constexpr Vec3 kFront{0.0, 0.0, 1.0};
+
+/// A figure of the paper's results: a surface without a decision to show.
+Figure resultsFigure(int number, std::string_view title, std::string_view caption,
+                     FigureCounts counts, std::string_view sample) {
+    Figure figure;
+    figure.number = number;
+    figure.scene.title = title;
+    figure.scene.watch = caption;
+    figure.scene.build = nullptr;
+    figure.view = {0.6, -0.6, 0.5};
+    figure.counts = counts;
+    figure.sample = sample;
+    return figure;
+}
+
+const std::array kFigures{
+    Figure{1,
+           {"figure-1", "Figure 1: a point and its ring of neighbors",
+            "Point 1 has twelve neighbors, 2 to 11, 14 and 18; the farther ones, 8, 9, 10, 11, 14 "
+            "and 18, are removed, and 2 to 7 are left as its ring.",
+            figure1Points, "1.sphere.1"},
+           kFront,
+           kNumbers,
+           kExpected1,
+           {"sphere", kOff},
+           "All twelve stay, and the fan of point 1 has long thin triangles."},
+    Figure{2,
+           {"figure-2", "Figure 2: the spiral",
+            "Points have the figure's numbers less one: after five pivots the ring runs through "
+            "points 5 to 15, and 5 is the next pivot.",
+            figure2Points, "5.advance.1"},
+           kFront,
+           kNumbers,
+           kExpected2,
+           {"next", kNextIsStart},
+           "The traversal goes back to the start of each fan, and there is no spiral."},
+    Figure{3,
+           {"figure-3", "Figure 3: the maximum angle",
+            "Point t is a neighbor of p, but its angle is beyond that of last: it is left out.",
+            figure3Points, "1.sort.3", figure3Start},
+           kFront,
+           kNames3,
+           kExpected3,
+           {"maxangle", kOff},
+           "t stays, and its triangles lie over those between p and t.",
+           FaultKind::Intersecting},
+    Figure{4,
+           {"figure-4", "Figure 4: start and end move",
+            "The ring is concave at first and at last: start moves to q and end to t, and s and r, "
+            "beyond them, are left out.",
+            figure4Points, "1.limits.1", figure4Start},
+           kFront,
+           kNames4,
+           kExpected4,
+           {"limits", kOff},
+           "s and r stay: their triangles lie over those beside first and last."},
+    Figure{
+        5,
+        {"figure-5", "Figure 5: the convexity test",
+         "The surface bends away behind 1, so that 2, the point before 1 on the ring, passes the "
+         "angle test at p; since the ring is convex at 1, 2 is dropped. 3, behind 4, likewise.",
+         figure5Points, "1.convex.1", figure5Start},
+        {0.0, -0.35, 0.94},
+        kNames5,
+        kExpected5,
+        {"convex", kOff},
+        "2 stays, and the fan of p folds over the edge from 2 to 1.",
+        FaultKind::Flipped},
+    Figure{6,
+           {"figure-6", "Figure 6: the reciprocal test",
+            "Point e of the ring passes the angle test at p, but p lies on the finished side of e: "
+            "seen from e it could be no neighbor, and e is refused.",
+            figure6Points, "1.reciprocal.1", figure6Start},
+           kFront,
+           kNames6,
+           kExpected6,
+           {"reciprocal", kOff},
+           "The triangles p, pfirst, e and p, e, plast cross the finished strip at e.",
+           FaultKind::Intersecting},
+    Figure{7,
+           {"figure-7", "Figure 7: a hole of three",
+            "p, first and last enclose a hole: r, inside, stays; q, beyond the edge from last to "
+            "first, is removed.",
+            figure7Points, "1.hole.1", figure7Start},
+           kFront,
+           kNames7,
+           kExpected7,
+           {"holesize", kOff},
+           "q stays, and its triangles cross those beyond the hole.",
+           FaultKind::Intersecting},
+    Figure{8,
+           {"figure-8", "Figure 8: the circumsphere",
+            "q lies outside the sphere on the circle through p, t and s, and without it the gap "
+            "from t to s is 53 degrees: it is removed, and s is next.",
+            figure8Points, "9.sphere.2"},
+           kFront,
+           kNames8,
+           kExpected8,
+           {"sphere", kOff},
+           "q stays: the triangles p, t, q and p, q, s are long and thin."},
+    Figure{9,
+           {"figure-9", "Figure 9: two points over 180 degrees",
+            "Only first and last are left. At p they are 200 degrees apart: no triangle, p stays "
+            "on the ring. At the next pivot they are 100 degrees apart: a hole, which is filled.",
+            figure9Points, "1.twopoint.1", figure9Start},
+           kFront,
+           kNames9,
+           kExpected9,
+           {"twopoint", kTwoPointOff},
+           "The triangle p, first, last lies over finished ones.",
+           FaultKind::Intersecting},
+    Figure{10,
+           {"figure-10", "Figure 10: the fan of p",
+            "The triangles run counterclockwise from first to last, each with p as its first "
+            "corner: p, first, t; p, t, s; p, s, r; p, r, last.",
+            figure8Points, "9.emit.1"},
+           kFront,
+           kNames8,
+           kExpected10,
+           {"turn", kOther},
+           "Angles grow clockwise, and the fan is another one."},
+    Figure{11,
+           {"figure-11", "Figure 11: points that leave the ring",
+            "start and end have moved: p, first and last leave the ring. first stands on a stacked "
+            "ring too and stays USED, last is surrounded and DONE; t and s enter.",
+            figure11Points, "1.ring.2", figure11Start},
+           kFront,
+           kNames11,
+           kExpected11,
+           {"limits", kOff},
+           "start and end stay at first and last, which do not leave the ring."},
+    Figure{12,
+           {"figure-12", "Figure 12: split and join",
+            "At pivot 35 the ring meets itself and splits; at pivot 74 the two parts meet around "
+            "the tube and join again: 39 stands twice on one ring of 30.",
+            figure12Points, "74.join.1"},
+           {0.0, 0.0, 1.0},
+           {},
+           kExpected12,
+           {"active", kOther},
+           "The other part of a split goes on, and the run takes another way."},
+    Figure{13,
+           {"figure-13", "Figure 13: a boundary point on the ring",
+            "p lies on the wall, with free surface on both sides: it is passed over and stays; the "
+            "side at last is triangulated from last, that at first from first.",
+            figure13Points, "1.skip.1", figure13Start},
+           kFront,
+           kNames13,
+           kExpected13,
+           {"walls", kOff},
+           "p becomes a pivot, with a triangle without area along the wall.",
+           FaultKind::Degenerate},
+    Figure{14,
+           {"figure-14", "Figure 14: a ring of two boundary points",
+            "The first ring is two points on one wall: a third one on that wall, q, keeps the "
+            "sector inside the box.",
+            figure14Points, "1.insert.1"},
+           kFront,
+           kNames14,
+           kExpected14,
+           {"thirdpoint", kOff},
+           "The sector is a full turn: the last triangle lies along the wall, without area.",
+           FaultKind::Degenerate},
+    Figure{15,
+           {"figure-15", "Figure 15: the third point as first or last",
+            "The mirror image of Figure 14: here q is inserted before p and becomes first; there "
+            "it comes after p and is last.",
+            figure15Points, "1.insert.1"},
+           kFront,
+           kNames14,
+           kExpected15,
+           {"thirdpoint", kOff},
+           "The sector is a full turn: a triangle lies along the wall, without area.",
+           FaultKind::Degenerate},
+    Figure{16,
+           {"figure-16", "Figure 16: before or after p",
+            "The normal of p x the vector to first points into the box from the wall -y: q is "
+            "inserted after p.",
+            figure14Points, "1.insert.1"},
+           kFront,
+           kNames14,
+           kExpected16,
+           {"thirdpoint", kOff},
+           "There is no third point to place.",
+           FaultKind::Degenerate},
+    Figure{17,
+           {"figure-17", "Figure 17: from one wall to the next",
+            "p lies on the wall +x and q, after it on the ring, on +y: between them is the corner, "
+            "r, which no interior point would reach.",
+            figure2Points, "64.pivot.1"},
+           kFront,
+           kNames18,
+           kExpected17,
+           {"corners", kOff},
+           "r is in no triangle."},
+    Figure{18,
+           {"figure-18", "Figure 18: entering a corner",
+            "p is on the way into a corner: r is inserted before it, and the triangle p, r, q "
+            "fills the corner.",
+            figure2Points, "64.insert.1"},
+           kFront,
+           kNames18,
+           kExpected18,
+           {"corners", kOff},
+           "r is in no triangle."},
+    Figure{19,
+           {"figure-19", "Figure 19: leaving a corner",
+            "q, before p on the ring, lies on another wall: r is inserted after p.", figure14Points,
+            "56.insert.1"},
+           kFront,
+           kNames19,
+           kExpected19,
+           {"corners", kOff},
+           "r is in no triangle."},
+    Figure{20,
+           {"figure-20", "Figure 20: on a corner",
+            "p is the corner itself: r is inserted on the side of q, where the ring passes to "
+            "another wall.",
+            figure20Points, "1.insert.1", figure20Start},
+           kFront,
+           kNames20,
+           kExpected20,
+           {"corners", kOff},
+           "r is in no triangle."},
+    resultsFigure(21, "Figure 21: hydrogen",
+                  "An orbital of hydrogen: two lobes within a ring, at whose end the edge ring "
+                  "joins itself (Figure 12).",
+                  {1516, 3020}, "sample:hydrogen,n=1516"),
+    resultsFigure(22, "Figure 22: lobster",
+                  "A computed tomography of a lobster; it needs the volume lobster.nhdr.",
+                  {42906, 83893}, ""),
+    resultsFigure(23, "Figure 23: hyperboloid",
+                  "A quadric in a box: a closed formula, cut by the walls.", {215, 366},
+                  "sample:hyperboloid,n=215"),
+    resultsFigure(24, "Figure 24: blast wave", "A dome, cut by two walls.", {1393, 2662},
+                  "sample:blast-wave,n=1393"),
+    resultsFigure(25, "Figure 25: electron cloud",
+                  "The electron density of a molecule; it needs the volume electron_cloud.nhdr.",
+                  {3755, 7046}, ""),
+};
+
+}  // namespace
+
+std::span<const Figure> figures() { return kFigures; }
+
+const Figure* findFigure(int number) {
+    const auto found = std::find_if(kFigures.begin(), kFigures.end(),
+                                    [&](const Figure& each) { return each.number == number; });
+    return found == kFigures.end() ? nullptr : &*found;
+}
+
+const Figure* figureOfScene(std::string_view id) {
+    const auto found = std::find_if(kFigures.begin(), kFigures.end(), [&](const Figure& each) {
+        return each.hasScene() && each.scene.id == id;
+    });
+    return found == kFigures.end() ? nullptr : &*found;
+}
+
+std::string sourceOf(const Figure& figure) {
+    if (figure.hasScene()) return "scene:" + std::string(figure.scene.id);
+    return std::string(figure.sample);
+}
+
+}  // namespace se
