@@ -14,6 +14,7 @@ void InputArguments::addTo(CLI::App& app) {
     app.add_option("IN", input_, "File with points, - or scene:ID")->required();
     piece_.addTo(app);
     rules_.addTo(app);
+    start_.addTo(app);
     neighbors_.addTo(app);
     derived_.addTo(app);
     for (const CLI::Option* option : app.get_options()) {
@@ -50,6 +51,12 @@ std::vector<std::string> InputArguments::options() const {
 
 Params InputArguments::params() const { return paramsFrom(rules_, neighbors_); }
 
+void InputArguments::requireWhole(const GivenStart& start) const {
+    for (const GivenOption& each : given()) {
+        if (each.name == "crop" || each.name == "thin") requireNoStart(start, "--" + each.name);
+    }
+}
+
 PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
     return prepareOptionsFrom(params(), neighbors_, derived_, file);
 }
@@ -70,7 +77,10 @@ PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const 
     Prepared prepared = runWithProgress("preparing", input_, line, [&](const Progress& progress) {
         return se::prepare(file, options, progress);
     });
-    const Params rules = params();
+    Params rules = params();
+    rules.start = start_.start(input_);
+    requireWhole(rules.start);
+    start_.require(prepared.points, rules.start, input_);
     requirePossible(prepared.points, rules);
     file.normal = prepared.points.normal;
     file.type = prepared.points.type;

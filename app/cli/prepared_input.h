@@ -8,6 +8,7 @@
 #include "options.h"
 #include "piece_input.h"
 #include "progress.h"
+#include "start_file.h"
 
 namespace se::cli {
 
@@ -45,10 +46,13 @@ class InputArguments {
 
   private:
     Params params() const;
+    /// Throws Failure(Usage) if a piece was chosen, whose points have other numbers than a start.
+    void requireWhole(const GivenStart& start) const;
 
     std::string input_;
     PieceArguments piece_;
     RuleArguments rules_;
+    StartArguments start_;
     NeighborArguments neighbors_;
     DerivedArguments derived_;
     std::vector<const CLI::Option*> options_;

@@ -1534,6 +1534,55 @@ scenes_are_listed() {
     is "$(grep -c '"id"' out)" "$lines" "scenes in JSON"
 }
 
+starts_are_given_as_json() {
+    expect 0 run scene:figure-3 -q --trace scene.txt -o points.ply
+    echo '{"triangles": [[0, 2, 5], [0, 5, 6], [0, 6, 1]], "rings": [[0, 2, 5, 6, 1]]}' >start.json
+    expect 0 run points.ply --start start.json -q --trace file.txt --report report.json
+    cmp -s scene.txt file.txt || fail "the start of the file is another one"
+    says report.json '"rings": 1'
+    grep -q 'beyond\|not before last' file.txt || fail "t is no longer beyond last"
+    expect 0 compare points.ply --start start.json --with --rule limits=off
+    expect 1 compare points.ply --start start.json --with --rule maxangle=off
+    expect 0 why points.ply --start start.json --point 4
+    says out "(1.emit.1)"
+    expect 0 run scene:figure-3 --report report.json
+    says report.json '"triangles": 3'
+    expect 0 run scene:torus --report report.json
+    says report.json '"start": null'
+}
+
+bad_starts_are_malformed_input() {
+    expect 0 run scene:figure-3 -q -o points.ply
+    local text says
+    while IFS='|' read -r text says; do
+        echo "$text" >bad.json
+        expect 3 run points.ply --start bad.json
+        says err "bad.json: $says"
+        empty out
+    done <<'END'
+{"rings": [[0, 2, "x"]]}|rings[0][2]: expected the number of a point, from 0, got "x"
+{"rings": [[0, 2, -1]]}|rings[0][2]: expected the number of a point, from 0, got -1
+{"rings": 4}|rings: expected a list of rings, got 4
+{"ring": []}|"ring": no such entry; expected triangles, rings, done or open
+[]|expected an object with triangles and rings, got []
+{"rings":|expected JSON, 
+{}|expected triangles, rings or done points, there are none
+{"triangles": [[0, 1]]}|triangles[0]: expected a triangle, such as [0, 1, 2], got [0,1]
+{"rings": [[0, 2]], "open": [[0]]}|open[0]: expected a step of a ring, such as [0, 1], got [0]
+{"done": [99]}|done[0]: there is no point 99; the points are 0 to 7.
+{"rings": [[0, 2, 5, 6, 1]]}|rings[0]: the step 0 -> 2 is no edge of a triangle
+END
+    expect 3 run points.ply --start nowhere.json
+    says err "nowhere.json"
+    for verb in "run scene:figure-4 --best" "run scene:figure-4 --thin 1" \
+        "why scene:figure-4 --point 1 --thin 1" \
+        "reduce scene:figure-6 --rule reciprocal=off --failure intersecting_triangles -o x.ply"; do
+        expect 2 $verb
+        says err "the run begins with given triangles, which name points by numbers"
+    done
+    expect 2 run points.ply --start bad.json --best
+}
+
 every_scene_runs() {
     "$program" scenes | cut -d' ' -f1 >list
     while read -r scene; do

@@ -265,6 +265,14 @@ std::string endingSentence(const RunOutcome& outcome) {
     return "";
 }
 
+/// The size of a given start; null without one.
+Json startJson(const GivenStart& start) {
+    if (start.empty()) return {};
+    return {{"triangles", start.triangles.size()},
+            {"rings", start.rings.size()},
+            {"done", start.done.size()}};
+}
+
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
@@ -279,7 +287,8 @@ std::string faultSentence(const RunOutcome& outcome) {
     text += ": " + faultCounts(outcome);
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
-    const bool whole = outcome.ending == Ending::Finished && outcome.params.whatIf.empty();
+    const bool whole = outcome.ending == Ending::Finished && outcome.params.whatIf.empty() &&
+                       outcome.params.start.empty();
     if (!outcome.trials && whole) text += "; --best may avoid them";
     return text;
 }
@@ -306,6 +315,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["best"] = outcome.trials ? trialsJson(*outcome.trials) : Json();
     json["what_if"] = Json::array();
     for (const WhatIf& each : outcome.params.whatIf) json["what_if"].push_back(lineOf(each));
+    json["start"] = startJson(outcome.params.start);
     json["run_hash"] = fmt::format("{:016x}", runHash(outcome.state, outcome.params));
     json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
     addAlerts(outcome.state.alerts, json);

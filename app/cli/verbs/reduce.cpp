@@ -235,6 +235,7 @@ ExitCode reduceVerb(const Arguments& words) {
     const PreparedInput run = arguments.input.prepare(line);
     if (!run.params.whatIf.empty())
         throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
+    requireNoStart(run.params.start, "reduce");
     const MeshFailure failure =
         pickFailure(inspectWithTotals(run.points, endOfRun(run.points, run.params).mesh()), wanted,
                     arguments.input.input());

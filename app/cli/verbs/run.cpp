@@ -19,6 +19,7 @@
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
+#include "start_file.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -46,6 +47,7 @@ struct RunArguments {
     PieceArguments piece;
     RuleArguments rules;
     NeighborArguments neighbors;
+    StartArguments start;
     DerivedArguments derived;
 
     void addTo(CLI::App& app) {
@@ -75,6 +77,7 @@ struct RunArguments {
         derived.addTo(app);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
+        start.addTo(app);
                      "the doctor would drop) and keep the best mesh: the fewest faults, at most "
                      "one point in 200 more lost, no more openings closed; points that it drops "
                      "are set aside, and not lost; at most 20 runs")
@@ -262,6 +265,10 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
+    settings.start = arguments.start.start(arguments.input);
+    if (arguments.best) requireNoStart(settings.start, "--best");
+    if (outcome.points.kept < outcome.points.inFile)
+        requireNoStart(settings.start, "--crop, --thin");
                                   "far is not a surface. See docs/limitations.md",
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
@@ -325,6 +332,7 @@ ExitCode runVerb(const Arguments& words) {
     const bool writes = outcome.ending != Ending::Interrupted;
     // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
     if (writes) releaseInterrupts();
+    arguments.start.require(prepared.points, outcome.params.start, arguments.input);
     inspect(arguments, prepared.points, outcome);
     if (arguments.faultFields)
         setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
