@@ -1535,7 +1535,7 @@ scenes_are_listed() {
 }
 
 starts_are_given_as_json() {
-    expect 0 run scene:figure-3 -q --trace scene.txt -o points.ply
+    expect 0 run scene:figure-3 -q --with-lists --trace scene.txt -o points.ply
     echo '{"triangles": [[0, 2, 5], [0, 5, 6], [0, 6, 1]], "rings": [[0, 2, 5, 6, 1]]}' >start.json
     expect 0 run points.ply --start start.json -q --trace file.txt --report report.json
     cmp -s scene.txt file.txt || fail "the start of the file is another one"
@@ -1552,7 +1552,7 @@ starts_are_given_as_json() {
 }
 
 bad_starts_are_malformed_input() {
-    expect 0 run scene:figure-3 -q -o points.ply
+    expect 0 run scene:figure-3 -q --with-lists -o points.ply
     local text says
     while IFS='|' read -r text says; do
         echo "$text" >bad.json
@@ -1581,6 +1581,22 @@ END
         says err "the run begins with given triangles, which name points by numbers"
     done
     expect 2 run points.ply --start bad.json --best
+}
+
+lists_are_written_on_request() {
+    expect 0 run scene:torus -q -o plain.ply
+    is "$(header_count se_neighbors plain.ply)" "" "lists without the option"
+    expect 0 run scene:torus -q --with-lists -o torus.ply --report first.json
+    is "$(header_count se_neighbors torus.ply)" 1000 "lists"
+    expect 0 run torus.ply -q -k 5 --report other.json
+    expect 0 run torus.ply -q --report second.json
+    says second.json '"neighbors_computed": false'
+    is "$(grep state_hash second.json)" "$(grep state_hash first.json)" "the run on the written lists"
+    expect 2 run scene:torus --with-lists
+    expect 2 run scene:torus --with-lists -o torus.obj
+    says err "this format cannot hold neighbor lists; choose .ply"
+    expect 2 run scene:torus --with-lists --used-points -o torus.ply
+    says err "leave out --used-points"
 }
 
 every_scene_runs() {

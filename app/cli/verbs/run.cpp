@@ -37,6 +37,7 @@ struct RunArguments {
     std::string output;
     bool usedPoints = false;
     bool faultFields = false;
+    bool lists = false;
     std::string report;
     std::string trace;
     std::optional<std::uint32_t> maxPivots;
@@ -46,8 +47,8 @@ struct RunArguments {
     WriteOptions writing;
     PieceArguments piece;
     RuleArguments rules;
-    NeighborArguments neighbors;
     StartArguments start;
+    NeighborArguments neighbors;
     DerivedArguments derived;
 
     void addTo(CLI::App& app) {
@@ -71,13 +72,16 @@ struct RunArguments {
                      "With -o FILE.ply: write as scalar fields of each point its most severe "
                      "fault and its distance from the mesh")
             ->needs(out);
+        app.add_flag("--with-lists", lists,
+                     "With -o FILE.ply: write the neighbor lists too, also computed ones")
+            ->needs(out);
         piece.addTo(app);
         rules.addTo(app);
+        start.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
-        start.addTo(app);
                      "the doctor would drop) and keep the best mesh: the fewest faults, at most "
                      "one point in 200 more lost, no more openings closed; points that it drops "
                      "are set aside, and not lost; at most 20 runs")
@@ -107,6 +111,7 @@ struct RunArguments {
                                       listText(meshFormats(), &MeshFormat::extension, "and")));
         if (writing.normals) requireNormals();
         if (faultFields) requireColumns();
+        if (lists) requireLists();
         // A mesh contains the points of the input, so it may replace it.
         requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
@@ -121,6 +126,21 @@ struct RunArguments {
                         "choose {}",
                         output,
                         listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns)));
+    }
+
+    /// Reports `--with-lists` where no neighbor lists can be written.
+    void requireLists() const {
+        if (output != "-" && !keepsColumns(*meshFormatOf(output))) {
+            throw Failure(
+                ExitCode::Usage,
+                fmt::format("--with-lists -o {}: this format cannot hold neighbor lists; "
+                            "choose {}",
+                            output,
+                            listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns)));
+        }
+        if (usedPoints)
+            throw Failure(ExitCode::Usage,
+                          "--with-lists: the lists name all points; leave out --used-points");
     }
 
     /// Reports `--normals` where no normals can be written.
@@ -245,6 +265,10 @@ RunSettings chooseSettings(const RunArguments& arguments, const PointFile& file,
                            RunOutcome& outcome) {
     RunSettings settings =
         settingsFrom(arguments.rules, arguments.neighbors, arguments.derived, file);
+    settings.start = arguments.start.start(arguments.input);
+    if (arguments.best) requireNoStart(settings.start, "--best");
+    if (outcome.points.kept < outcome.points.inFile)
+        requireNoStart(settings.start, "--crop, --thin");
     if (arguments.best) {
         outcome.trials = tryOthers(file, settings, arguments.input, line);
         settings = bestOf(*outcome.trials, settings);
@@ -265,10 +289,6 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
-    settings.start = arguments.start.start(arguments.input);
-    if (arguments.best) requireNoStart(settings.start, "--best");
-    if (outcome.points.kept < outcome.points.inFile)
-        requireNoStart(settings.start, "--crop, --thin");
                                   "far is not a surface. See docs/limitations.md",
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
@@ -312,6 +332,7 @@ ExitCode runVerb(const Arguments& words) {
     Prepared prepared = runWithProgress(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
+    arguments.start.require(prepared.points, outcome.params.start, arguments.input);
     requirePossible(prepared.points, outcome.params);
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;
@@ -326,13 +347,13 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.seconds.triangulate = watch.lap();
     // These take as much memory as the mesh, and nothing below reads them.
+    if (arguments.lists) file.neighbors = std::move(prepared.points.neighbors);
     prepared.points.neighbors = {};
     outcome.state.edges = {};
     outcome.state.repair.tree = nullptr;
     const bool writes = outcome.ending != Ending::Interrupted;
     // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
     if (writes) releaseInterrupts();
-    arguments.start.require(prepared.points, outcome.params.start, arguments.input);
     inspect(arguments, prepared.points, outcome);
     if (arguments.faultFields)
         setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
