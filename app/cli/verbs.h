@@ -29,6 +29,8 @@ ExitCode sampleVerb(const Arguments& arguments);
 ExitCode table1Verb(const Arguments& arguments);
 /// Explains why something is in the mesh, or why not.
 ExitCode whyVerb(const Arguments& arguments);
+/// Prints the figures of the paper, and checks them.
+ExitCode figuresVerb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Starts the viewer. Returns only by throwing.

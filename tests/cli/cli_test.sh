@@ -1534,6 +1534,23 @@ scenes_are_listed() {
     is "$(grep -c '"id"' out)" "$lines" "scenes in JSON"
 }
 
+figures_hold() {
+    expect 0 figures 8
+    says out "Figure 8: the circumsphere"
+    says out "open     scene:figure-8 --goto 9.sphere.2"
+    says out "points   p = 15, first = 20, t = 9, q = 46, s = 31, r = 35, last = 39"
+    says out "without  --rule sphere=off:"
+    expect 0 figures --check
+    is "$(grep -c '^Figure ' out)" 25 "figures"
+    grep -q FAILS out && fail "a figure does not hold"
+    is "$(grep -c '^  skipped ' out)" 2 "figures that need a volume"
+    says out "holds    9.emit.2 p t s: made"
+    says out "holds    1516 points, 3024 triangles"
+    expect 2 figures 26
+    expect 2 figures --check --volumes nowhere
+    says err "no such folder"
+}
+
 starts_are_given_as_json() {
     expect 0 run scene:figure-3 -q --with-lists --trace scene.txt -o points.ply
     echo '{"triangles": [[0, 2, 5], [0, 5, 6], [0, 6, 1]], "rings": [[0, 2, 5, 6, 1]]}' >start.json

@@ -110,12 +110,9 @@ constexpr FigureExpectation kExpected12[] = {
     {"74.join.1", "39", "joins"},
 };
 constexpr FigureExpectation kExpected13[] = {
-    {"1.skip.1", "p", "passed over"},
-    {"1.advance.1", "last", "next pivot"},
-    {"2.sphere.2", "6", "removed"},
-    {"2.sphere.3", "7", "gap too wide"},
-    {"2.emit.1", "last p 4", "made"},
-    {"4.emit.2", "first 5 p", "made"},
+    {"1.skip.1", "p", "passed over"}, {"1.advance.1", "last", "next pivot"},
+    {"2.sphere.2", "6", "removed"},   {"2.sphere.3", "7", "gap too wide"},
+    {"2.emit.1", "last p 4", "made"}, {"4.emit.2", "first 5 p", "made"},
 };
 constexpr FigureExpectation kExpected14[] = {
     {"1.insert.1", "q", "after"},
@@ -150,8 +147,9 @@ constexpr FigureExpectation kExpected20[] = {
 constexpr Vec3 kFront{0.0, 0.0, 1.0};
 
 /// A figure of the paper's results: a surface without a decision to show.
-Figure resultsFigure(int number, std::string_view title, std::string_view caption,
-                     FigureCounts counts, std::string_view sample) {
+constexpr Figure resultsFigure(int number, std::string_view title, std::string_view caption,
+                               FigureCounts counts, std::string_view sample,
+                               std::string_view volume = {}) {
     Figure figure;
     figure.number = number;
     figure.scene.title = title;
@@ -160,10 +158,11 @@ Figure resultsFigure(int number, std::string_view title, std::string_view captio
     figure.view = {0.6, -0.6, 0.5};
     figure.counts = counts;
     figure.sample = sample;
+    figure.volume = volume;
     return figure;
 }
 
-const std::array kFigures{
+constexpr std::array kFigures{
     Figure{1,
            {"figure-1", "Figure 1: a point and its ring of neighbors",
             "Point 1 has twelve neighbors, 2 to 11, 14 and 18; the farther ones, 8, 9, 10, 11, 14 "
@@ -187,7 +186,7 @@ const std::array kFigures{
     Figure{3,
            {"figure-3", "Figure 3: the maximum angle",
             "Point t is a neighbor of p, but its angle is beyond that of last: it is left out.",
-            figure3Points, "1.sort.3", figure3Start},
+            figure3Points, "1.sort.4", figure3Start},
            kFront,
            kNames3,
            kExpected3,
@@ -204,18 +203,17 @@ const std::array kFigures{
            kExpected4,
            {"limits", kOff},
            "s and r stay: their triangles lie over those beside first and last."},
-    Figure{
-        5,
-        {"figure-5", "Figure 5: the convexity test",
-         "The surface bends away behind 1, so that 2, the point before 1 on the ring, passes the "
-         "angle test at p; since the ring is convex at 1, 2 is dropped. 3, behind 4, likewise.",
-         figure5Points, "1.convex.1", figure5Start},
-        {0.0, -0.35, 0.94},
-        kNames5,
-        kExpected5,
-        {"convex", kOff},
-        "2 stays, and the fan of p folds over the edge from 2 to 1.",
-        FaultKind::Flipped},
+    Figure{5,
+           {"figure-5", "Figure 5: the convexity test",
+            "Beyond 1 the surface bends away from the viewer, so that 2, the point before 1 on the "
+            "ring, passes the angle test at p; since the ring is convex at 1, 2 is dropped.",
+            figure5Points, "1.convex.1", figure5Start},
+           {0.0, -0.35, 0.94},
+           kNames5,
+           kExpected5,
+           {"convex", kOff},
+           "2 stays, and the fan of p folds over the edge from 2 to 1.",
+           FaultKind::Flipped},
     Figure{6,
            {"figure-6", "Figure 6: the reciprocal test",
             "Point e of the ring passes the angle test at p, but p lies on the finished side of e: "
@@ -324,7 +322,7 @@ const std::array kFigures{
            FaultKind::Degenerate},
     Figure{16,
            {"figure-16", "Figure 16: before or after p",
-            "The normal of p x the vector to first points into the box from the wall -y: q is "
+            "The normal of p x the vector to first points from the wall -y into the box: q is "
             "inserted after p.",
             figure14Points, "1.insert.1"},
            kFront,
@@ -376,17 +374,15 @@ const std::array kFigures{
                   "An orbital of hydrogen: two lobes within a ring, at whose end the edge ring "
                   "joins itself (Figure 12).",
                   {1516, 3020}, "sample:hydrogen,n=1516"),
-    resultsFigure(22, "Figure 22: lobster",
-                  "A computed tomography of a lobster; it needs the volume lobster.nhdr.",
-                  {42906, 83893}, ""),
+    resultsFigure(22, "Figure 22: lobster", "A computed tomography of a lobster.", {42906, 83893},
+                  "", "lobster.nhdr"),
     resultsFigure(23, "Figure 23: hyperboloid",
                   "A quadric in a box: a closed formula, cut by the walls.", {215, 366},
                   "sample:hyperboloid,n=215"),
     resultsFigure(24, "Figure 24: blast wave", "A dome, cut by two walls.", {1393, 2662},
                   "sample:blast-wave,n=1393"),
-    resultsFigure(25, "Figure 25: electron cloud",
-                  "The electron density of a molecule; it needs the volume electron_cloud.nhdr.",
-                  {3755, 7046}, ""),
+    resultsFigure(25, "Figure 25: electron cloud", "The electron density of a molecule.",
+                  {3755, 7046}, "", "electron_cloud.nhdr"),
 };
 
 }  // namespace

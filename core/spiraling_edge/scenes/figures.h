@@ -54,6 +54,7 @@ struct Figure {
     /// Of a figure of the results: the input as the viewer opens it, "sample:hydrogen,n=1516";
     /// empty: it needs a volume that is not part of this program.
     std::string_view sample = {};
+    std::string_view volume = {};  ///< File of that volume, "lobster.nhdr".
 
     /// True if its points are built in.
     bool hasScene() const { return scene.build != nullptr; }

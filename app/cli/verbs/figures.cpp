@@ -1,0 +1,169 @@
+// spiraling-edge figures: the figures of the paper, where to see them, and whether they hold.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "options.h"
+#include "output/output.h"
+#include "progress.h"
+#include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/scenes/figures.h"
+#include "surface_input.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct FigureArguments {
+    std::vector<int> numbers;
+    std::string volumes;
+    bool check = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("N", numbers, "Numbers of figures (default: all)")
+            ->check(CLI::Range(1, static_cast<int>(figures().size())));
+        app.add_flag("--check", check,
+                     "Run each figure, with and without its rule; exit with 1 if one does not "
+                     "show what it should");
+        app.add_option(
+               "--volumes", volumes,
+               "With --check: folder with the volumes of Figures 22 and 25 (docs/table1.md)")
+            ->type_name("DIR");
+    }
+    bool isWanted(const Figure& figure) const {
+        return numbers.empty() ||
+               std::find(numbers.begin(), numbers.end(), figure.number) != numbers.end();
+    }
+};
+
+/// The text of a figure, and whether it holds; unchecked ones do.
+struct FigureText {
+    std::string text;
+    bool holds = true;
+};
+
+std::string namesText(const Figure& figure) {
+    std::string text;
+    for (const PointName& each : figure.names)
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", each.name, each.point);
+    return text;
+}
+
+std::string ruleText(const Figure& figure) {
+    const RuleSetting& rule = *findRuleSetting(figure.rule.name);
+    return fmt::format("--rule {}={}", rule.name, valueText(rule, figure.rule.value));
+}
+
+std::string headText(const Figure& figure) {
+    std::string text = fmt::format("{}\n  {}\n", figure.scene.title, figure.scene.watch);
+    if (figure.hasScene()) {
+        text += fmt::format("  open     {} --goto {}\n", sourceOf(figure), figure.scene.address);
+    } else {
+        const std::string source = sourceOf(figure);
+        text += source.empty() ? fmt::format("  needs    the volume {}\n", figure.volume)
+                               : fmt::format("  open     {} (in the viewer)\n", source);
+        text += fmt::format("  table 1  {} points, {} triangles\n", figure.counts.points,
+                            figure.counts.triangles);
+    }
+    if (!figure.names.empty()) text += fmt::format("  points   {}\n", namesText(figure));
+    if (figure.hasScene())
+        text += fmt::format("  without  {}: {}\n", ruleText(figure), figure.absence);
+    return text;
+}
+
+/// "t, removed"
+std::string expectedText(const FigureExpectation& expected) {
+    return fmt::format("{}{}{}", expected.points, expected.points.empty() ? "" : ": ",
+                       expected.outcome);
+}
+
+FigureText checkedScene(const Figure& figure) {
+    const FigureCheck check = checkFigure(figure);
+    FigureText checked{{}, check.holds()};
+    for (const CheckedExpectation& each : check.expectations) {
+        checked.text += fmt::format("  {:<8} {} {}\n", each.holds ? "holds" : "FAILS",
+                                    each.expected.address, expectedText(each.expected));
+        if (!each.holds) {
+            checked.text += fmt::format("           found: {}\n",
+                                        each.found.empty() ? "no such decision" : each.found);
+        }
+    }
+    checked.text +=
+        fmt::format("  {:<8} {}: {} of {} do not hold", check.showsAbsence ? "holds" : "FAILS",
+                    ruleText(figure), check.brokenWithout, check.expectations.size());
+    if (figure.fault)
+        checked.text += fmt::format(", faults: {}, not {}", check.faultsWithout, check.faultsWith);
+    checked.text += "\n";
+    return checked;
+}
+
+/// The shape or the volume that a figure of the results is of; empty if the volume is not given.
+std::string surfaceOf(const Figure& figure, const std::string& volumes) {
+    if (figure.volume.empty()) {
+        const std::string_view name = figure.sample.substr(figure.sample.find(':') + 1);
+        return std::string(name.substr(0, name.find(',')));
+    }
+    if (volumes.empty()) return {};
+    return (std::filesystem::path(volumes) / figure.volume).string();
+}
+
+/// A figure of the results: as many points as in the paper, and within 2 % as many triangles.
+FigureText checkedResult(const Figure& figure, const std::string& volumes, ProgressLine& line) {
+    constexpr std::size_t kPercent = 2;
+    const std::string surface = surfaceOf(figure, volumes);
+    if (surface.empty()) return {"  skipped  give its volume with --volumes\n", true};
+    SamplerOptions sampling;
+    sampling.count = figure.counts.points;
+    const PointFile file =
+        samplePoints(readSurface(surface, std::nullopt), sampling, surface, line);
+    PrepareOptions options;
+    options.neighbors.reach = WithinSpacings{};
+    const Result<Prepared> prepared = prepare(file, options);
+    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
+    const std::size_t made = reconstruct(prepared.value().points, {}).state.mesh().size();
+    const std::size_t wanted = figure.counts.triangles;
+    const std::size_t off = made > wanted ? made - wanted : wanted - made;
+    const bool holds =
+        file.position.size() == figure.counts.points && 100 * off <= kPercent * wanted;
+    return {fmt::format("  {:<8} {} points, {} triangles\n", holds ? "holds" : "FAILS",
+                        file.position.size(), made),
+            holds};
+}
+
+}  // namespace
+
+ExitCode figuresVerb(const Arguments& words) {
+    FigureArguments arguments;
+    CLI::App app(
+        "Lists the figures of the paper, all or those numbered N: the scene and the decision to "
+        "open, the points by the "
+        "paper's letters, and what goes wrong without the rule.",
+        "spiraling-edge figures");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    if (!arguments.volumes.empty() && !std::filesystem::is_directory(arguments.volumes))
+        throw Failure(ExitCode::Usage, "--volumes " + arguments.volumes + ": no such folder");
+    catchInterrupts();
+    ProgressLine line(arguments.check);
+    std::size_t failed = 0;
+    for (const Figure& figure : figures()) {
+        if (!arguments.isWanted(figure)) continue;
+        FigureText checked;
+        if (arguments.check) {
+            checked = figure.hasScene() ? checkedScene(figure)
+                                        : checkedResult(figure, arguments.volumes, line);
+        }
+        writeOutput("-", headText(figure) + checked.text);
+        failed += checked.holds ? 0 : 1;
+    }
+    if (failed > 0) {
+        throw Failure(ExitCode::CheckFailed, fmt::format("{} of the figures {} not hold", failed,
+                                                         failed == 1 ? "does" : "do"));
+    }
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli
