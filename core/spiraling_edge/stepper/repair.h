@@ -95,9 +95,9 @@ inline constexpr std::uint32_t kSettlingRound = 2;
 /// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
 
-/// As above, with the table of all their edges at hand, which is unchanged afterwards.
+/// As above, with the table of all their edges at hand.
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles,
-                        EdgeTable& table);
+                        const EdgeTable& table);
 
 /// RobustRules::dropPatches: takes out the next component of under kSmallComponent triangles with a
 /// point that lists one of a component of more. Nothing if none is left.

@@ -1,12 +1,15 @@
 /// Beyond the paper: the steps after the last pivot (repair.h), each with a number like a pivot.
 /// Each kind runs until it finds nothing more, in the order of kOrder, kRepairRounds times. Their
 /// half-edges: twins are found in a table of directed edges, sides of edges with more than two
-/// triangles get none, and points with more than one fan are marked. O(t) for t triangles.
+/// triangles get none, and points with more than one fan are marked. O(t) for t triangles, on all
+/// cores.
 #include "spiraling_edge/stepper/repair.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -26,14 +29,56 @@ void forEachList(Repair& m, const Work& work) {
     work(m.pinchedSides);
 }
 
-void markPinched(RepairState& m) {
-    std::vector<Index> sides(m.sideOf.size(), 0);
-    for (const Triangle& t : m.triangles) {
-        ++sides[t.a];
-        ++sides[t.b];
-        ++sides[t.c];
+/// Fewest triangles or points that are worth a thread of their own.
+constexpr std::size_t kItemsPerThread = 1 << 15;
+
+/// The side u -> v, if there is exactly one; else kNone.
+HalfEdge onlySide(const EdgeTable& table, Index u, Index v) {
+    HalfEdge only = kNone;
+    for (HalfEdge h = table.firstFrom(u); h != kNone; h = table.nextFrom(h)) {
+        if (table.target(h) != v) continue;
+        if (only != kNone) return kNone;
+        only = h;
     }
-    for (Index p = 0; p < m.sideOf.size(); ++p) m.pinched.set(p, reachedSides(m, p) != sides[p]);
+    return only;
+}
+
+/// RepairState::twin.
+std::vector<HalfEdge> findTwins(const std::vector<Triangle>& triangles, const EdgeTable& table) {
+    std::vector<HalfEdge> twin(3 * triangles.size(), kNone);
+    forEachItem(triangles.size(), 0, kItemsPerThread, [&](std::size_t i) {
+        const std::array<Index, 3> c{triangles[i].a, triangles[i].b, triangles[i].c};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index u = c[k];
+            const Index v = c[(k + 1) % 3];
+            if (u >= v) continue;  // Found from the other side.
+            const auto h = static_cast<HalfEdge>(3 * i + k);
+            const HalfEdge other = onlySide(table, v, u);
+            if (other == kNone || other / 3 == i || onlySide(table, u, v) != h) continue;
+            twin[h] = other;
+            twin[other] = h;
+        }
+    });
+    return twin;
+}
+
+/// RepairState::sideOf.
+std::vector<HalfEdge> newestSides(const EdgeTable& table, std::size_t pointCount) {
+    std::vector<HalfEdge> newest(pointCount);
+    for (Index p = 0; p < pointCount; ++p) newest[p] = table.firstFrom(p);
+    return newest;
+}
+
+/// RepairState::pinched. Requires twins.
+std::vector<std::uint8_t> findPinched(const RepairState& m, const EdgeTable& table) {
+    std::vector<std::uint8_t> pinched(m.sideOf.size());
+    forEachItem(pinched.size(), 0, kItemsPerThread, [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
+        Index sides = 0;
+        for (HalfEdge h = table.firstFrom(p); h != kNone; h = table.nextFrom(h)) ++sides;
+        pinched[p] = reachedSides(m, p) != sides ? 1 : 0;
+    });
+    return pinched;
 }
 
 struct RepairPhase {
@@ -116,35 +161,17 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
 }
 
 RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles,
-                        EdgeTable& table) {
+                        const EdgeTable& table) {
+    assert(3 * triangles.size() == table.size());
     RepairState m;
     m.triangles = triangles;
-    m.twin.resize(3 * triangles.size(), kNone);
-    m.sideOf.resize(pointCount, kNone);
-    m.pinched.resize(pointCount, 0);
+    m.twin = findTwins(triangles, table);
+    m.sideOf = newestSides(table, pointCount);
+    m.pinched = findPinched(m, table);
     m.queue.reserve(3 * triangles.size() / 2);
-    std::vector<bool> crowded(3 * triangles.size(), false);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::array<Index, 3> c{triangles[i].a, triangles[i].b, triangles[i].c};
-        table.moveTo(i);  // The triangles before this one.
-        for (Index k = 0; k < 3; ++k) {
-            const auto h = static_cast<HalfEdge>(3 * i + k);
-            const HalfEdge same = table.find(c[k], c[(k + 1) % 3]);
-            const HalfEdge other = table.find(c[(k + 1) % 3], c[k]);
-            m.sideOf.set(c[k], h);
-            if (same != kNone) crowded[same] = crowded[h] = true;
-            if (other != kNone && m.twin[other] == kNone) pair(m, h, other);
-        }
-    }
-    table.moveTo(triangles.size());
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        if (crowded[h] && m.twin[h] != kNone) {
-            m.twin.set(m.twin[h], kNone);
-            m.twin.set(h, kNone);
-        }
         if (m.twin[h] != kNone && h < m.twin[h]) m.queue.push_back(h);
     }
-    markPinched(m);
     return m;
 }
 
