@@ -26,6 +26,9 @@ Objection overRim(const StepContext& context);
 Objection steep(const StepContext& context);
 /// A new edge across a ring step nearby, in the tangent plane (RobustRules::noCross).
 Objection crossing(const StepContext& context);
+/// True if the normals of the pivot's neighborhood all lie within 45 degrees of its own, as is
+/// usual: flat enough for RobustRules::noCross to see every overlap.
+bool isFlatAround(const StepContext& context);
 /// A triangle that meets a finished one nearby (RobustRules::noMeet).
 Objection meetsFinished(const StepContext& context);
 /// A triangle that is a second layer of a finished one nearby (RobustRules::noLayer).

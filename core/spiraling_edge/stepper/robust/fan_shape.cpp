@@ -154,23 +154,29 @@ class CrossingSearch {
         : context_(context), frame_(context.state.pivot.frame) {
         y_ = glm::cross(frame_.normal, frame_.z);
         x_ = glm::cross(y_, frame_.normal);
+        tested_.fill(kNone);
     }
 
-    Objection find() const {
+    Objection find() {
         const State& s = context_.state;
         const Index p = s.rings.point(s.pivot.pivot);
         for (const Index x : context_.points.neighbors[p]) {
             for (Index e = s.rings.firstEntryOf(x); e != kNone; e = s.rings[e].nextOfPoint) {
-                // A step between two listed points is found at its first one.
-                Objection found = againstStep(e, s.rings.next(e));
-                if (!found) found = againstStep(s.rings.prev(e), e);
-                if (found) return found;
+                const Index before = s.rings.prev(e);
+                if (isNew(e)) {
+                    if (const Objection found = againstStep(e, s.rings.next(e))) return found;
+                }
+                if (isNew(before)) {
+                    if (const Objection found = againstStep(before, e)) return found;
+                }
             }
         }
         return {};
     }
 
   private:
+    /// A step between two listed points comes up at both: true for the first time, mostly.
+    bool isNew(Index from) { return std::exchange(tested_[from % tested_.size()], from) != from; }
     Spot flat(const Vec3& offset) const { return {glm::dot(x_, offset), glm::dot(y_, offset)}; }
 
     Objection againstStep(Index from, Index to) const {
@@ -184,16 +190,18 @@ class CrossingSearch {
         const Vec3 dv = context_.points.position[v] - frame_.origin;
         const Spot fu = flat(du);
         const Spot fv = flat(dv);
+        Spot next = flat(fan.front().offset);
         for (std::size_t i = 0; i < fan.size(); ++i) {
+            const Spot a = next;
+            if (i + 1 < fan.size()) next = flat(fan[i + 1].offset);
             if (fan[i].point == u || fan[i].point == v) continue;
-            const Spot a = flat(fan[i].offset);
             // Also to ring points that start and end have passed, since points between may have
             // been left out.
             const bool isNew = i > 0 && i + 1 < fan.size();
             if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) return {Verdict::Crosses, i, false};
             if (i + 1 == fan.size() || fan[i + 1].point == u || fan[i + 1].point == v) continue;
             if (!fan[i].candidate && !fan[i + 1].candidate) continue;
-            if (properlyCross(a, flat(fan[i + 1].offset), fu, fv)) {
+            if (properlyCross(a, next, fu, fv)) {
                 return {Verdict::Crosses, i, true};
             }
         }
@@ -203,18 +211,10 @@ class CrossingSearch {
     const StepContext& context_;
     const Frame& frame_;
     Vec3 x_, y_;
+    std::array<Index, 16> tested_;  ///< Steps, by their entry; later ones replace earlier ones.
 };
 
 // ---- nomeet, nolayer ----------------------------------------------------------------------------
-
-/// Neighborhoods whose normals all lie within 45 degrees of the pivot's, as is usual, are flat
-/// enough for RobustRules::noCross to see every overlap.
-bool isFlat(const PointSet& points, Index p, double cosine) {
-    const auto list = points.neighbors[p];
-    return std::all_of(list.begin(), list.end(), [&](Index x) {
-        return glm::dot(points.normal[x], points.normal[p]) > cosine;
-    });
-}
 
 /// A triangle of the fan, and its box grown by `reach` times the sum of its sides.
 struct FanTriangle {
@@ -264,7 +264,6 @@ Objection againstFinished(const StepContext& context, Verdict verdict, double re
     const State& s = context.state;
     const PointSet& points = context.points;
     const Index p = s.rings.point(s.pivot.pivot);
-    if (isFlat(points, p, context.params.thresholds.flatCosine)) return {};
     const std::vector<FanTriangle> fan = trianglesOf(context, reach);
     Box all(points.position[p]);
     for (const FanPoint& x : s.pivot.fan) all.add(points.position[x.point]);
@@ -287,6 +286,15 @@ Objection againstFinished(const StepContext& context, Verdict verdict, double re
 }
 
 }  // namespace
+
+bool isFlatAround(const StepContext& context) {
+    const PointSet& points = context.points;
+    const Index p = context.state.rings.point(context.state.pivot.pivot);
+    const auto list = points.neighbors[p];
+    return std::all_of(list.begin(), list.end(), [&](Index x) {
+        return glm::dot(points.normal[x], points.normal[p]) > context.params.thresholds.flatCosine;
+    });
+}
 
 Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
 

@@ -114,6 +114,9 @@ constexpr std::array kManifoldRules{
 constexpr std::array kShapeRules{
     FanRule{&RobustRules::noCross, crossing},
     FanRule{&RobustRules::noFold, fold},
+};
+/// These object only where isFlatAround() is false.
+constexpr std::array kBentRules{
     FanRule{&RobustRules::noMeet, meetsFinished},
     FanRule{&RobustRules::noLayer, coversFinished},
 };
@@ -199,6 +202,7 @@ void phaseGuard(AnyContext auto& context) {
     std::optional<GuardEvidence> found = firstStandingObjection(context, kWaitingRules, false);
     if (!found) found = firstStandingObjection(context, kManifoldRules);
     if (!found) found = firstStandingObjection(context, kShapeRules);
+    if (!found && !isFlatAround(context)) found = firstStandingObjection(context, kBentRules);
     if (!found) {
         context.state.phase = Phase::Emit;
         return;
@@ -213,7 +217,10 @@ void phaseGuard(AnyContext auto& context) {
 
 bool manifoldRefuses(const StepContext& context) { return refuses(kManifoldRules, context); }
 
-bool shapeRefuses(const StepContext& context) { return refuses(kShapeRules, context); }
+bool shapeRefuses(const StepContext& context) {
+    return refuses(kShapeRules, context) ||
+           (!isFlatAround(context) && refuses(kBentRules, context));
+}
 
 template void phaseGuard(UnloggedContext&);
 template void phaseGuard(LoggedContext&);
