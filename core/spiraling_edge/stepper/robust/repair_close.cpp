@@ -181,8 +181,10 @@ std::optional<CloseHoleEvidence> closeNextHole(const PointSet& points, const Par
     if (m.next == 0) listPinched(m);
     const std::uint32_t longest = std::min(params.maxFillLength, kLongestRing);
     while (m.next < m.twin.size()) {
+        const auto found = std::find(m.twin.begin() + m.next, m.twin.end(), kNone);
+        m.next = static_cast<Index>(found - m.twin.begin());
+        if (found == m.twin.end()) break;
         const HalfEdge first = m.next++;
-        if (m.twin[first] != kNone) continue;
         const std::vector<HalfEdge> border = loopFrom(points, m, first, longest);
         if (border.empty() || !isToClose(points, params, m, border)) continue;
         HoleRing ring = ringInside(m, border);

@@ -49,6 +49,9 @@ void dropTriangles(RepairState& m, std::vector<Index> list) {
 }
 
 void listPinched(RepairState& m) {
+    // Most meshes have no pinched point.
+    if (std::find(m.pinched.begin(), m.pinched.end(), 1) == m.pinched.end())
+        return m.pinchedSides.assign({});
     std::vector<PinchedSide> sides;
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         const Index p = cornerOf(m, h);
