@@ -31,6 +31,20 @@ struct NearMarks {
     std::uint32_t current = 0;
 };
 
+/// The four points around an edge u v: x on the left of u -> v, y on the right.
+struct FlipQuad {
+    Index u = kNone, v = kNone, x = kNone, y = kNone;
+    friend bool operator==(const FlipQuad&, const FlipQuad&) = default;
+};
+
+/// Edges at the front of the queue that were looked at in advance.
+struct FlipsAhead {
+    const PointSet* points = nullptr;
+    std::size_t from = 0;  ///< The first one: a position in RepairState::queue.
+    /// Of an edge with these four points it is known that it is not flipped; kNone: not known.
+    std::vector<FlipQuad> stays;
+};
+
 /// The numbers of a RepairState.
 struct RepairNumbers {
     std::size_t queueFront = 0;  ///< The next side to examine: a position in RepairState::queue.
@@ -75,6 +89,7 @@ struct RepairState : RepairNumbers {
     std::shared_ptr<const PointTree> tree;
     const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
     NearMarks nearMarks;
+    FlipsAhead flipsAhead;
 
     bool empty() const { return triangles.empty(); }
     /// Writes down all changes from now on.

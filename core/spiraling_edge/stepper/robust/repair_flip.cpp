@@ -1,11 +1,13 @@
 /// RobustRules::flip: flips edges where that leaves fewer faults or better angles, one edge at a
 /// time; a flip queues the four edges around it. An edge costs O(triangles at its four points), and
-/// with a search for meetings also those at their neighbors.
+/// with a search for meetings also those at their neighbors. Most edges stay by a test of their
+/// four points alone, which is made in advance on all cores.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -13,9 +15,8 @@ namespace se {
 
 namespace {
 
-/// The four points around an edge u v: x on the left of u -> v, y on the right.
-struct Quad {
-    Index u, v, x, y;
+/// A FlipQuad and its triangles.
+struct Quad : FlipQuad {
     Triangle left() const { return {u, v, x}; }
     Triangle right() const { return {v, u, y}; }
     Triangle flippedU() const { return {u, y, x}; }
@@ -23,8 +24,8 @@ struct Quad {
 };
 
 Quad quadAt(const RepairState& m, HalfEdge h) {
-    return {cornerOf(m, h), cornerOf(m, following(h)), cornerOf(m, preceding(h)),
-            cornerOf(m, preceding(m.twin[h]))};
+    return {{cornerOf(m, h), cornerOf(m, following(h)), cornerOf(m, preceding(h)),
+             cornerOf(m, preceding(m.twin[h]))}};
 }
 
 bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
@@ -78,12 +79,17 @@ class FlipScore {
     /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
     bool conflictNearby(const Triangle& a, const Triangle& b) const {
         const std::array both{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
+        Box all = both[0].box;
+        all.add(both[1].box.low);
+        all.add(both[1].box.high);
         const std::vector<Index> near =
             trianglesNear(points_, m_, std::array{quad_.u, quad_.v, quad_.x, quad_.y});
         return std::any_of(near.begin(), near.end(), [&](Index t) {
-            return t != h_ / 3 && t != g_ / 3 &&
-                   (conflict(points_, both[0], m_.triangles[t]) ||
-                    conflict(points_, both[1], m_.triangles[t]));
+            if (t == h_ / 3 || t == g_ / 3) return false;
+            const Triangle& other = m_.triangles[t];
+            if (!mayConflict(all, boxOf(points_, other))) return false;
+            const ShapedTriangle shaped(points_, other);
+            return conflict(points_, both[0], shaped) || conflict(points_, both[1], shaped);
         });
     }
     const Quad& quad() const { return quad_; }
@@ -184,6 +190,38 @@ bool clearlyStays(const PointSet& points, const RobustThresholds& thresholds, co
     return leastAngleCosine(xySq, xSq, ySq) > now || leastAngleCosine(xySq, vxSq, vySq) > now;
 }
 
+/// Sides of the queue that are looked at in advance, at once.
+constexpr std::size_t kAhead = 1 << 16;
+/// Fewest of them that are worth a thread of their own.
+constexpr std::size_t kAheadPerThread = 1 << 12;
+
+/// Looks at the next sides of a long queue on all cores. Most edges stay, whatever flips come
+/// before; the others are decided one after the other.
+void lookAhead(const PointSet& points, const RobustThresholds& thresholds, RepairState& m) {
+    FlipsAhead& ahead = m.flipsAhead;
+    const bool known = ahead.points == &points && m.queueFront >= ahead.from &&
+                       m.queueFront < ahead.from + ahead.stays.size();
+    const std::size_t count = std::min(kAhead, m.queue.size() - m.queueFront);
+    if (known || count < 2 * kAheadPerThread || threadCount(0) < 2) return;
+    ahead.points = &points;
+    ahead.from = m.queueFront;
+    ahead.stays.assign(count, FlipQuad{});
+    forEachItem(count, 0, kAheadPerThread, [&](std::size_t i) {
+        const HalfEdge h = m.queue[ahead.from + i];
+        if (h >= m.twin.size() || m.twin[h] == kNone) return;
+        const Quad q = quadAt(m, h);
+        if (clearlyStays(points, thresholds, q)) ahead.stays[i] = q;
+    });
+}
+
+/// True if lookAhead() found that the edge stays, and it still has the same four points.
+bool stays(const RepairState& m, std::size_t place, HalfEdge h) {
+    const FlipsAhead& ahead = m.flipsAhead;
+    if (place < ahead.from || place - ahead.from >= ahead.stays.size()) return false;
+    return h < m.twin.size() && m.twin[h] != kNone &&
+           ahead.stays[place - ahead.from] == FlipQuad(quadAt(m, h));
+}
+
 /// A conflict may move to triangles that are not examined, and come back: each triangle takes part
 /// in at most this many flips that change nothing else.
 constexpr std::uint8_t kMaxConflictFlips = 4;
@@ -265,7 +303,10 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
                                      RepairState& m) {
     m.conflictFlips.resize(m.triangles.size(), 0);
     while (m.queueFront < m.queue.size()) {
-        const HalfEdge h = m.queue[m.queueFront++];
+        lookAhead(points, thresholds, m);
+        const std::size_t place = m.queueFront++;
+        const HalfEdge h = m.queue[place];
+        if (stays(m, place, h)) continue;
         const Gain gain = gainOfFlip(points, thresholds, m, h);
         if (gain == Gain::None) continue;
         if (gain == Gain::Conflicts) {
@@ -279,6 +320,7 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         ++m.flipped;
         return FlipEvidence{q.u, q.v, q.x, q.y};
     }
+    m.flipsAhead = {};
     return std::nullopt;
 }
 
