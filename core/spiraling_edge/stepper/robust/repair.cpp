@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
@@ -168,10 +169,12 @@ RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& tri
     m.twin = findTwins(triangles, table);
     m.sideOf = newestSides(table, pointCount);
     m.pinched = findPinched(m, table);
-    m.queue.reserve(3 * triangles.size() / 2);
+    std::vector<HalfEdge> queue;
+    queue.reserve(3 * triangles.size() / 2);
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
-        if (m.twin[h] != kNone && h < m.twin[h]) m.queue.push_back(h);
+        if (m.twin[h] != kNone && h < m.twin[h]) queue.push_back(h);
     }
+    m.queue = std::move(queue);
     return m;
 }
 
