@@ -34,7 +34,7 @@ InspectedRun finishRun(Stepper& stepper, const PointSet& points, const FailureCl
     if (kind.find != nullptr) {
         stepper.run();
         MeshInspection found = inspectWithTotals(points, stepper.state().mesh());
-        return {stepper.state(), std::move(found.failures), std::move(found.totals)};
+        return {stepper.state().mesh(), std::move(found.failures), std::move(found.totals)};
     }
     std::vector<MeshFailure> found;
     FreedRings rings;
@@ -49,7 +49,7 @@ InspectedRun finishRun(Stepper& stepper, const PointSet& points, const FailureCl
     }
     stepper.setLog(nullptr);
     // The list of this class is complete.
-    return {stepper.state(), std::move(found),
+    return {stepper.state().mesh(), std::move(found),
             std::vector<ClassTotal>(failureClasses().size(), ClassTotal{})};
 }
 
@@ -168,7 +168,7 @@ class CauseInverter {
             return false;
         }
         result.outcome = isSame(*successor, failure) ? Inversion::NoEffect : Inversion::Replaced;
-        const auto moments = momentsOf(points_, forked, *successor, run.end.mesh());
+        const auto moments = momentsOf(points_, forked, *successor, run.mesh);
         if (!moments) return false;
         const LedgerLine& next = moments.value().unavoidable;
         result.reason = "Then " + toString(next.event.address) + ": " + describe(next.event);

@@ -106,7 +106,7 @@ std::vector<std::size_t> affordableOf(const PointSet& points, const Params& para
                                       std::uint64_t left, InspectedRun& run) {
     assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
     const std::vector<LedgerLine> noMoves;
-    const FinderInput input{points, params, run.end.mesh(), noMoves};
+    const FinderInput input{points, params, run.mesh, noMoves};
     std::vector<std::uint64_t> work;
     work.reserve(run.failures.size());
     std::uint64_t all = 0;
@@ -213,7 +213,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     };
     auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4), onPivot);
     if (!run) return Error{"Cancelled."};
-    const std::vector<Triangle>& mesh = run->end.mesh();
+    const std::vector<Triangle>& mesh = run->mesh;
     const std::vector<std::size_t> chosen =
         affordableOf(points, params, eventsAt, affordable, *run);
     std::vector<MeshFailure> followed;

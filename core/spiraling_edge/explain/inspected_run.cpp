@@ -39,6 +39,15 @@ MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
     return failure;
 }
 
+namespace {
+
+/// The mesh of a finished run, whose other memory is freed: it is several times as large.
+std::vector<Triangle> meshOf(State run) {
+    return run.repair.empty() ? std::move(run.triangles) : run.repair.triangles.take();
+}
+
+}  // namespace
+
 std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
                                        const Progress& progress,
                                        const std::function<void(const ScannedPivot&)>& visit) {
@@ -55,7 +64,8 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         },
         progress);
     if (!end) return {};
-    MeshInspection found = inspectWithTotals(points, end->mesh());
+    std::vector<Triangle> mesh = meshOf(std::move(*end));
+    MeshInspection found = inspectWithTotals(points, mesh);
     for (MeshFailure& each : leftOver) {
         ClassTotal& total = found.totals[rankOf(*each.kind)];
         ++total.listed;
@@ -63,7 +73,7 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         found.failures.push_back(std::move(each));
     }
     std::stable_sort(found.failures.begin(), found.failures.end(), isOfEarlierClass);
-    return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals),
+    return InspectedRun{std::move(mesh), std::move(found.failures), std::move(found.totals),
                         found.meanEdge};
 }
 

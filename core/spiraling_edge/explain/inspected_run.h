@@ -42,7 +42,7 @@ inline bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
 }
 
 struct InspectedRun {
-    State end;
+    std::vector<Triangle> mesh;
     /// The failures that inspectWithTotals() finds, then rings left over, in the order of
     /// failureClasses(); `totals` count all of them.
     std::vector<MeshFailure> failures;
