@@ -127,6 +127,7 @@ Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const Neig
                                       unsigned threads, const Progress& progress) {
     NeighborLists nearest;
     nearest.offset.reserve(lists.offset.size());
+    nearest.ids.reserve(std::min(lists.ids.size(), kNearestOfRim * lists.size()));
     for (Index p = 0; p < lists.size(); ++p) {
         nearest.append(lists[p].first(std::min(kNearestOfRim, lists[p].size())));
     }

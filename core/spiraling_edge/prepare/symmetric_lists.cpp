@@ -40,7 +40,7 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    const NeighborLists listedBy = listersOf(lists);
+    NeighborLists listedBy = listersOf(lists);
     constexpr std::size_t kPerBlock = 4096;
     std::vector<ListBlock> blocks((n + kPerBlock - 1) / kPerBlock);
     const bool all = forEachWithProgress(blocks.size(), threads, 2, progress, [&](std::size_t i) {
@@ -59,15 +59,17 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
         }
     });
     if (!all) return Error{"making neighbor lists symmetric was cancelled"};
+    listedBy = {};  // Each of these takes as much memory as all lists.
     NeighborLists both;
     both.offset.reserve(n + 1);
     std::size_t entries = 0;
     for (const ListBlock& each : blocks) entries += each.ids.size();
     both.ids.reserve(entries);
-    for (const ListBlock& each : blocks) {
+    for (ListBlock& each : blocks) {
         both.ids.insert(both.ids.end(), each.ids.begin(), each.ids.end());
         for (const std::uint32_t length : each.length)
             both.offset.push_back(both.offset.back() + length);
+        each = {};
     }
     return both;
 }
