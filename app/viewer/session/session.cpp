@@ -117,14 +117,16 @@ bool Session::poll() {
     return pollLast() || changed;
 }
 
-/// Doctor and alerts come last: neither the first picture nor the run waits for them.
+/// Doctor and alerts come last: neither the first picture nor the run waits for them. They come one
+/// after the other, since each takes hundreds of megabytes for a million points.
 bool Session::pollLast() {
     if (!ready() || !overviewJob_ || !overviewJob_->done()) return false;
     doctorJob_.start();
-    alerts_.start();
+    const bool examined = doctorJob_.poll();
+    if (!doctorJob_.busy()) alerts_.start();
     const bool alerted = alerts_.poll();
     const bool news = trials_.poll() || alerted;
-    if (!doctorJob_.poll()) return news;
+    if (!examined) return news;
     const auto found = doctorJob_.findings();
     problemFound_ =
         std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.isProblem(); });
@@ -145,6 +147,7 @@ void Session::waitUntilDone() {
     }
     drag_.waitUntilDone();
     doctorJob_.waitUntilDone();
+    poll();
     questions_->waitUntilDone();
     alerts_.waitUntilDone();
     trials_.waitUntilDone();
