@@ -270,6 +270,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     }
     poll();
     play(seconds);
+    session_.showNames(ui_.settings.names);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));
     const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
     ui_.scale = static_cast<float>(chosen);
@@ -400,7 +401,7 @@ void Application::narrate() {
     if (address == narrated_) return;
     narrated_ = address;
     std::printf("%s\t%s\n", address.c_str(),
-                (describe(*session_.event()) + session_.noticedText()).c_str());
+                (describe(*session_.event(), session_.names()) + session_.noticedText()).c_str());
     std::fflush(stdout);
 }
 

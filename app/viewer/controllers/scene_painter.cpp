@@ -172,7 +172,8 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         session.alerts().shown(),
         finished,
         faults,
-        session.noticedHere()};
+        session.noticedHere(),
+        session.names()};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)
         addDifference(*look, session.model(), session.picture().finishedTriangles,

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "layer.h"
+#include "run/point_label.h"
 
 namespace se::view {
 
@@ -13,8 +14,8 @@ void addLabels(const LayerInput& in, DrawList& out) {
     std::set<Index> seen;
     const auto add = [&](Index point, const char* prefix, const Color& color, bool strong) {
         if (point == kNone || !seen.insert(point).second) return;
-        const std::string text = *prefix == '\0' ? "" : std::string(prefix) + " ";
-        out.labels.push_back({in.at(point), text + std::to_string(point), color, strong, strong});
+        out.labels.push_back(
+            {in.at(point), pointLabel(prefix, point, in.names), color, strong, strong});
     };
     add(p.pivot, "p", c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;

@@ -54,6 +54,7 @@ struct LayerInput {
     bool finished = false;              ///< The finished mesh is shown, without its last decision.
     const RunFailureSearch* faults = nullptr;  ///< Of the finished mesh, once they are known.
     std::span<const LiveFailure> noticed{};    ///< Failures at this event.
+    std::span<const PointName> names{};        ///< Names of points; others have their numbers.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
     std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {

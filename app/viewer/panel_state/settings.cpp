@@ -110,6 +110,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
         s.legend = legend->get<bool>();
     }
+    if (const auto names = object.find("names"); names != object.end() && names->is_boolean()) {
+        s.names = names->get<bool>();
+    }
     s.panels = panelSizesIn(object);
     s.keys = keysIn(object, s.complaints);
     s.up = upAxisFromName(wordIn(object, "up"));
@@ -128,13 +131,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
 }
 
 std::string settingsToJson(const ViewSettings& s) {
-    json object = {{"version", 1},
-                   {"theme", themeName(s.theme)},
-                   {"width", s.width},
-                   {"height", s.height},
-                   {"playRate", s.playRate},
-                   {"legend", s.legend},
-                   {"layers", layersToJson(s.layers)}};
+    json object = {{"version", 1},       {"theme", themeName(s.theme)},     {"width", s.width},
+                   {"height", s.height}, {"playRate", s.playRate},          {"legend", s.legend},
+                   {"names", s.names},   {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     if (const json panels = toJson(s.panels); !panels.empty()) object["panels"] = panels;
     object["meshStyle"] = rowOf(s.meshStyle).name;

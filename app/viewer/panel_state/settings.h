@@ -30,6 +30,7 @@ struct ViewSettings {
     int height = 800;
     double playRate = 4.0;
     bool legend = true;
+    bool names = true;  ///< Points of figures have the paper's letters.
     PanelSizes panels;
     KeyMap keys;
     std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.

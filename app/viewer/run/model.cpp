@@ -17,6 +17,7 @@
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/piece.h"
+#include "spiraling_edge/scenes/figures.h"
 #include "strings.h"
 
 namespace se::view {
@@ -100,6 +101,7 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
         }
         model.name = sceneSource(scene->id);
         model.watch = std::string(scene->watch);
+        if (const Figure* figure = figureOfScene(scene->id)) model.names = figure->names;
         PointFile points = scene->build();
         model.hash = hashOfPoints(points);
         return points;

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
+#include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -87,6 +89,7 @@ struct Model {
     std::string name;   ///< File name, scene id or "torus, 4 000 points", for title and menu.
     std::string hash;   ///< Of the input, see hashOfPoints().
     std::string watch;  ///< One sentence of a scene; empty for files.
+    std::span<const PointName> names = {};  ///< Of points of a figure.
     PointSet points;
     Params params;
     PrepareReport report;

@@ -82,6 +82,13 @@ class Session {
     const Model& shown() const;
     /// Shared ownership, for background jobs.
     std::shared_ptr<const Model> sharedModel() const { return model_; }
+    /// The names that points are called by; empty: by their numbers.
+    std::span<const PointName> names() const {
+        return ready() && showsNames_ ? model_->names : std::span<const PointName>{};
+    }
+    void showNames(bool on) {
+        if (std::exchange(showsNames_, on) != on) ++revision_;
+    }
     const PivotRecord& record() const {
         assert(ready());
         return *record_;
@@ -192,6 +199,7 @@ class Session {
     std::size_t cursor_ = 0;
     DecisionState picture_;
     bool before_ = false;
+    bool showsNames_ = true;
     EarlierMesh earlier_;
     std::vector<Triangle> triangles_;
     MeshIndex meshIndex_;

@@ -19,13 +19,13 @@ says dragged null
 press f; says settled true
 camera=$(field camera)
 read -r x y < <(center "region view")
-# The point under test: the only one there that is selected by a click and has that decision.
+# The point under test, by the mark of the point under the pointer.
 find_tested() {
     local dx dy
     for dy in 0 12 24 36 -12 -24; do
         for dx in 0 -12 -24 -36 -48 -60 -72 12 24 36 48; do
-            click $((x + dx)) $((y + dy))
-            [ "$(field selected)" = "$1" ] && { x=$((x + dx)); y=$((y + dy)); return 0; }
+            move_to $((x + dx)) $((y + dy))
+            [ "$(field hovered)" = "$1" ] && { x=$((x + dx)); y=$((y + dy)); return 0; }
         done
     done
     fail "point $1 is not found"

@@ -109,6 +109,7 @@ std::optional<bool> checkOf(const PanelContext& context, const Command& command)
     if (id == "view.orthographic") return context.camera().orthographic();
     if (id == "view.verdict") return !ui.verdict.closed;
     if (id == "view.legend") return ui.settings.legend;
+    if (id == "view.names") return ui.settings.names;
     if (id == "view.groups") return ui.settings.panels.folded || ui.panelsQuiet;
     if (id == "view.drawer") return ui.navigation.drawerFolded;
     if (!id.starts_with("layer.")) return std::nullopt;

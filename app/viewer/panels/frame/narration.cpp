@@ -60,7 +60,7 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
 std::string sentenceOf(const Session& session) {
     if (session.showsEarlierMesh()) return "The finished mesh before the last change of settings.";
     if (const Event* event = session.event(); event != nullptr)
-        return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
+        return (session.showsBefore() ? "Before this: " : "") + describe(*event, session.names()) +
                session.noticedText();
     if (!session.messages().last().empty()) return session.messages().last();
     return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";

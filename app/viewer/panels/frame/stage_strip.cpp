@@ -125,7 +125,7 @@ void stepByWheel(const PanelContext& context, const Rect& area, const std::strin
 
 // ---- STAGE: one cell per test -----------------------------------------------------------------
 
-std::string cellText(const Event& event, float room) {
+std::string cellText(const Event& event, std::span<const PointName> names, float room) {
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
         // The whole number, even if the word is cut.
         const std::string number = grouped(emit->triangle);
@@ -133,7 +133,7 @@ std::string cellText(const Event& event, float room) {
         return ImGui::CalcTextSize(named.c_str()).x <= room ? named : number;
     }
     const Index subject = subjectOf(event);
-    std::string text = subject == kNone ? std::string{} : std::to_string(subject);
+    std::string text = subject == kNone ? std::string{} : nameOf(subject, names);
     if (const std::string_view ending = endingText(event); !ending.empty())
         text += (text.empty() ? "" : " ") + std::string(ending);
     if (const std::string_view word = wordOf(event); !word.empty()) {
@@ -159,14 +159,14 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
         x += 0.8F * em;
     }
     const float room = cell.max().x - x - 0.1F * em;
-    const std::string text = fitted(cellText(event, room), room);
+    const std::string text = fitted(cellText(event, session.names(), room), room);
     const Color ink = later ? context.palette.textDim : context.palette.text;
     list->AddText({x, middle - 0.5F * ImGui::GetTextLineHeight()}, toU32(ink), text.c_str());
     if (index == session.cursor()) frameHere(context, cell);
     offerEvent(context, "##cell", cell, index);
     if (ImGui::IsItemHovered()) {
         context.state<Navigation>().pointedAt = subjectOf(event);
-        tooltip(toString(event.address) + "\n" + describe(event));
+        tooltip(toString(event.address) + "\n" + describe(event, session.names()));
     }
 }
 

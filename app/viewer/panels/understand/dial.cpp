@@ -6,6 +6,7 @@
 #include "dial_drawer.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
+#include "run/point_label.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -63,8 +64,8 @@ DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial)
     std::vector<RimText> texts;
     for (const DialTick& tick : dial.ticks) {
         if (tick.role == DialRole::Done) continue;
-        const std::string letter = tick.letter.empty() ? "" : tick.letter + " ";
-        texts.push_back({tick.degrees, letter + std::to_string(tick.point), {}});
+        texts.push_back(
+            {tick.degrees, pointLabel(tick.letter, tick.point, context.session().names()), {}});
     }
     for (const DialMark& mark : dial.marks) texts.push_back({mark.degrees, mark.text, {}});
     return discWithTexts(context, room, texts);
@@ -90,7 +91,7 @@ void drawDial(const PanelContext& context) {
     const DecisionState& picture = session.picture();
     const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
     heading(context, "Dial",
-            dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
+            dial.empty() ? "" : "tangent plane at " + pointLabel("p", dial.pivot, session.names()));
     if (dial.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");

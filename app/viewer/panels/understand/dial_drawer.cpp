@@ -8,6 +8,7 @@
 #include <array>
 
 #include "panels/widgets/widgets.h"
+#include "run/point_label.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 
@@ -269,8 +270,8 @@ class DialDrawer {
         for (const DialTick& tick : dial_.ticks) {
             const bool lit = tick.underTest || tick.point == c_.session().highlights().hovered();
             if (isFaint(tick) && !lit) continue;
-            const std::string letter = tick.letter.empty() ? "" : tick.letter + " ";
-            const RimText text{tick.degrees, letter + std::to_string(tick.point),
+            const RimText text{tick.degrees,
+                               pointLabel(tick.letter, tick.point, c_.session().names()),
                                lit ? c_.palette.text : colorOf(tick)};
             const bool named = !tick.letter.empty();
             (lit ? first : named ? ends : others).push_back(text);

@@ -40,7 +40,9 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
     const Session& session = context.session();
     const PointSet& points = session.shown().points;
     separator();
-    heading(context, title, "point " + std::to_string(point));
+    const std::string name = nameOf(point, session.names());
+    const std::string number = std::to_string(point);
+    heading(context, title, "point " + number + (name == number ? "" : " (" + name + ")"));
     ImGui::PushID(title);
     if (beginValues("##point", context)) {
         valueRow(context, "status", statusText(session.picture().status[point]));

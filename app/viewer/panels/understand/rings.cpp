@@ -171,7 +171,7 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
         list->AddCircle({x, strip.at.y}, 0.62F * em, toU32(context.palette.text), 0,
                         std::max(1.0F, 0.1F * em));
     }
-    const std::string number = std::to_string(point);
+    const std::string number = nameOf(point, session.names());
     const float size = 0.8F * em;
     const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, number.c_str()).x;
     const bool plain = look.shape == Shape::Disc;

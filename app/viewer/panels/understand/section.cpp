@@ -8,6 +8,7 @@
 
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
+#include "run/point_label.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 
@@ -68,7 +69,7 @@ class SectionDrawer {
         if (section_.circle) drawCircle(*section_.circle);
         for (const SectionPoint& point : section_.points) drawPoint(point);
         drawShape(list_, at({0.0, 0.0}), 1.15F * c_.em, Shape::RingedDisc, toU32(colors.pivot));
-        addName({0.0, 0.0}, "p " + std::to_string(section_.pivot), colors.pivot);
+        addName({0.0, 0.0}, pointLabel("p", section_.pivot, c_.session().names()), colors.pivot);
         for (const SectionPoint& each : section_.points) take(each.at, 0.3F * c_.em);
         for (const SectionCut& cut : section_.cuts) {
             for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
@@ -176,8 +177,7 @@ class SectionDrawer {
         const bool beside = std::abs(point.off) > kPlaneShare * section_.reach;
         if (beside && !point.underTest && !point.letter.empty())
             return addName(point.at, point.letter, c_.palette.*sectionLook(point).color);
-        const std::string letter = point.letter.empty() ? "" : point.letter + " ";
-        addName(point.at, letter + std::to_string(point.point),
+        addName(point.at, pointLabel(point.letter, point.point, c_.session().names()),
                 point.underTest ? c_.palette.text : c_.palette.*sectionLook(point).color);
     }
 
@@ -242,10 +242,11 @@ void turnByDrag(SectionPanel& panel, float em) {
         panel.turn(double{kTurnPerEm / em * ImGui::GetIO().MouseDelta.x});
 }
 
-std::string planeText(const NormalSection& section, double turnDegrees) {
+std::string planeText(const NormalSection& section, double turnDegrees,
+                      std::span<const PointName> names) {
     if (section.empty()) return {};
     if (turnDegrees != 0.0) return formatted("turned %.0f\xC2\xB0", turnDegrees);
-    return section.through == kNone ? "" : "through " + std::to_string(section.through);
+    return section.through == kNone ? "" : "through " + nameOf(section.through, names);
 }
 
 }  // namespace
@@ -256,7 +257,7 @@ void drawSection(const PanelContext& context) {
     SectionPanel& panel = context.state<SectionPanel>();
     panel.shownIn = ImGui::GetFrameCount();
     const NormalSection& section = sectionHere(context);
-    heading(context, "Section", planeText(section, panel.turnDegrees));
+    heading(context, "Section", planeText(section, panel.turnDegrees, session.names()));
     if (section.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");

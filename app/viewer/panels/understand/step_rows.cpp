@@ -200,7 +200,8 @@ void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
         if (outcomeOf(event) == Outcome::Refused)
             pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
         const Index subject = subjectOf(event);
-        std::string note = subject == kNone ? std::string{} : std::to_string(subject) + " ";
+        const auto names = context.session().names();
+        std::string note = subject == kNone ? std::string{} : nameOf(subject, names) + " ";
         // A single decision has no counts: the whole width is free.
         pen.text(note + outcomeText(event), context.palette.textDim, pen.end());
         return;
@@ -226,7 +227,8 @@ void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
     const Index subject = subjectOf(event);
     const std::string digits(std::to_string(session.model().points.size()).size(), '0');
     if (subject != kNone)
-        pen.rightAligned(std::to_string(subject), textWidth(digits), context.palette.text);
+        pen.rightAligned(nameOf(subject, session.names()), std::max(textWidth(digits), 2.0F * em),
+                         context.palette.text);
     const Shape mark = markOf(event);
     const Color color = outcomeColor(context.palette, event).value_or(context.palette.text);
     pen.shape(mark, mark == Shape::Dot ? 0.28F * em : 0.52F * em, color);
@@ -272,12 +274,12 @@ std::string stepRowTooltip(const PanelContext& context, const StepRow& row) {
     if (row.kind == StepRowKind::Pivot) {
         const PivotSummary& summary = run.pivots[row.pivot - 1];
         std::string text = "pivot " + grouped(row.pivot);
-        if (summary.point != kNone) text += " at point " + std::to_string(summary.point);
+        if (summary.point != kNone) text += " at point " + nameOf(summary.point, session.names());
         return text + "\n" + withS(trianglesOf(run, row.pivot), "triangle") + ", " +
                withS(summary.tests, "test") + ", " + grouped(summary.refused) + " refused";
     }
     const Event& event = session.record().events[row.event];
-    return toString(event.address) + "\n" + describe(event);
+    return toString(event.address) + "\n" + describe(event, session.names());
 }
 
 float stepArrowEnd(const PanelContext& context, const StepRow& row) {
