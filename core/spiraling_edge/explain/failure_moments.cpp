@@ -181,6 +181,7 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
                                        [&](Index p) { return p >= points.size(); });
         if (other) return Error{"This failure is of another mesh."};
     }
+    if (failures.empty()) return std::vector<std::optional<FailureMoments>>{};
     Finders finders(points, params, mesh, failures);
     const auto end = scanRun(
         points, params, [&](const ScannedPivot& pivot) { finders.add(pivot); },
