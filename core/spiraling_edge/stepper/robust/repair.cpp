@@ -124,6 +124,10 @@ void enterNext(AnyContext auto& context) {
     while (++s.repair.round < kRepairRounds) {
         if (enterFrom(context, 0)) return;
     }
+    // No step searches any more, and the tree is as large as the mesh.
+    s.repair.tree.reset();
+    s.repair.treePoints = nullptr;
+    s.repair.nearMarks = {};
     finishRun(context);
 }
 
