@@ -126,7 +126,7 @@ TABLE = {
         ("journal.append-lost", "change.element = elements_.back();", "if (!MUT) OLD"),
     ],
     "mesh/edge_table.h": [
-        ("edges.taken-back-found", "while (h != kNone && h >= end_) h = next_[h];", "if (!MUT) OLD"),
+        ("edges.taken-back-found", "while (h != kNone && h >= end_) h = sides_[h].next;", "if (!MUT) OLD"),
         ("edges.any-comes-back", "if (isNext(t)) {", "if (MUT || isNext(t)) {"),
         ("edges.taken-back-kept", "            forgetTakenBack();\n", "            if (!MUT) forgetTakenBack();\n"),
     ],
