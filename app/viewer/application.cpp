@@ -184,6 +184,8 @@ void Application::placeCamera(const PanelRects& rects) {
     if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
     if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
+    if (const Figure* figure = figureOfSource(session_.input().spec().source))
+        return camera_.faceStraight(glm::vec3(figure->view));
     lookAtDecision(session_.shown(), session_.picture(), session_.shownTriangles(), camera_,
                    ui_.viewEms);
 }

@@ -91,7 +91,8 @@ void dumpRun(json& out, const Session& session) {
     out["points"] = session.model().points.size();
     out["pivot"] = session.record().pivot;
     out["event"] = session.cursor();
-    out["decision"] = session.event() != nullptr ? describe(*session.event()) : std::string{};
+    out["decision"] =
+        session.event() != nullptr ? describe(*session.event(), session.names()) : std::string{};
     out["events"] = session.record().events.size();
     out["at_end"] = session.atEnd();
     out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();

@@ -160,6 +160,9 @@ void DocumentController::open(const std::string& path) {
     }
     expectArrival(path);
     aimAtScene(path);
+    // A figure is read beside its rule.
+    if (figureOfSource(path) != nullptr && c_.ui.layoutPreset == LayoutPreset::Debug)
+        actions::applyLayoutPreset(c_, LayoutPreset::Learn);
     openInput(std::move(spec));
 }
 

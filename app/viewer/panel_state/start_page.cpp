@@ -15,6 +15,7 @@
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 
@@ -28,19 +29,25 @@ struct Seen {
     float facing = 0.0F;
 };
 
-/// The turn from the axes of the scene to those of the view.
-glm::dmat3 viewTurn() {
+/// The usual direction to the viewer: beside and above.
+Vec3 usualDirection() {
     const double yaw = glm::radians(-60.0);
     const double pitch = glm::radians(42.0);
-    const Vec3 toViewer(std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
-                        std::sin(pitch));
-    const Vec3 right = glm::normalize(glm::cross(Vec3(0, 0, 1), toViewer));
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+
+/// The turn from the axes of the scene to those of a view from that direction.
+glm::dmat3 viewTurn(const Vec3& direction) {
+    const Vec3 toViewer = glm::normalize(direction);
+    const bool fromAbove = std::abs(toViewer.z) > 0.999;
+    const Vec3 up = fromAbove ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+    const Vec3 right = glm::normalize(glm::cross(up, toViewer));
     return glm::transpose(glm::dmat3(right, glm::cross(toViewer, right), toViewer));
 }
 
 /// Where points are in the square of a picture.
 struct PictureFrame {
-    glm::dmat3 turn = viewTurn();
+    glm::dmat3 turn = viewTurn(usualDirection());
     glm::dvec2 low{INFINITY};
     glm::dvec2 high{-INFINITY};
 
@@ -58,8 +65,8 @@ struct PictureFrame {
 
 std::size_t strideFor(std::size_t count, std::size_t limit) { return (count + limit - 1) / limit; }
 
-PictureFrame frameOf(const PointFile& points, std::size_t limit) {
-    PictureFrame frame;
+PictureFrame frameOf(const PointFile& points, std::size_t limit, const Vec3& direction) {
+    PictureFrame frame{viewTurn(direction)};
     const std::size_t count = points.position.size();
     for (std::size_t p = 0; p < count; p += strideFor(count, limit))
         frame.include(frame.turn * points.position[p]);
@@ -92,11 +99,14 @@ std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Trian
     return faces;
 }
 
-/// The mesh of a scene that works, half grown.
+/// The mesh of a scene that works, half grown, or as it is at the decision of a figure.
 void drawHalf(const PointSet& points, const PictureFrame& frame, SceneTile& tile) {
+    const auto address = addressFromString(addressOfScene(tile.id));
+    const std::uint32_t pivot = address && tile.figure ? address->pivot : 0;
     // A closed surface has two triangles for each point.
     const auto half = [&](const State& state) {
-        return state.triangles.size() >= points.position.size();
+        return pivot > 0 ? state.counters.pivots >= pivot
+                         : state.triangles.size() >= points.position.size();
     };
     tile.faces = facesOf(points, reconstruct(points, Params{}, half).state.triangles, {}, frame);
 }
@@ -118,18 +128,28 @@ void drawFailure(const PointSet& points, const PictureFrame& frame, std::string_
     tile.faces = facesOf(points, triangles, failing, frame);
 }
 
+/// The direction from which a tile shows its scene.
+Vec3 directionOf(const SceneTile& tile) {
+    return tile.figure != nullptr ? tile.figure->view : usualDirection();
+}
+
 void drawMesh(const PointFile& file, const FailureScene* failing, SceneTile& tile) {
     const Result<Prepared> prepared = prepare(file, PrepareOptions{});
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
-    const PictureFrame frame = frameOf(file, kDots);
+    const PictureFrame frame = frameOf(file, kDots, directionOf(tile));
     if (failing == nullptr) return drawHalf(points, frame, tile);
     drawFailure(points, frame, failing->failure, tile);
 }
 
 SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
     const PointFile file = scene.build();
-    SceneTile tile{scene.id, scene.title, scene.watch, thumbnail(file, kDots), {}, {}, {}};
+    SceneTile tile;
+    tile.id = scene.id;
+    tile.title = scene.title;
+    tile.watch = scene.watch;
+    tile.figure = figureOfScene(scene.id);
+    tile.dots = thumbnail(file, kDots, directionOf(tile));
     tile.reach = glm::vec2(0.0F);
     for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
     drawMesh(file, failing, tile);
@@ -138,10 +158,11 @@ SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
 
 }  // namespace
 
-std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit) {
+std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
+                                    const Vec3& direction) {
     const std::size_t count = points.position.size();
     if (count == 0 || limit == 0) return {};
-    const PictureFrame frame = frameOf(points, limit);
+    const PictureFrame frame = frameOf(points, limit, direction);
     std::vector<Seen> seen;
     seen.reserve(std::min(count, limit));
     for (std::size_t p = 0; p < count; p += strideFor(count, limit)) {
@@ -162,6 +183,8 @@ void StartPage::prepare() {
     if (!tiles.empty()) return;
     tiles.reserve(scenes().size() + failureScenes().size());
     for (const Scene& scene : scenes()) tiles.push_back(tileOf(scene, nullptr));
+    std::stable_partition(tiles.begin(), tiles.end(),
+                          [](const SceneTile& tile) { return tile.figure != nullptr; });
     for (const FailureScene& each : failureScenes()) tiles.push_back(tileOf(each.scene, &each));
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -35,16 +36,18 @@ struct SceneTile {
     std::string_view id;
     std::string_view title;
     std::string_view watch;
+    const Figure* figure = nullptr;    ///< Null if the scene is none.
     std::vector<ThumbnailDot> dots;    ///< Those at the back first.
     std::vector<ThumbnailFace> faces;  ///< Those at the back first.
     std::vector<ThumbnailMark> marks;
     glm::vec2 reach{1.0F};  ///< Half the width and height that they take.
 };
 
-/// The picture of some points, of at most `most` of them.
-std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit);
+/// The picture of some points, of at most `limit` of them, seen from `direction`.
+std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
+                                    const Vec3& direction);
 
-/// Made on first use.
+/// Made on first use: figures of the paper, other scenes that work, and those that fail.
 struct StartPage {
     std::vector<SceneTile> tiles;
 

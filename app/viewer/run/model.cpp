@@ -17,7 +17,6 @@
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/piece.h"
-#include "spiraling_edge/scenes/figures.h"
 #include "strings.h"
 
 namespace se::view {

@@ -22,6 +22,7 @@
 #include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/rule_settings.h"
@@ -36,6 +37,11 @@ inline constexpr std::string_view kScenePrefix = "scene:";
 inline bool isScene(std::string_view source) { return source.starts_with(kScenePrefix); }
 inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
+}
+
+/// The figure of the paper that a source is the scene of; null if it is none.
+inline const Figure* figureOfSource(std::string_view source) {
+    return isScene(source) ? figureOfScene(source.substr(kScenePrefix.size())) : nullptr;
 }
 
 /// The source name of standard input, whose content is in InputSpec::points.

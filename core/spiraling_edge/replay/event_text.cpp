@@ -23,6 +23,12 @@ class Names {
     explicit Names(std::span<const PointName> names) : names_(names) {}
     std::string operator()(Index point) const { return nameOf(point, names_); }
 
+    /// "q = 46"; the role alone where it is the name of the point.
+    std::string as(std::string_view role, Index point) const {
+        const std::string name = nameOf(point, names_);
+        return name == role ? name : std::string(role) + " = " + name;
+    }
+
   private:
     std::span<const PointName> names_;
 };
@@ -70,8 +76,8 @@ std::string text(const StrandEvidence& e, const Names& names) {
                     names(e.point));
 }
 std::string text(const PivotEvidence& e, const Names& names) {
-    return sentence("Pivot {} between first = {} and last = {}; free sector {}, ring of {}.",
-                    names(e.pivot), names(e.first), names(e.last), deg(e.sectorDegrees),
+    return sentence("Pivot {} between {} and {}; free sector {}, ring of {}.", names(e.pivot),
+                    names.as("first", e.first), names.as("last", e.last), deg(e.sectorDegrees),
                     e.ringLength);
 }
 std::string text(const SkipEvidence& e, const Names& names) {
@@ -122,7 +128,7 @@ std::string text(const SortEvidence& e, const Names& names) {
 }
 std::string text(const LimitEvidence& e, const Names& names) {
     const std::string side = sideName(e.side);
-    const std::string point = sentence("Point {} beyond {} = {}", names(e.to), side, names(e.from));
+    const std::string point = sentence("Point {} beyond {}", names(e.to), names.as(side, e.from));
     const std::string stays = ": " + side + " stays.";
     switch (e.verdict) {
         case Verdict::Moved:
@@ -183,16 +189,17 @@ std::string text(const HoleEvidence& e, const Names& names) {
         e.verdict == Verdict::Kept ? "same side, kept" : "far side, removed");
 }
 std::string text(const SphereEvidence& e, const Names& names) {
-    const std::string circle = sentence("of the pivot, t = {} and s = {}", names(e.t), names(e.s));
+    const std::string circle =
+        sentence("of the pivot, {} and {}", names.as("t", e.t), names.as("s", e.s));
     if (e.verdict == Verdict::NoCircle)
-        return sentence("q = {} is kept: there is no circle {}, they lie in line.", names(e.q),
+        return sentence("{} is kept: there is no circle {}, they lie in line.", names.as("q", e.q),
                         circle);
     const double d = e.distance - e.radius;
     if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return sentence("q = {} lies on the sphere {} (r = {}): kept.", names(e.q), circle,
+        return sentence("{} lies on the sphere {} (r = {}): kept.", names.as("q", e.q), circle,
                         e.radius);
     const std::string place =
-        sentence("q = {} lies {} {} the sphere {} (d = {}, r = {})", names(e.q), d < 0 ? -d : d,
+        sentence("{} lies {} {} the sphere {} (d = {}, r = {})", names.as("q", e.q), d < 0 ? -d : d,
                  d < 0 ? "inside" : "outside", circle, e.distance, e.radius);
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
     return sentence(

@@ -15,7 +15,8 @@ TEST_CASE("The start page has a tile with a picture for every scene") {
     for (const SceneTile& tile : page.tiles) {
         CAPTURE(std::string(tile.id));
         CHECK_FALSE(tile.title.empty());
-        CHECK(tile.dots.size() >= 10);
+        // Figures of the paper that begin in the middle of a run are a few points.
+        CHECK(tile.dots.size() >= (startOfScene(tile.id).empty() ? 10U : 6U));
         float reach = 0.0F;
         for (const ThumbnailDot& dot : tile.dots) {
             reach = std::max({reach, std::abs(dot.at.x), std::abs(dot.at.y)});
@@ -42,9 +43,9 @@ TEST_CASE("A picture omits points without a position, and has at most the reques
     PointFile points;
     for (int i = 0; i < 1000; ++i) points.position.emplace_back(i, 0.5 * i, 0.0);
     points.position[0] = Vec3(std::nan(""));
-    const auto dots = thumbnail(points, 100);
+    const auto dots = thumbnail(points, 100, Vec3(1.0, 0.0, 1.0));
     CHECK(dots.size() <= 100);
     CHECK(dots.size() >= 90);
     for (const ThumbnailDot& dot : dots) CHECK(std::isfinite(dot.at.x + dot.at.y));
-    CHECK(thumbnail({}, 100).empty());
+    CHECK(thumbnail({}, 100, Vec3(1.0, 0.0, 1.0)).empty());
 }

@@ -13,21 +13,23 @@ start
 says start_page true; says keyboard view
 picture before
 press Tab; says keyboard files
-press Tab; says keyboard scenes; chosen sphere
+press Tab; says keyboard scenes; chosen figure-1
 picture first
 [ "$(differing before first)" -gt 200 ] || fail "one cannot see which tile has the keyboard"
-press Right; chosen torus; picture second
+press Right; chosen figure-2; picture second
 [ "$(differing first second)" -gt 200 ] || fail "one cannot see that the arrow moves on"
-press Down Left; chosen genus-2; press Up; chosen sphere
+press Down Left; chosen figure-4; press Up; chosen figure-1
 press Tab; says keyboard view
 press shift+Tab; says keyboard scenes
 press Escape; says keyboard view; says start_page true
-press Tab Tab; says keyboard scenes; chosen sphere
-press Right; chosen torus; press Return
-says phase ready; says input scene:torus; says keyboard view
-# It opens at the decision that it demonstrates. The view has the focus: its keys work at once.
-says address "200\.split\.1"
-press F10; says pivot 201
+press Tab Tab; says keyboard scenes; chosen figure-1
+press Right; chosen figure-2; press Return
+says phase ready; says input scene:figure-2; says keyboard view
+# It opens at the decision of the figure, beside its rule. The view has the focus: its keys work at
+# once.
+says address "5\.advance\.1"; says layout learn
+says decision ".*next pivot.*"
+press F10; says pivot 6
 press n; says pins '.*normals.*'
 stop
 

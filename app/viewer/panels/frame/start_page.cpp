@@ -131,11 +131,17 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     drawSentence(context, list, tile, {low.x + 0.5F * em, picture + 1.65F * em}, room);
 }
 
+/// The heading above a tile and those like it.
+std::string_view partOf(const SceneTile& tile) {
+    if (tile.figure != nullptr) return "Figures of the paper";
+    return galleryScene(tile.id) != nullptr ? "What goes wrong, and why" : "Scenes";
+}
+
 void drawTiles(const PanelContext& context) {
     const float em = context.em;
     heading(context, "Start here");
     ImGui::SameLine(0.0F, context.em);
-    ImGui::TextDisabled("Built-in scenes, half grown; a click opens one.");
+    ImGui::TextDisabled("A click opens a figure of the paper at its decision, or a scene.");
     StartPage& page = context.state<StartPage>();
     page.prepare();
     if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
@@ -147,13 +153,12 @@ void drawTiles(const PanelContext& context) {
         const ImVec2 size(std::floor(share), std::round((kPicture + 2.1F) * em + sentence));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
         int column = 0;
-        bool failing = false;
+        std::string_view part;
         for (const SceneTile& tile : page.tiles) {
-            // Scenes that fail come after the others, under a heading of their own.
-            if (galleryScene(tile.id) != nullptr && !std::exchange(failing, true)) {
+            if (const std::string_view next = partOf(tile); std::exchange(part, next) != next) {
+                if (column > 0) ImGui::Spacing();
                 column = 0;
-                ImGui::Spacing();
-                heading(context, "What goes wrong, and why");
+                heading(context, std::string(next).c_str());
             }
             if (column++ % columns != 0) ImGui::SameLine();
             drawTile(context, tile, size);
