@@ -94,14 +94,15 @@ void AlertController::reportChange() {
                               change + look);
 }
 
-/// Other settings are tried without a request where that is quick, and the addresses of what-ifs
-/// are not in the way.
+/// Other settings are tried without a request where that is quick, and neither the addresses of
+/// what-ifs nor the points of a given start are in the way.
 void AlertController::startTrials() {
     const Session& session = c_.session;
     const bool faulty = !session.alerts().search().places().empty();
     const bool quick = session.model().points.size() <= kManyForTrials;
-    if (interactive_ && faulty && quick && session.input().spec().whatIf.empty())
-        c_.session.trials().start();
+    const bool whole =
+        session.input().spec().whatIf.empty() && session.model().params.start.empty();
+    if (interactive_ && faulty && quick && whole) c_.session.trials().start();
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.

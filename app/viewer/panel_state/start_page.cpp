@@ -108,7 +108,9 @@ void drawHalf(const PointSet& points, const PictureFrame& frame, SceneTile& tile
         return pivot > 0 ? state.counters.pivots >= pivot
                          : state.triangles.size() >= points.position.size();
     };
-    tile.faces = facesOf(points, reconstruct(points, Params{}, half).state.triangles, {}, frame);
+    Params params;
+    params.start = startOfScene(tile.id);
+    tile.faces = facesOf(points, reconstruct(points, params, half).state.triangles, {}, frame);
 }
 
 /// The finished mesh of a scene that fails, with its failures.

@@ -318,6 +318,20 @@ Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model&
     return prepareOptions(withFixOptions(spec), model.params, file);
 }
 
+/// Fails if the run of the model cannot begin with its given start, which names points by numbers.
+Status requireStartOf(const Model& model, const PointSet& points) {
+    const GivenStart& start = model.params.start;
+    if (start.empty()) return success();
+    if (points.size() != model.pointsInFile) {
+        return Error{model.name +
+                     " begins with given triangles, which name points by numbers: it needs all of "
+                     "its points."};
+    }
+    const Status status = requireStart(points, start);
+    if (status) return status;
+    return Error{model.name + ": the given start does not fit. " + status.error().message};
+}
+
 }  // namespace
 
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
@@ -345,8 +359,8 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     progress.part = LoadPart::Placing;
     progress.share = kPreparedShare;
     if (const Status status = validate(prepared.value().points); !status) return status.error();
-    if (const Status status = requireStart(prepared.value().points, model->params.start); !status)
-        return Error{model->name + ": the given start does not fit. " + status.error().message};
+    if (const Status status = requireStartOf(*model, prepared.value().points); !status)
+        return status.error();
     model->points = std::move(prepared.value().points);
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};

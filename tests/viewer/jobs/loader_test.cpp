@@ -36,6 +36,28 @@ TEST_CASE("An opened input comes once, with the start of its run") {
     CHECK_FALSE(loader.take().has_value());
 }
 
+TEST_CASE("A scene that begins in the middle of a run opens there, or not at all without a point") {
+    Loader loader;
+    InputSpec spec = scene("scene:figure-6");
+    loader.start(spec);
+    loader.waitUntilDone();
+    auto opened = loader.take();
+    REQUIRE(opened.has_value());
+    REQUIRE(opened->ok());
+    const GivenStart start = startOfScene("figure-6");
+    CHECK(opened->value().model->params.start == start);
+    const auto answer = opened->value().runner->take();
+    REQUIRE(answer.has_value());
+    CHECK(answer->record->before.triangleCount == start.triangles.size());
+    spec.leftOut = {{8, 8}};
+    loader.start(spec);
+    loader.waitUntilDone();
+    opened = loader.take();
+    REQUIRE(opened.has_value());
+    REQUIRE_FALSE(opened->ok());
+    CHECK(opened->error().message.find("it needs all of its points") != std::string::npos);
+}
+
 TEST_CASE("The last of several inputs is the one that is opened") {
     Loader loader;
     for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
