@@ -28,8 +28,13 @@ std::string deedText(const Event& event) {
     return std::visit(Overloaded{[](const EmitEvidence&) { return std::string("made"); },
                                  [](const RingEvidence& e) { return ringText(e); },
                                  [](const SkipEvidence&) { return std::string("passed over"); },
-                                 [](const SplitEvidence&) { return std::string("splits"); },
-                                 [](const JoinEvidence&) { return std::string("joins"); },
+                                 [](const SplitEvidence& e) {
+                                     return "splits into " + std::to_string(e.activeLength) +
+                                            " and " + std::to_string(e.stackedLength);
+                                 },
+                                 [](const JoinEvidence& e) {
+                                     return "joins, a ring of " + std::to_string(e.length);
+                                 },
                                  [](const CloseEvidence&) { return std::string("closed"); },
                                  [](const AdvanceEvidence&) { return std::string("next pivot"); },
                                  [](const SeedEvidence&) { return std::string("seed"); },

@@ -11,8 +11,9 @@
 namespace se {
 
 /// What a decision comes to: the verdict of a test in the words of verdictText(), else what is
-/// done: "made", "enters, USED 1", "leaves, DONE", "passed over", "splits", "joins", "closed",
-/// "next pivot", "seed", "stranded", "freed". Empty for events that change nothing.
+/// done: "made", "enters, USED 1", "leaves, DONE", "passed over", "splits into 19 and 13", "joins,
+/// a ring of 30", "closed", "next pivot", "seed", "stranded", "freed". Empty for events that change
+/// nothing.
 std::string outcomeText(const Event& event);
 
 /// An expectation and the decision at its address.

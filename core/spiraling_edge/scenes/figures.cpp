@@ -105,9 +105,9 @@ constexpr FigureExpectation kExpected11[] = {
     {"1.ring.5", "s", "enters, USED 1"},  {"1.advance.1", "end", "next pivot"},
 };
 constexpr FigureExpectation kExpected12[] = {
-    {"35.split.1", "19", "splits"},
+    {"35.split.1", "19", "splits into 19 and 13"},
     {"74.ring.2", "39", "enters, USED 2"},
-    {"74.join.1", "39", "joins"},
+    {"74.join.1", "39", "joins, a ring of 30"},
 };
 constexpr FigureExpectation kExpected13[] = {
     {"1.skip.1", "p", "passed over"}, {"1.advance.1", "last", "next pivot"},

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;
