@@ -40,7 +40,8 @@ using DecisionObserver = std::function<bool(const Event&)>;
 /// Example: `Stepper stepper(points, params); while (stepper.stepPivot()) draw(stepper.state());`
 class Stepper {
   public:
-    /// Every decision is appended to `log` unless it is null; see setLog().
+    /// Every decision is appended to `log` unless it is null; see setLog(). Requires that
+    /// requireStart() succeeds for params.start.
     Stepper(SharedPoints points, const Params& params, EventLog* log = nullptr);
 
     /// Runs one phase of a pivot. Returns false, doing nothing, if the run is finished.

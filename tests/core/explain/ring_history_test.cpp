@@ -148,3 +148,12 @@ TEST_CASE("ring: an address that the run has not got is named") {
     CHECK_FALSE(
         whyRing(points, paper(), {{3, Stage::Pivot, 0}, 0}, [](double) { return false; }).ok());
 }
+
+TEST_CASE("ring: the history of a ring of a given start has no decision") {
+    const PointSet points = sceneNamed("figure-11");
+    const Params params = withStartOf(*findScene("figure-11"), paper());
+    const auto history = whyRing(points, params, {{1, Stage::Pivot, 0}, 1});
+    REQUIRE_FALSE(history.ok());
+    CHECK(history.error().message ==
+          "The ring #1 at 1 is one of the rings that the run begins with: no decision made it.");
+}

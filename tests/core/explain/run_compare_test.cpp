@@ -7,6 +7,7 @@
 
 #include "spiraling_edge/replay/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/given_start.h"
 #include "support/clouds.h"
 #include "support/repair_mesh.h"
 #include "support/rig.h"
@@ -268,4 +269,18 @@ TEST_CASE("run comparison: other numbers of points and cancelling are errors") {
     CHECK_FALSE(compareRuns({torus, params}, {sphere, params}).ok());
     CHECK_FALSE(compareRuns({torus, params}, {torus, params}, [](double) { return false; }).ok());
     CHECK_FALSE(makeMesh({torus, params}, [](double) { return false; }).ok());
+}
+
+TEST_CASE("run comparison: triangles are dated after those of a given start") {
+    const PointSet points = sceneNamed("figure-7");
+    const Params params = withStartOf(*findScene("figure-7"), paper());
+    const Result<MadeMesh> mesh = makeMesh({points, params}, {});
+    REQUIRE(mesh.ok());
+    const std::size_t given = params.start.triangles.size();
+    REQUIRE(mesh.value().made.size() > given);
+    CHECK(mesh.value().made[0].pivot == 0);
+    CHECK(toString(mesh.value().made[given]) == "1.emit.1");
+    const std::vector<Index> both{0, static_cast<Index>(given)};
+    CHECK(toString(firstMade(mesh.value(), both).value()) == "1.emit.1");
+    CHECK_FALSE(firstMade(mesh.value(), std::vector<Index>{0}).has_value());
 }

@@ -246,3 +246,20 @@ TEST_CASE("live: crossings are looked for up to a fixed amount of work") {
     CHECK(complete(300));
     CHECK_FALSE(complete(5000));
 }
+
+TEST_CASE("live: triangles are compared with those of a given start") {
+    const PointSet points = sceneNamed("figure-9");
+    const Params params = withStartOf(*findScene("figure-9"), paper());
+    Params off = params;
+    off.paper.twoPoint = TwoPointRule::None;
+    const auto kinds = [&](const GivenStart& start) {
+        LiveCheck live(points, start);
+        std::size_t crossings = 0;
+        (void)scanRun(points, off, [&](const ScannedPivot& pivot) {
+            for (const LiveFailure& each : live.check(pivot.events))
+                crossings += each.kind->name == "intersecting_triangles" ? 1 : 0;
+        });
+        return crossings;
+    };
+    CHECK(kinds(off.start) > kinds({}));
+}

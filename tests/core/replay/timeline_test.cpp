@@ -7,8 +7,10 @@
 #include <limits>
 #include <map>
 
+#include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
+#include "support/rig.h"
 
 using namespace se;
 
@@ -231,4 +233,18 @@ TEST_CASE("A stepper set to any place after the last pivot reaches the end of th
         CHECK(stateHash(timeline.state()) == end);
     }
     CHECK(steps > 250);
+}
+
+TEST_CASE("Seeking goes back to a given start") {
+    const PointSet points = sceneNamed("figure-11");
+    const Params params = withStartOf(*findScene("figure-11"), paper());
+    Timeline timeline(points, params);
+    const std::uint64_t begin = stateHash(timeline.state());
+    timeline.seek(0xffffffffU);
+    const std::uint64_t end = stateHash(timeline.state());
+    timeline.seek(0);
+    CHECK(stateHash(timeline.state()) == begin);
+    CHECK(begin == stateHash(startState(points, params)));
+    timeline.seek(0xffffffffU);
+    CHECK(stateHash(timeline.state()) == end);
 }

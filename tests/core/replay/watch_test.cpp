@@ -36,20 +36,24 @@ using Values = std::map<std::string, double>;
 }  // namespace
 
 TEST_CASE("watch: every number is that of the state after the pivot") {
-    for (const char* id : {"torus", "sheet", "figure-14", "stranded-point"}) {
+    for (const char* id : {"torus", "sheet", "figure-11", "figure-14", "stranded-point"}) {
         CAPTURE(id);
         const PointSet points = prepared(findScene(id)->build());
+        const Params params = withStartOf(*findScene(id), paper());
         const auto all = everyExpression();
         std::map<std::uint32_t, Values> watched;
-        CHECK(scanWatches(points, paper(), all,
+        CHECK(scanWatches(points, params, all,
                           [&](std::uint32_t pivot, std::span<const double> values) {
                               for (std::size_t i = 0; i < all.size(); ++i)
                                   watched[pivot][std::string(all[i].term().form)] = values[i];
                           }));
         REQUIRE(watched.contains(0));
-        CHECK(watched[0]["unused"] == static_cast<double>(points.size()));
+        const State start = startState(points, params);
+        CHECK(watched[0]["unused"] ==
+              static_cast<double>(std::count(start.status.begin(), start.status.end(), kUnused)));
+        CHECK(watched[0]["triangles"] == static_cast<double>(params.start.triangles.size()));
         double tests = 0;
-        scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+        scanRun(points, params, [&](const ScannedPivot& pivot) {
             const State& s = pivot.after;
             Values& values = watched[pivot.events.front().address.pivot];
             std::map<int, double> count;
@@ -67,7 +71,7 @@ TEST_CASE("watch: every number is that of the state after the pivot") {
             REQUIRE(values["tests"] == tests);
             REQUIRE(values["refused"] <= tests);
         });
-        CHECK(tests > 100);
+        CHECK(tests > 40);
     }
 }
 

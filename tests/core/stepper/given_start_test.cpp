@@ -9,12 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "spiraling_edge/explain/ring_history.h"
-#include "spiraling_edge/explain/run_compare.h"
-#include "spiraling_edge/replay/live_check.h"
-#include "spiraling_edge/replay/scan_run.h"
-#include "spiraling_edge/replay/timeline.h"
-#include "spiraling_edge/replay/watch.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/stepper/invariants.h"
 #include "support/clouds.h"
@@ -150,6 +144,23 @@ TEST_CASE("open steps of a start are no edges for the rules") {
     CHECK(stepper.state().rings.open(stepper.state().rings.firstEntryOf(5)));
 }
 
+TEST_CASE("a given start counts its longest ring, its stack and its component") {
+    const Started started("figure-11");
+    const Counters counters = startState(started.points, started.params).counters;
+    CHECK(counters.maxRingLength == 7);
+    CHECK(counters.maxStackDepth == 1);
+    CHECK(counters.seeds == 1);
+    CHECK(counters.pivots == 0);
+}
+
+TEST_CASE("rules on finished triangles know those of a given start") {
+    Started started("figure-11");
+    started.params.robust.guard = true;
+    const State state = startState(started.points, started.params);
+    CHECK(state.edges.has(0, 2));
+    CHECK_FALSE(state.edges.has(2, 0));
+}
+
 TEST_CASE("a start without rings goes on with a new component") {
     PointFile file = findScene("figure-2")->build();
     const PointSet points = prepared(file);
@@ -160,71 +171,4 @@ TEST_CASE("a start without rings goes on with a new component") {
     CHECK(stepper.state().status[0] == kDone);
     stepper.stepPivot();
     CHECK(stepper.state().triangles.front().a != 0);
-}
-
-TEST_CASE("a timeline goes back to a given start from anywhere") {
-    const Started started("figure-11");
-    Timeline timeline(started.points, started.params);
-    const std::uint64_t begin = stateHash(timeline.state());
-    timeline.seek(0xffffffffU);
-    const std::uint64_t end = stateHash(timeline.state());
-    timeline.seek(0);
-    CHECK(stateHash(timeline.state()) == begin);
-    CHECK(begin == stateHash(startState(started.points, started.params)));
-    timeline.seek(0xffffffffU);
-    CHECK(stateHash(timeline.state()) == end);
-}
-
-TEST_CASE("watches begin with the numbers of a given start") {
-    const Started started("figure-11");
-    std::vector<WatchExpression> watched;
-    for (const char* text : {"triangles", "used", "stack"}) {
-        const auto parsed = WatchExpression::parse(text);
-        if (parsed) watched.push_back(parsed.value());
-    }
-    std::vector<double> first;
-    (void)scanWatches(started.points, started.params, watched,
-                      [&](std::uint32_t pivot, std::span<const double> values) {
-                          if (pivot == 0) first.assign(values.begin(), values.end());
-                      });
-    REQUIRE(first.size() == watched.size());
-    CHECK(first[0] == 8);
-    CHECK(first[1] == 9);
-}
-
-TEST_CASE("a live check compares with the triangles of a given start") {
-    const Started started("figure-9");
-    Params off = started.params;
-    off.paper.twoPoint = TwoPointRule::None;
-    const auto kinds = [&](const GivenStart& start) {
-        LiveCheck live(started.points, start);
-        std::size_t crossings = 0;
-        (void)scanRun(started.points, off, [&](const ScannedPivot& pivot) {
-            for (const LiveFailure& each : live.check(pivot.events))
-                crossings += each.kind->name == "intersecting_triangles" ? 1 : 0;
-        });
-        return crossings;
-    };
-    CHECK(kinds(off.start) > kinds({}));
-}
-
-TEST_CASE("a run comparison dates the triangles after those of a given start") {
-    const Started started("figure-7");
-    const Result<MadeMesh> mesh = makeMesh({started.points, started.params}, {});
-    REQUIRE(mesh.ok());
-    const std::size_t given = started.params.start.triangles.size();
-    REQUIRE(mesh.value().made.size() > given);
-    CHECK(mesh.value().made[0].pivot == 0);
-    CHECK(toString(mesh.value().made[given]) == "1.emit.1");
-    const std::vector<Index> both{0, static_cast<Index>(given)};
-    CHECK(toString(firstMade(mesh.value(), both).value()) == "1.emit.1");
-    CHECK_FALSE(firstMade(mesh.value(), std::vector<Index>{0}).has_value());
-}
-
-TEST_CASE("the history of a ring ends at a given start") {
-    const Started started("figure-11");
-    const auto history = whyRing(started.points, started.params, {{1, Stage::Pivot, 0}, 1});
-    REQUIRE_FALSE(history.ok());
-    CHECK(history.error().message ==
-          "The ring #1 at 1 is one of the rings that the run begins with: no decision made it.");
 }
