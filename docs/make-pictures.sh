@@ -56,10 +56,10 @@ stages() {
     stage done-rim sheet 777.done.64
     # Rules beyond the paper.
     stage guard small-torus 52.guard.1 --rules robust --focus
-    stage_from fill genus-2 641.fill.1 -0.62,-0.49,0.0 0.8 -99 -13 --neighbors 24 --rule fill=on
+    stage fill linked-tori 600.fill.1 --focus --neighbors 24 --rule fill=on
     stage_from reinsert long-lists 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
     stage_from flip torus 887.flip.1 0.297,-0.952,0.038 0.6 -72.7 7.7 --rules robust
-    stage_from reseat linked-tori 1571.reseat.1 0.83,-0.2,-0.125 0.55 -75 0 --neighbors 32 --rules corrected \
+    stage reseat linked-tori 1598.reseat.1 --focus --neighbors 32 --rules corrected \
         --rule guard=on --rule reinsert=on --rule flip=on --rule reseat=on
 }
 
