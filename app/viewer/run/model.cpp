@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -84,6 +85,16 @@ Result<PointFile> takeStandardInput(const InputSpec& spec, Model& model) {
     return *spec.points;
 }
 
+/// "p", "first" and the like are the points of one pivot, unless the run begins with a figure.
+void nameLikeFigure(Model& model, const Figure& figure) {
+    model.names = figure.names;
+    const auto address = addressFromString(figure.scene.address);
+    const bool numbers =
+        !figure.names.empty() &&
+        std::isdigit(static_cast<unsigned char>(figure.names[0].name.front())) != 0;
+    if (address && !numbers && figure.scene.start == nullptr) model.namesIn = address->pivot;
+}
+
 Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& progress) {
     const std::string& source = spec.source;
     if (isSample(source)) return readSample(spec, model, progress);
@@ -100,7 +111,7 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
         }
         model.name = sceneSource(scene->id);
         model.watch = std::string(scene->watch);
-        if (const Figure* figure = figureOfScene(scene->id)) model.names = figure->names;
+        if (const Figure* figure = figureOfScene(scene->id)) nameLikeFigure(model, *figure);
         PointFile points = scene->build();
         model.hash = hashOfPoints(points);
         return points;

@@ -96,6 +96,7 @@ struct Model {
     std::string hash;   ///< Of the input, see hashOfPoints().
     std::string watch;  ///< One sentence of a scene; empty for files.
     std::span<const PointName> names = {};  ///< Of points of a figure.
+    std::uint32_t namesIn = 0;              ///< The only pivot that has these names; 0: all.
     PointSet points;
     Params params;
     PrepareReport report;

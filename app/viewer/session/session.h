@@ -84,7 +84,8 @@ class Session {
     std::shared_ptr<const Model> sharedModel() const { return model_; }
     /// The names that points are called by; empty: by their numbers.
     std::span<const PointName> names() const {
-        return ready() && showsNames_ ? model_->names : std::span<const PointName>{};
+        const bool here = ready() && (model_->namesIn == 0 || model_->namesIn == record_->pivot);
+        return here && showsNames_ ? model_->names : std::span<const PointName>{};
     }
     void showNames(bool on) {
         if (std::exchange(showsNames_, on) != on) ++revision_;

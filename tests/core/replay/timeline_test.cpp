@@ -236,8 +236,8 @@ TEST_CASE("A stepper set to any place after the last pivot reaches the end of th
 }
 
 TEST_CASE("Seeking goes back to a given start") {
-    const PointSet points = sceneNamed("figure-11");
-    const Params params = withStartOf(*findScene("figure-11"), paper());
+    const PointSet points = test::sceneNamed("figure-11");
+    const Params params = test::withStartOf(*findScene("figure-11"), test::paper());
     Timeline timeline(points, params);
     const std::uint64_t begin = stateHash(timeline.state());
     timeline.seek(0xffffffffU);

@@ -88,3 +88,23 @@ TEST_CASE("Holding the look before an event changes the picture, not the cursor"
     open.session.showBefore(false);
     CHECK(open.session.picture().newTriangles.size() == 1);
 }
+
+TEST_CASE(
+    "A figure's points have its letters, in the pivot that it shows, unless numbers are chosen") {
+    OpenSession open("scene:figure-8");
+    Session& session = open.session;
+    session.moves().goTo({9, Stage::Sphere, 2});
+    REQUIRE(open.place() == "9.sphere.2");
+    CHECK(nameOf(46, session.names()) == "q");
+    session.showNames(false);
+    CHECK(nameOf(46, session.names()) == "46");
+    session.showNames(true);
+    session.moves().stepPivot(1);
+    session.waitUntilDone();
+    CHECK(nameOf(46, session.names()) == "46");
+    // Those of Figure 2 are the numbers of all its points.
+    OpenSession numbers("scene:figure-2");
+    numbers.session.moves().toEnd();
+    numbers.session.waitUntilDone();
+    CHECK(nameOf(0, numbers.session.names()) == "1");
+}
