@@ -102,6 +102,8 @@ class Application {
     void undoOrRedo();
     void observeEdits();
     bool holdsLook(const Command& command, int key);
+    bool endsBlankScreen(const KeyChord& chord);
+    const Command* commandFor(const KeyChord& chord) const;
     void play(double seconds);
     PanelSizes panelSizes() const;
     void placeCamera(const PanelRects& rects);

@@ -74,7 +74,8 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
     if (!over && !repeated && runOnPieceTool(chord, commands_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
-    const Command* command = ui_.settings.keys.commandFor(chord);
+    if (endsBlankScreen(chord)) return true;
+    const Command* command = commandFor(chord);
     // A question comes first.
     if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
     if (command == nullptr || (repeated && !command->repeats)) return false;
@@ -88,6 +89,20 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     ui_.typing.see(ui_.typedFields());
     // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;
+}
+
+/// Any key shows the blanked window again, and does nothing else.
+bool Application::endsBlankScreen(const KeyChord& chord) {
+    if (ui_.blank == BlankScreen::None || isModifierKey(chord.key)) return false;
+    ui_.blank = BlankScreen::None;
+    return true;
+}
+
+/// The command of a key in the present layout.
+const Command* Application::commandFor(const KeyChord& chord) const {
+    const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.growth.open;
+    const Command* first = present ? presenterCommandFor(chord) : nullptr;
+    return first != nullptr ? first : ui_.settings.keys.commandFor(chord);
 }
 
 /// The two actions that last while their key is held.

@@ -268,6 +268,7 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"rate", playback_.rate()},
              {"theme", std::string(themeName(ui_.settings.theme))},
              {"layout", std::string(rowOf(ui_.layoutPreset).name)},
+             {"blank", ui_.blank != BlankScreen::None},
              {"first_frame_seconds", firstFrameSeconds_},
              {"first_window_seconds", firstWindowSeconds_},
              {"longest_opening_seconds", longestOpeningSeconds_},

@@ -235,9 +235,17 @@ void toggle(C& c, LayerId layer) { toggleLayer(c.ui.settings.layers, layer, c.se
 
 void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     c.ui.layoutPreset = layoutPreset;
+    c.ui.blank = BlankScreen::None;
     const LayoutPresetRow& row = rowOf(layoutPreset);
     c.ui.follow = row.follows;
     c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
+}
+
+void blankScreen(C& c, BlankScreen with) {
+    if (c.ui.layoutPreset != LayoutPreset::Present)
+        return c.session.messages().say("The screen is blanked in the layout Present (F2).");
+    c.playback.pause();
+    c.ui.blank = with;
 }
 
 void openTab(C& c, std::string_view tab) {

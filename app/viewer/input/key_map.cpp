@@ -35,6 +35,15 @@ std::string KeyMap::all(const Command& command) const {
     return joined(keyWords(keysOf(command)), ", ");
 }
 
+const Command* presenterCommandFor(const KeyChord& chord) {
+    for (const Command& command : commands()) {
+        for (const std::string& word : keyWords(std::string(command.presenterKeys))) {
+            if (keyFromString(word) == chord) return &command;
+        }
+    }
+    return nullptr;
+}
+
 const Command* KeyMap::commandFor(const KeyChord& chord) const {
     for (const Command& command : commands()) {
         for (const std::string& word : keyWords(keysOf(command))) {

@@ -25,10 +25,16 @@ struct Command {
     /// Synonyms for the search of the palette, separated by spaces.
     std::string_view synonyms = {};
     bool repeats = false;  ///< Also while the key is held down.
+    /// Keys in the layout Present alone, where they come before all others: those that the remote
+    /// control of a presenter sends.
+    std::string_view presenterKeys = {};
 };
 
 std::span<const Command> commands();
 const Command* findCommand(std::string_view id);
+
+/// The command that a key has in the layout Present; null if it is that of the other layouts.
+const Command* presenterCommandFor(const KeyChord& chord);
 
 class KeyMap {
   public:

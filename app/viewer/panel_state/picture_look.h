@@ -1,11 +1,15 @@
 /// Parts and size of a picture of the program, as the command line chooses them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "scene/palette.h"
 
 namespace se::view {
+
+/// What covers the window while the audience looks at the speaker.
+enum class BlankScreen : std::uint8_t { None, Black, White };
 
 struct PictureLook {
     bool viewAlone = false;           ///< Without panels.

@@ -103,6 +103,7 @@ struct UiState {
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     PictureLook picture;
+    BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
     float scale = 1.0F;               ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;          ///< Of the view, as last drawn.
     glm::vec2 viewEms{50.0F, 30.0F};  ///< Size of the view, in em, as last drawn.

@@ -191,6 +191,15 @@ void drawBorders(const PanelContext& context) {
     ImGui::End();
 }
 
+/// Over everything.
+void drawBlankScreen(const PanelContext& context) {
+    BlankScreen& blank = context.ui().blank;
+    if (blank == BlankScreen::None) return;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) blank = BlankScreen::None;
+    const ImU32 color = blank == BlankScreen::White ? IM_COL32_WHITE : IM_COL32_BLACK;
+    ImGui::GetForegroundDrawList()->AddRectFilled({0.0F, 0.0F}, ImGui::GetIO().DisplaySize, color);
+}
+
 }  // namespace
 
 std::span<const SidePanel> sidePanels() { return kSidePanels; }
@@ -246,6 +255,7 @@ void drawPanels(const PanelContext& context) {
     drawCommandPalette(context);
     drawSubjectMenu(context);
     drawLeaveQuestion(context);
+    drawBlankScreen(context);
 }
 
 }  // namespace se::view

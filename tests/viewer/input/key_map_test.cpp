@@ -116,3 +116,16 @@ TEST_CASE("Esc keeps a key, Backspace removes it, nameless keys are refused") {
     CHECK_FALSE(capture.active());
     CHECK(map.all(command("view.theme")).empty());
 }
+
+TEST_CASE("The keys of a presenter's remote control step, blank the screen and go to the start") {
+    CHECK(presenterCommandFor(chord("PageDown")) == findCommand("step.event.next"));
+    CHECK(presenterCommandFor(chord("PageUp")) == findCommand("step.event.previous"));
+    CHECK(presenterCommandFor(chord("B")) == findCommand("view.black"));
+    CHECK(presenterCommandFor(chord(".")) == findCommand("view.black"));
+    CHECK(presenterCommandFor(chord("W")) == findCommand("view.white"));
+    CHECK(presenterCommandFor(chord("F5")) == findCommand("run.start"));
+    CHECK(presenterCommandFor(chord("Shift+F5")) == findCommand("view.layout.present"));
+    // All others are those of every layout.
+    CHECK(presenterCommandFor(chord("F10")) == nullptr);
+    CHECK(presenterCommandFor(chord("Esc")) == nullptr);
+}

@@ -24,7 +24,7 @@ denies open_tab Alerts
 stop
 for layout in learn present compare; do
     start scene:figure-8 --layout "$layout"; says phase ready; says layout "$layout"
-    says address "8\.limits\.1"
+    says address "9\.sphere\.2"
     stop
 done
 start scene:figure-8 --goto 3; says pivot 3; stop

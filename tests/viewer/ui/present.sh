@@ -40,6 +40,21 @@ says pivot_arrow false
 denies camera "$camera"
 says selected null
 
+# What a remote control sends: steps, a black or a white screen, the start. A key shows the window
+# again, and does nothing else.
+go_to 40.sort.1
+press Next; says address "40\.sort\.2"
+press Prior; says address "40\.sort\.1"
+for key in b period w; do
+    press "$key"; says blank true; says layout present; denies loop '.*"to": "40.*'
+    press Next; says blank false; says address "40\.sort\.1"
+done
+press b; says blank true
+press Escape; says blank false; says layout present
+press shift+F5; says layout present; says address "40\.sort\.1"
+press F5; says pivot 0
+go_to 40.sphere.1
+
 # The other layouts have the address in the status bar, and the same arrow.
 for layout in debug learn; do
     press F2
