@@ -91,7 +91,7 @@ class ScenePainter {
     Theme particleTheme_ = Theme::Dark;
     const Model* uploaded_ = nullptr;  ///< Only compared, never dereferenced.
     std::uint32_t uploadedGeneration_ = 0;
-    std::uint32_t uploadedDrag_ = 0;  ///< Revision of the point that is being dragged.
+    std::uint32_t uploadedDrag_ = 0;      ///< Revision of the point that is being dragged.
     std::shared_ptr<const Model> model_;  ///< Content of the list.
     std::shared_ptr<const Model> still_;  ///< The uploaded mesh; null: a run was uploaded.
     const void* uploadedStill_ = nullptr;

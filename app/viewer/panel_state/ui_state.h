@@ -104,10 +104,10 @@ struct UiState {
     StartPage startPage;
     PictureLook picture;
     BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
-    float scale = 1.0F;               ///< Of text and panels, as drawn.
-    float viewAspect = 1.3F;          ///< Of the view, as last drawn.
-    glm::vec2 viewEms{50.0F, 30.0F};  ///< Size of the view, in em, as last drawn.
-    bool follow = false;              ///< The camera goes to the view of each decision.
+    float scale = 1.0F;                     ///< Of text and panels, as drawn.
+    float viewAspect = 1.3F;                ///< Of the view, as last drawn.
+    glm::vec2 viewEms{50.0F, 30.0F};        ///< Size of the view, in em, as last drawn.
+    bool follow = false;                    ///< The camera goes to the view of each decision.
     CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "tab
     /// Dial", "strip run"
