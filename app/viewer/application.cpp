@@ -83,7 +83,9 @@ bool Application::poll() {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askOfComparison(commands_, CompareAsk::FirstDifference);
     }
-    if (session_.takeProblemFound()) {
+    // The lists of a figure are those of its drawing, and nothing is to be mended.
+    const bool figure = session_.ready() && !session_.model().params.start.empty();
+    if (session_.takeProblemFound() && !figure) {
         ui_.tab.wanted = kDoctorTab;
         ui_.tab.byFinding = true;
     }
@@ -197,7 +199,10 @@ void Application::moveCamera() {
         const FollowedDecision here{session_.generation(), session_.picture().pivot,
                                     viewWayOf(session_.shown(), session_.picture())};
         const FollowedDecision before = std::exchange(followed_, here);
-        if (ui_.follow && before != here && before.generation == here.generation)
+        // Dragged points change the decision, not the view of it.
+        const bool dragging = session_.drag().active();
+        const bool stays = std::exchange(dragged_, dragging) || dragging;
+        if (ui_.follow && !stays && before != here && before.generation == here.generation)
             moveToDecision(commands_, CameraMove::Kind::Followed);
     }
     ui_.cameraMove.apply(camera_, ui_.clock);

@@ -138,6 +138,7 @@ class Application {
     bool noticed_ = false;           ///< A notice is visible.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
     FollowedDecision followed_;      ///< Last decision at the cursor.
+    bool dragged_ = false;           ///< A point was being dragged in the last frame.
     CameraMove::Kind cameraKind_ = CameraMove::Kind::None;  ///< Of the frame before.
     std::string homeOf_;  ///< Name of the input that the camera was reset for.
     std::string writtenState_;

@@ -84,6 +84,11 @@ void dumpDerived(json& out, const PrepareReport& report) {
     if (report.derived.rim) out["derived"].push_back("rim");
 }
 
+void dumpDrag(json& out, const PointDrag& drag) {
+    out["dragged"] = indexOrNull(drag.active() ? drag.point() : kNone);
+    out["drag_turns"] = drag.turn().has_value();
+}
+
 /// The open input and the position of the cursor. Requires session.ready().
 void dumpRun(json& out, const Session& session) {
     assert(session.ready());
@@ -98,9 +103,7 @@ void dumpRun(json& out, const Session& session) {
     out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();
     out["rings"] = session.picture().rings.size();
     out["selected"] = indexOrNull(session.selected());
-    const PointDrag& drag = session.drag();
-    out["dragged"] = indexOrNull(drag.active() ? drag.point() : kNone);
-    out["drag_turns"] = drag.turn().has_value();
+    dumpDrag(out, session.drag());
     out["selection"] = std::string(kindName(session.selection().kind));
     const auto corners = session.selection().corners();
     out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());

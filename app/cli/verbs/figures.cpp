@@ -91,11 +91,12 @@ FigureText checkedScene(const Figure& figure) {
                                         each.found.empty() ? "no such decision" : each.found);
         }
     }
-    checked.text +=
-        fmt::format("  {:<8} {}: {} of {} do not hold", check.showsAbsence ? "holds" : "FAILS",
-                    ruleText(figure), check.brokenWithout, check.expectations.size());
+    checked.text += fmt::format("  {:<8} {}: {} of {} decisions change",
+                                check.showsAbsence ? "differs" : "FAILS", ruleText(figure),
+                                check.brokenWithout, check.expectations.size());
     if (figure.fault)
-        checked.text += fmt::format(", faults: {}, not {}", check.faultsWithout, check.faultsWith);
+        checked.text += fmt::format("; faults: {} without the rule, {} with it",
+                                    check.faultsWithout, check.faultsWith);
     checked.text += "\n";
     return checked;
 }

@@ -39,6 +39,11 @@ void addLabels(const LayerInput& in, DrawList& out) {
         }
     }
     if (p.complete) add(p.nextPivot, "next pivot", c.pivot, true);
+    // Of a figure, all points on the rings that it names.
+    for (const PointName& each : in.names) {
+        const bool onRing = each.point < p.status.size() && p.status[each.point] > 0;
+        if (onRing) add(each.point, "", c.used, false);
+    }
     if (in.hovered != kNone) {
         out.mark(in.at(in.hovered), Shape::Circle, c.text.withAlpha(0.8F), 1.5F);
         add(in.hovered, "", c.text, true);

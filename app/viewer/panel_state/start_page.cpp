@@ -100,17 +100,17 @@ std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Trian
 }
 
 /// The mesh of a scene that works, half grown, or as it is at the decision of a figure.
-void drawHalf(const PointSet& points, const PictureFrame& frame, SceneTile& tile) {
+void drawGrown(const PointSet& points, const PictureFrame& frame, SceneTile& tile) {
     const auto address = addressFromString(addressOfScene(tile.id));
     const std::uint32_t pivot = address && tile.figure ? address->pivot : 0;
     // A closed surface has two triangles for each point.
-    const auto half = [&](const State& state) {
+    const auto enough = [&](const State& state) {
         return pivot > 0 ? state.counters.pivots >= pivot
                          : state.triangles.size() >= points.position.size();
     };
     Params params;
     params.start = startOfScene(tile.id);
-    tile.faces = facesOf(points, reconstruct(points, params, half).state.triangles, {}, frame);
+    tile.faces = facesOf(points, reconstruct(points, params, enough).state.triangles, {}, frame);
 }
 
 /// The finished mesh of a scene that fails, with its failures.
@@ -140,7 +140,7 @@ void drawMesh(const PointFile& file, const FailureScene* failing, SceneTile& til
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
     const PictureFrame frame = frameOf(file, kDots, directionOf(tile));
-    if (failing == nullptr) return drawHalf(points, frame, tile);
+    if (failing == nullptr) return drawGrown(points, frame, tile);
     drawFailure(points, frame, failing->failure, tile);
 }
 

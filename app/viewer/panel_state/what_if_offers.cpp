@@ -147,20 +147,18 @@ std::vector<WhatIfOffer> offersAbout(const Session& session, Index point) {
 }
 
 void WhatIfForm::take(const Session& session, Index wanted) {
-    if (wanted == point && generation == session.generation()) return;
+    const bool drags = session.drag().active() && session.drag().point() == wanted;
+    const bool ended = std::exchange(dragged, drags) && !drags;
+    if (wanted == point && generation == session.generation() && !drags && !ended) return;
     point = wanted;
     generation = session.generation();
     const PointSet& points = session.shown().points;
     if (wanted >= points.size()) return;
-    show(points.position[wanted]);
+    for (int i = 0; i < 3; ++i) to[static_cast<std::size_t>(i)] = exact(points.position[wanted][i]);
     list.clear();
     for (const Index q : points.neighbors[wanted]) {
         list += (list.empty() ? "" : " ") + std::to_string(q);
     }
-}
-
-void WhatIfForm::show(const Vec3& position) {
-    for (int i = 0; i < 3; ++i) to[static_cast<std::size_t>(i)] = exact(position[i]);
 }
 
 Result<WhatIf> WhatIfForm::move(std::uint32_t pivot) const {

@@ -33,13 +33,12 @@ std::vector<WhatIfOffer> offersAbout(const Session& session, Index point);
 struct WhatIfForm {
     Index point = kNone;
     std::uint32_t generation = 0;
+    bool dragged = false;  ///< The fields have the place of a point that is being dragged.
     std::array<std::string, 3> to;
     std::string list;
 
-    /// Loads the values of the point, if the point or the run is another one.
+    /// Loads the values of the point, if the point or the run is another one, or it is dragged.
     void take(const Session& session, Index point);
-    /// Shows another position.
-    void show(const Vec3& position);
     /// Parses the fields, for a change from the pivot of the cursor on. Fails with a sentence.
     Result<WhatIf> move(std::uint32_t pivot) const;
     Result<WhatIf> neighbors(std::uint32_t pivot) const;

@@ -85,7 +85,8 @@ Result<PointFile> takeStandardInput(const InputSpec& spec, Model& model) {
     return *spec.points;
 }
 
-/// "p", "first" and the like are the points of one pivot, unless the run begins with a figure.
+/// Letters name the points of one pivot; numbers, and the letters of a figure with a given start,
+/// name them in the whole run.
 void nameLikeFigure(Model& model, const Figure& figure) {
     model.names = figure.names;
     const auto address = addressFromString(figure.scene.address);

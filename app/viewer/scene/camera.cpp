@@ -135,7 +135,8 @@ void Camera::face(const glm::vec3& normal) {
 void Camera::faceStraight(const glm::vec3& normal) {
     const glm::vec3 to = inFrame(normal);
     const float flat = std::hypot(to.x, to.y);
-    if (flat > 1e-3F) pose_.yawDegrees = glm::degrees(std::atan2(to.y, to.x));
+    // Straight from above or below, as in those presets.
+    pose_.yawDegrees = flat > 1e-3F ? glm::degrees(std::atan2(to.y, to.x)) : -90.0F;
     pose_.pitchDegrees = glm::degrees(std::atan2(to.z, flat));
     ++revision_;
 }

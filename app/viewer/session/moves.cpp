@@ -198,7 +198,8 @@ void Moves::cancel() {
 }
 
 void Moves::push(Move move) {
-    if (!runner_ || moves_.size() >= kMaxMoves) return;
+    // While a point is held, the cursor stays at its decision.
+    if (!runner_ || moves_.size() >= kMaxMoves || session_.drag().held()) return;
     session_.messages().clear();
     awaitedShare_.reset();
     awaitedStop_ = 0;

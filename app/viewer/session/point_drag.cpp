@@ -20,7 +20,7 @@ namespace {
 constexpr std::chrono::milliseconds kSameFrame{12};
 /// The turn is searched up to this multiple of the way so far, and over this many spacings.
 constexpr double kFarther = 1.5;
-constexpr double kLeastSpacings = 2.0;
+constexpr double kLeastSearched = 2.0;
 
 /// The test at the cursor, otherwise the tests of the point at that stage.
 PointDecisions decisionsAt(const Session& session, Index point) {
@@ -35,20 +35,20 @@ Vec3 farEnd(const Model& model, const Vec3& from, const Vec3& to) {
     const double way = glm::distance(from, to);
     if (way == 0.0) return from;
     const double spacing = static_cast<double>(model.spacing) / model.scale;
-    return from + (std::max(kFarther * way, kLeastSpacings * spacing) / way) * (to - from);
+    return from + (std::max(kFarther * way, kLeastSearched * spacing) / way) * (to - from);
 }
 
 }  // namespace
 
 bool PointDrag::possible(Index point) const {
     if (!session_.ready() || session_.moves().busy() || session_.showsBefore()) return false;
+    if (active()) return false;
     return point < session_.model().points.size() && session_.record().pivot > 0 &&
            session_.picture().pivot != kNone && !session_.picture().repaired;
 }
 
 void PointDrag::begin(Index point) {
-    assert(possible(point) || active());
-    takeBack();
+    assert(possible(point));
     held_ = true;
     point_ = point;
     decisions_ = decisionsAt(session_, point);

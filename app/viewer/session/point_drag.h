@@ -1,5 +1,5 @@
 /// A point of the open input that the user drags: for each position its pivot is made again, and
-/// shown at once. Released, it becomes a what-if; taken back, nothing has happened.
+/// shown at once. Released, the move becomes a what-if; taken back, the run is unchanged.
 #pragma once
 
 #include <memory>
@@ -25,11 +25,11 @@ class PointDrag {
     /// Whether the point can be dragged at the cursor: in a pivot of the paper's run.
     bool possible(Index point) const;
 
-    /// Takes hold of a point. Requires possible().
+    /// Starts a drag. Requires possible().
     void begin(Index point);
     /// Moves it, in scene units; shows its pivot at once if that is quickly made. Requires held().
     void moveTo(const Vec3& to);
-    /// Lets go. The what-if of the move, whose run is to be made: until that is open the moved
+    /// Ends the drag and returns its what-if, whose run is to be made: until that is open the moved
     /// point stays in the picture. Requires held().
     WhatIf release();
     /// Shows the open run again.
@@ -50,7 +50,7 @@ class PointDrag {
     // By the session.
     /// Takes what the thread has made. True if there was something.
     bool poll();
-    /// Another record is shown: forgets all.
+    /// Discards the drag: another record is shown.
     void forget();
     bool busy() const { return waits_ || job_.busy(); }
     /// Blocks until the pivot for the present position and its turn are made.

@@ -24,15 +24,15 @@ void Session::rerun(const RuleSet& rules, Resume resume) {
 
 void Session::cancelOpening() {
     input_.cancel();
-    if (input_.isRerun()) drag_.takeBack();
+    drag_.takeBack();
     dismissError();
     messages_.say(input_.isRerun() ? "Cancelled: the run is unchanged." : "Opening was cancelled.");
 }
 
 /// The old run stays if a new one is refused.
 void Session::fail(std::string why) {
-    if (!input_.isRerun()) return input_.fail(std::move(why));
     drag_.takeBack();
+    if (!input_.isRerun()) return input_.fail(std::move(why));
     dismissError();
     messages_.say(std::move(why));
 }

@@ -23,8 +23,8 @@ std::string ringText(const RingEvidence& e) {
     return (e.inserted ? "enters, " : "leaves, ") + status;
 }
 
-/// What is done by an event that is no test.
-std::string deedText(const Event& event) {
+/// The effect of an event that is no test.
+std::string effectText(const Event& event) {
     return std::visit(Overloaded{[](const EmitEvidence&) { return std::string("made"); },
                                  [](const RingEvidence& e) { return ringText(e); },
                                  [](const SkipEvidence&) { return std::string("passed over"); },
@@ -102,7 +102,7 @@ std::size_t countOf(FaultKind kind, const PointSet& points, const std::vector<Tr
 
 std::string outcomeText(const Event& event) {
     const std::string_view verdict = endingText(event);
-    return verdict.empty() ? deedText(event) : std::string(verdict);
+    return verdict.empty() ? effectText(event) : std::string(verdict);
 }
 
 bool FigureCheck::holds() const {

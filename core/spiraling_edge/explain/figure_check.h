@@ -10,10 +10,10 @@
 
 namespace se {
 
-/// What a decision comes to: the verdict of a test in the words of verdictText(), else what is
-/// done: "made", "enters, USED 1", "leaves, DONE", "passed over", "splits into 19 and 13", "joins,
-/// a ring of 30", "closed", "next pivot", "seed", "stranded", "freed". Empty for events that change
-/// nothing.
+/// Outcome of a decision in words: the verdict of a test in the words of verdictText(), else what
+/// is done: "made", "enters, USED 1", "leaves, DONE", "passed over", "splits into 19 and 13",
+/// "joins, a ring of 30", "closed", "next pivot", "seed", "stranded", "freed". Empty for events
+/// that change nothing.
 std::string outcomeText(const Event& event);
 
 /// An expectation and the decision at its address.
@@ -30,7 +30,9 @@ struct FigureCheck {
     std::size_t brokenWithout = 0;  ///< Expectations that do not hold without the rule.
     std::size_t faultsWith = 0;     ///< Faults of Figure::fault, with the rule,
     std::size_t faultsWithout = 0;  ///< ... and without it.
-    bool showsAbsence = false;      ///< The mesh or an expectation differs, and has the fault.
+    /// Without the rule an expectation breaks, the mesh differs, and Figure::fault, if there is
+    /// one, appears only there.
+    bool showsAbsence = false;
     bool holds() const;
 };
 

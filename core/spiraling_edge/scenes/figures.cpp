@@ -35,7 +35,6 @@ constexpr PointName kNames8[] = {{15, "p"}, {20, "first"}, {9, "t"},    {46, "q"
 constexpr PointName kNames9[] = {{0, "p"}, {1, "first"}, {2, "last"}};
 constexpr PointName kNames11[] = {{0, "p"},   {1, "first"}, {2, "last"}, {5, "start"},
                                   {6, "end"}, {7, "t"},     {8, "s"}};
-constexpr PointName kNames13[] = {{0, "p"}, {1, "first"}, {2, "last"}};
 constexpr PointName kNames14[] = {{0, "p"}, {4, "first"}, {46, "q"}};
 constexpr PointName kNames18[] = {{66, "p"}, {74, "q"}, {75, "r"}};
 constexpr PointName kNames19[] = {{49, "p"}, {14, "q"}, {45, "r"}};
@@ -175,8 +174,7 @@ constexpr std::array kFigures{
            "All twelve stay, and the fan of point 1 has long thin triangles."},
     Figure{2,
            {"figure-2", "Figure 2: the spiral",
-            "Points have the figure's numbers less one: after five pivots the ring runs through "
-            "points 5 to 15, and 5 is the next pivot.",
+            "After five pivots the ring runs through points 6 to 16, and 6 is the next pivot.",
             figure2Points, "5.advance.1"},
            kFront,
            kNumbers,
@@ -293,7 +291,7 @@ constexpr std::array kFigures{
             "side at last is triangulated from last, that at first from first.",
             figure13Points, "1.skip.1", figure13Start},
            kFront,
-           kNames13,
+           kNames9,
            kExpected13,
            {"walls", kOff},
            "p becomes a pivot, with a triangle without area along the wall.",

@@ -222,8 +222,12 @@ class StartChecker {
             const std::vector<Index>& ring = start_.rings[i];
             for (std::size_t k = 0; k < ring.size(); ++k) {
                 const RingStep step{ring[k], ring[(k + 1) % ring.size()]};
-                if (isOpen(step)) continue;
                 const std::string text = entryName("rings", i) + ": the step " + stepText(step);
+                const auto [other, fresh] = seen.try_emplace({step.from, step.to}, i);
+                if (!fresh) return text + " is on " + entryName("rings", other->second) + " too.";
+                const bool edge = edges_.contains({step.from, step.to});
+                if (isOpen(step) && edge) return text + " is open, but an edge of a triangle.";
+                if (isOpen(step)) continue;
                 if (!edges_.contains({step.from, step.to})) {
                     return text +
                            " is no edge of a triangle; give the triangle on its left, or name the "
@@ -231,8 +235,6 @@ class StartChecker {
                 }
                 if (edges_.contains({step.to, step.from}))
                     return text + " has triangles on both sides (invariant 3).";
-                const auto [other, fresh] = seen.try_emplace({step.from, step.to}, i);
-                if (!fresh) return text + " is on " + entryName("rings", other->second) + " too.";
             }
         }
         return {};

@@ -40,7 +40,7 @@ struct GivenStart {
 
 /// Success if invariants 1, 2, 3 and 5 (invariants.h) hold at the start, and each point of its
 /// triangles is on a ring or DONE. Otherwise a sentence that begins with the entry: "rings[0]: the
-/// step 3 -> 5 is no edge of a triangle; ...". O(start + points).
+/// step 3 -> 5 is no edge of a triangle; ...". O(points + start, times the open steps).
 Status requireStart(const PointSet& points, const GivenStart& start);
 
 /// The state before the first phase of a run: that of Params::start. Requires requireStart() to

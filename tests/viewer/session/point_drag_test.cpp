@@ -65,7 +65,13 @@ TEST_CASE("A dragged point shows the pivot of the run with that what-if, at the 
         CHECK(decisionOf(session) == moved);
         CHECK(session.shown().points.position[q] == to);
     }
-    SUBCASE("A step to another pivot forgets it") {
+    SUBCASE("Held, it keeps the cursor; a step to another pivot ends it once it is released") {
+        session.moves().stepEvent(1);
+        session.moves().stepPivot(1);
+        session.waitUntilDone();
+        CHECK(toString(session.address()) == "60.sphere.1");
+        CHECK_FALSE(session.drag().possible(q));
+        session.drag().release();
         session.moves().stepPivot(1);
         session.waitUntilDone();
         CHECK_FALSE(session.drag().active());

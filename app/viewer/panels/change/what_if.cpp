@@ -116,7 +116,9 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
         heading(context, "Point");
         return ImGui::TextDisabled("Select a point to move it or to edit its list.");
     }
-    heading(context, ("Point " + std::to_string(point)).c_str(),
+    const std::string name = nameOf(point, session.names());
+    const std::string number = std::to_string(point);
+    heading(context, ("Point " + number + (name == number ? "" : " (" + name + ")")).c_str(),
             session.selected() == kNone ? "the pivot" : "selected");
     context.state<WhatIfForm>().take(session, point);
     const std::uint32_t pivot = forkPivot(session);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "input/view_drag.h"
-#include "panel_state/what_if_offers.h"
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/picking.h"
 #include "scene/point_move.h"
@@ -55,6 +55,7 @@ Index draggableAt(const PanelContext& context, glm::vec2 pixel) {
 void beginMove(const PanelContext& context, MoveTool& tool) {
     Session& session = context.session();
     context.playback().pause();
+    context.ui().cameraMove = {};
     session.drag().begin(tool.pressed);
     tool.holds = true;
     session.select(tool.pressed);
@@ -81,7 +82,6 @@ void followPointer(const PanelContext& context, MoveTool& tool) {
     Vec3 to = model.center + Vec3(*place) / model.scale;
     for (int i = 0; i < 3; ++i) to[i] = roundedTo(to[i], spacing);
     drag.moveTo(to);
-    context.state<WhatIfForm>().show(to);
 }
 
 void endMove(const PanelContext& context) {
@@ -90,14 +90,15 @@ void endMove(const PanelContext& context) {
     context.requests().rules = withWhatIf(context.session().input().rules(), drag.release());
 }
 
-/// "moved by 0.31 spacings"
+/// "moved by 0.31 spacings; the verdict turns at 0.25"
 std::string moveText(const PointDrag& drag) {
     const Model& model = drag.model();
     const double spacing = static_cast<double>(model.spacing) / model.scale;
-    char text[64];
-    std::snprintf(text, sizeof text, "moved by %.2f spacings",
-                  glm::distance(drag.from(), drag.to()) / spacing);
-    return text;
+    const auto spacings = [&](const Vec3& to) {
+        return formatted("%.2f", glm::distance(drag.from(), to) / spacing);
+    };
+    const std::string moved = "moved by " + spacings(drag.to()) + " spacings";
+    return drag.turn() ? moved + "; the verdict turns at " + spacings(*drag.turn()) : moved;
 }
 
 }  // namespace
@@ -107,10 +108,11 @@ bool handleMoveTool(const PanelContext& context) {
     PointDrag& drag = context.session().drag();
     const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     ViewDrag& motion = context.state<ViewDrag>();
-    tool.holds = tool.holds && drag.held();
     if (tool.holds) {
-        if (ImGui::IsMousePosValid()) followPointer(context, tool);
-        if (!down) endMove(context);
+        // Taken back meanwhile, the rest of the motion is nobody's.
+        if (drag.held() && ImGui::IsMousePosValid()) followPointer(context, tool);
+        if (drag.held() && !down) endMove(context);
+        tool.holds = down;
         return true;
     }
     if (tool.pressed != kNone) {

@@ -1,7 +1,8 @@
 // The plane of the panel Section, marked in the view while the panel is open: where it cuts the
-// tangent plane, and the normal, with the side that the panel has on the right.
+// tangent plane, and the normal, named at the end that the panel has on the left: the tested point
+// is on the right.
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
@@ -57,7 +58,7 @@ void drawSectionPlane(const PanelContext& context) {
     const Rect& view = context.rects.view;
     const glm::vec2 room(extent.x + 0.4F * em, extent.y);
     const glm::vec2 corner =
-        glm::clamp(*right + glm::vec2(0.2F, -0.4F) * em, view.min, view.max() - room);
+        glm::clamp(*left - glm::vec2(0.2F * em + room.x, 0.4F * em), view.min, view.max() - room);
     fill(list, {corner, room}, context.palette.background.withAlpha(0.75F), 0.15F * em);
     list->AddText(context.fonts.text, size, {corner.x + 0.2F * em, corner.y}, ink, name);
 }

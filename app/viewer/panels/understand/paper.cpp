@@ -71,12 +71,23 @@ void drawGallery(const PanelContext& context) {
     separator();
 }
 
+/// Title and caption of a figure of the paper, and what happens without its rule.
+void drawFigure(const PanelContext& context) {
+    const Figure* figure = figureOfSource(context.session().input().spec().source);
+    if (figure == nullptr) return;
+    heading(context, std::string(figure->scene.title).c_str());
+    wrappedText(std::string(figure->scene.watch));
+    if (!figure->absence.empty()) dimText("Without the rule: " + std::string(figure->absence));
+    separator();
+}
+
 }  // namespace
 
 void drawPaper(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return;
     drawGallery(context);
+    drawFigure(context);
     const Event* event = session.event();
     if (event == nullptr) {
         heading(context, "Paper");
