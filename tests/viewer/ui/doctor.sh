@@ -24,6 +24,8 @@ says findings '\[ "zero_normals", "duplicates", "open_border" \]'
 says aside '.*"copy": 1,.*"no_direction": 2.*'
 says open_tab Doctor
 says marked 0
+# The outcome of the trials takes a row above the findings.
+says trials_ended true
 click_on "finding zero_normals"
 says marked 2; says moving false
 picture marked
