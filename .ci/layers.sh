@@ -26,10 +26,11 @@ no() {
 include() { printf '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](%s)' "$1"; }
 
 window='glad/|GL/|GLES|EGL/|GLFW/|KHR/|imgui|backends/'
-programs='CLI/|nlohmann/|fmt/|stb'
+programs='CLI/|nlohmann/|fmt/|stb|toml|cmark'
 
 mapfile -t core < <(sources core)
 mapfile -t cli < <(sources app/cli)
+mapfile -t teach < <(sources app/teach)
 viewer=()
 [ ! -d app/viewer ] || mapfile -t viewer < <(sources app/viewer)
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
@@ -38,7 +39,7 @@ mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(rend
 mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|panel_state|commands|controllers)/')
 
 # core -> GLM, the standard library, zlib in inflate.cpp.
-no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
+no "$(include "$window|$programs|app/|viewer|cli/|teach/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
 mapfile -t not_inflate < <(printf '%s\n' "${core[@]}" | grep -v '/inflate.cpp')
 no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
 no 'reinterpret_cast' "pointers are of the type that they point to" "${not_inflate[@]}"
@@ -60,6 +61,9 @@ mapfile -t files < <(sources core/spiraling_edge/stepper/phases)
 no "$(include '.*/robust/')" "phases/ must not know" "${files[@]}"
 mapfile -t files < <(sources core/spiraling_edge/stepper/robust)
 no "$(include '.*/phases/')" "robust/ must not know" "${files[@]}"
+# teach -> core; cli and viewer -> teach
+no "$(include "$window|viewer|cli/|glm/gtc|stb|CLI/|fmt/|spiraling_edge/sampling/")" "teach/ must not know" "${teach[@]}"
+no "$(include 'toml|cmark')" "only teach/ may use toml++ and cmark" "${cli[@]}" ${viewer[@]+"${viewer[@]}"}
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
 # viewer
@@ -95,7 +99,7 @@ no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_var
 no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_text.h" "${ours[@]}"
 
 # Files are written in one place, which leaves no partial file.
-mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/atomic_file\.(h|cpp)$')
 no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
     "only atomic_file.cpp may write files" "${not_writers[@]}"
@@ -172,11 +176,11 @@ while read -r folder; do
     [ "$files" -le 40 ] || breach "over 40 sources: $folder ($files)"
 done < <(find core app tests -type d)
 lines=$(cat docs/*.md | wc -l)
-[ "$lines" -le 1770 ] || breach "docs/*.md have $lines lines, over 1770"
+[ "$lines" -le 1880 ] || breach "docs/*.md have $lines lines, over 1880"
 while read -r line; do breach "over 120 columns: $line"; done < <(
     grep -nHP '^(?!\|).{121,}' README.md CONTRIBUTING.md docs/*.md | cut -d: -f1,2)
 lines=$(wc -l <README.md)
 { [ "$lines" -ge 80 ] && [ "$lines" -le 160 ]; } || breach "README.md has $lines lines, not 80 to 160"
 
-echo "layers: $breaches breaches in $((${#core[@]} + ${#cli[@]} + ${#viewer[@]})) files"
+echo "layers: $breaches breaches in $((${#core[@]} + ${#cli[@]} + ${#teach[@]} + ${#viewer[@]})) files"
 [ "$breaches" = 0 ]

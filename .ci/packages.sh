@@ -9,6 +9,7 @@ run=(
     g++ cmake ninja-build pkg-config ccache
     libglm-dev zlib1g-dev                              # core
     libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
+    libcmark-dev libtomlplusplus-dev                   # lessons
     libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
     libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if necessary
     fonts-dejavu-core fonts-inter

@@ -1,0 +1,149 @@
+/// A lesson as plain data, as it stands in its file: steps with text, position and question. Read
+/// by lesson_read.h; checked against the run by lesson_check.h.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "spiraling_edge/base/types.h"
+
+namespace se::teach {
+
+/// Extension of a lesson's file.
+inline constexpr std::string_view kLessonExtension = ".lesson.md";
+
+/// Kind of a fault: a file that cannot be used, or one that contradicts its run.
+enum class FaultSort : std::uint8_t {
+    Malformed,  ///< Syntax, a missing input, an address that the run has not.
+    Disagrees,  ///< An answer, an outcome or a comparison is not that of the run.
+};
+
+/// A fault of a lesson: where, what, and what to do.
+struct LessonFault {
+    FaultSort sort = FaultSort::Malformed;
+    std::size_t line = 0;  ///< Of the file, from 1; 0: the whole file.
+    std::string key;       ///< Of a block; may be empty.
+    std::string message;
+};
+
+/// "name:14: at: pivot 9 has 4 decisions of sphere, not 5".
+std::string faultText(const LessonFault& fault, std::string_view name);
+
+/// Lines of the keys of one block.
+struct KeyLines {
+    std::size_t block = 0;  ///< Line of the fence.
+    std::vector<std::pair<std::string, std::size_t>> keys;
+
+    /// Line of a key; that of the block if the key was not given.
+    std::size_t of(std::string_view key) const;
+};
+
+/// A point with the name that the lesson gives it.
+struct NamedPoint {
+    std::string name;
+    Index point = kNone;
+    friend bool operator==(const NamedPoint&, const NamedPoint&) = default;
+};
+
+/// Neighbor lists of the input, as `options` of a session file.
+struct LessonOptions {
+    std::size_t neighbors = 0;  ///< 0: as without the option.
+    double radius = 0.0;
+    double reach = 0.0;
+    bool symmetric = false;
+    friend bool operator==(const LessonOptions&, const LessonOptions&) = default;
+};
+
+/// Rules and overrides of a run.
+struct LessonRules {
+    std::string set;                   ///< Empty: `paper`, or that of the lesson.
+    std::vector<std::string> rule;     ///< NAME=VALUE
+    std::vector<std::string> whatIfs;  ///< Lines as of --what-if.
+    bool empty() const { return set.empty() && rule.empty() && whatIfs.empty(); }
+};
+
+/// Playback from the position of a step to its `until`.
+struct PlaySpeed {
+    std::string unit;  ///< "sub-step", "pivot" or "event".
+    double perSecond = 0.0;
+};
+
+/// A link in the text to a decision: `[so](se:9.sphere.3)`.
+struct LessonLink {
+    std::size_t line = 0;
+    std::string address;
+};
+
+/// A question. Its words are the text of its step.
+struct Question {
+    KeyLines lines;
+    std::string kind;    ///< One of questionKinds().
+    std::string at;      ///< Nothing after this is known while it is open; empty: that of the step.
+    std::string until;   ///< Shown when it is answered; empty: the end of the pivot.
+    std::string answer;  ///< One of runAnswers(); empty: it is typed.
+    std::vector<std::string> typed;     ///< The typed answer: points, a number or an option.
+    std::vector<std::string> options;   ///< Answers A to D, to choose from; a room raises hands.
+    std::vector<std::string> verdicts;  ///< For each option the outcome for which it is right.
+    double within = 0.0;                ///< Greatest error of a number.
+    std::string why;                    ///< Address of the decision that gives the reason.
+    bool unchecked = false;             ///< The typed answer does not follow from the run.
+};
+
+/// One step: a heading, text, a position in a run, and at most one question.
+struct LessonStep {
+    std::size_t line = 0;  ///< Of its heading.
+    std::string title;
+    std::string text;  ///< Markdown, without the blocks; textBlocks() in lesson_text.h splits it.
+    std::vector<LessonLink> links;
+    KeyLines lines;
+    double minutes = 1.0;
+    std::string input;              ///< Another input from here on; empty: none.
+    std::vector<NamedPoint> names;  ///< Of that input.
+    std::string at;                 ///< Empty: as the step before.
+    std::string until;
+    std::string expect;                  ///< Outcome of the decision at `at`, as outcomeText().
+    LessonRules rules;                   ///< Of this step alone.
+    std::vector<std::string> compare;    ///< Words in which another run differs, as of --with.
+    std::vector<std::string> select;     ///< One point, or two or three of an edge or triangle.
+    std::string camera;                  ///< JSON as Ctrl+C copies it.
+    std::string view;                    ///< One of lessonViews().
+    std::string frame;                   ///< "all" or "pivot".
+    std::vector<std::string> pin, hide;  ///< Layers by name.
+    std::optional<PlaySpeed> play;
+    std::optional<Question> question;
+};
+
+/// A whole lesson.
+struct Lesson {
+    std::string name;   ///< Of the file, for messages.
+    std::string title;  ///< The first heading.
+    std::string text;   ///< Before the first step.
+    std::string hash;   ///< "fnv1a64:..." of all bytes of the file.
+    KeyLines lines;
+    std::string input;
+    LessonOptions options;
+    LessonRules rules;
+    std::vector<NamedPoint> names;
+    std::string view;
+    std::string layout;
+    std::string author, license;
+    std::vector<LessonStep> steps;
+
+    /// Length: that of its steps together.
+    double minutes() const;
+    std::size_t questions() const;
+};
+
+/// A direction to look from, by name.
+struct LessonView {
+    std::string_view name;
+    Vec3 toEye;  ///< From the points to the eye.
+};
+/// All views: "front", "back", "left", "right", "top", "bottom".
+const std::vector<LessonView>& lessonViews();
+
+}  // namespace se::teach

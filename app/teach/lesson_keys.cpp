@@ -1,0 +1,319 @@
+#include "lesson_keys.h"
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "spiraling_edge/base/number_text.h"
+
+namespace se::teach {
+namespace {
+
+/// One key of a block: its value goes into `Target`. `read` is false if the value is not what is
+/// expected.
+template <typename Target>
+struct KeyRow {
+    std::string_view name;
+    std::string_view expected;
+    bool (*read)(const toml::node&, Target&);
+};
+
+bool isText(const toml::node& node, std::string& out) {
+    if (!node.is_string()) return false;
+    out = node.as_string()->get();
+    return true;
+}
+
+/// A text, or a whole number as text: points may be given as either.
+bool isWord(const toml::node& node, std::string& out) {
+    if (node.is_integer()) {
+        out = std::to_string(node.as_integer()->get());
+        return true;
+    }
+    return isText(node, out);
+}
+
+bool isNumber(const toml::node& node, double& out) {
+    if (node.is_integer()) {
+        out = static_cast<double>(node.as_integer()->get());
+    } else if (node.is_floating_point()) {
+        out = node.as_floating_point()->get();
+    } else {
+        return false;
+    }
+    return std::isfinite(out) && out >= 0.0;
+}
+
+/// One word, or a list of words.
+bool areWords(const toml::node& node, std::vector<std::string>& out) {
+    out.clear();
+    if (!node.is_array()) return isWord(node, out.emplace_back());
+    return std::all_of(node.as_array()->begin(), node.as_array()->end(),
+                       [&](const toml::node& each) { return isWord(each, out.emplace_back()); });
+}
+
+template <auto Member, typename Target>
+bool readText(const toml::node& node, Target& target) {
+    return isText(node, target.*Member);
+}
+template <auto Member, typename Target>
+bool readWords(const toml::node& node, Target& target) {
+    return areWords(node, target.*Member);
+}
+template <auto Member, typename Target>
+bool readNumber(const toml::node& node, Target& target) {
+    return isNumber(node, target.*Member);
+}
+template <auto Member, typename Target>
+bool readSwitch(const toml::node& node, Target& target) {
+    if (!node.is_boolean()) return false;
+    target.*Member = node.as_boolean()->get();
+    return true;
+}
+template <auto Member, typename Target>
+bool readRules(const toml::node& node, Target& target) {
+    return isText(node, (target.*Member).set);
+}
+template <auto Member, typename Target>
+bool readRule(const toml::node& node, Target& target) {
+    return areWords(node, (target.*Member).rule);
+}
+
+template <auto Member, typename Target>
+bool readNames(const toml::node& node, Target& target) {
+    if (!node.is_table()) return false;
+    for (const auto& [name, value] : *node.as_table()) {
+        const auto* number = value.as_integer();
+        if (number == nullptr || number->get() < 0 || number->get() >= kNone) return false;
+        (target.*Member).push_back({std::string(name.str()), static_cast<Index>(number->get())});
+    }
+    return true;
+}
+
+bool readVersion(const toml::node& node, Lesson&) {
+    return node.is_integer() && node.as_integer()->get() == 1;
+}
+
+bool readWhatIfs(const toml::node& node, LessonStep& step) {
+    return areWords(node, step.rules.whatIfs);
+}
+
+/// A list is words as they are; one text is split at blanks.
+bool readCompare(const toml::node& node, LessonStep& step) {
+    if (!areWords(node, step.compare)) return false;
+    if (node.is_array()) return !step.compare.empty();
+    std::string line = std::move(step.compare.front());
+    step.compare.clear();
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t blank = std::min(line.find(' ', at), line.size());
+        if (blank > at) step.compare.push_back(line.substr(at, blank - at));
+        at = blank + 1;
+    }
+    return !step.compare.empty();
+}
+
+/// "pivot 2/s"
+bool readPlay(const toml::node& node, LessonStep& step) {
+    constexpr std::array<std::string_view, 3> kUnits{"sub-step", "pivot", "event"};
+    std::string text;
+    if (!isText(node, text)) return false;
+    const std::size_t blank = text.find(' ');
+    if (blank == std::string::npos || !text.ends_with("/s")) return false;
+    PlaySpeed play{text.substr(0, blank), 0.0};
+    const std::string digits = text.substr(blank + 1, text.size() - blank - 3);
+    const bool isPlain = !digits.empty() && digits.size() <= 4 &&
+                         digits.find_first_not_of("0123456789.") == std::string::npos &&
+                         std::count(digits.begin(), digits.end(), '.') <= 1 && digits != ".";
+    if (!isPlain) return false;
+    play.perSecond = std::stod(digits);
+    step.play = play;
+    return play.perSecond > 0.0 &&
+           std::find(kUnits.begin(), kUnits.end(), play.unit) != kUnits.end();
+}
+
+bool readAnswer(const toml::node& node, Question& question) {
+    return node.is_string() ? isText(node, question.answer) : areWords(node, question.typed);
+}
+
+bool readDecimalAnswer(const toml::node& node, Question& question) {
+    if (!node.is_floating_point()) return readAnswer(node, question);
+    std::string text;
+    appendNumber(text, node.as_floating_point()->get());
+    question.typed = {text};
+    return true;
+}
+
+bool readOptions(const toml::node& node, Lesson& lesson);
+
+constexpr std::array kLessonKeys{
+    KeyRow<Lesson>{"version", "1", readVersion},
+    KeyRow<Lesson>{"input", "a text: scene:ID, or the path of a file", readText<&Lesson::input>},
+    KeyRow<Lesson>{"options", "a table of neighbors, radius, reach and symmetric", readOptions},
+    KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<&Lesson::rules>},
+    KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<&Lesson::rules>},
+    KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", readNames<&Lesson::names>},
+    KeyRow<Lesson>{"view", "the name of a view", readText<&Lesson::view>},
+    KeyRow<Lesson>{"layout", "the name of a layout", readText<&Lesson::layout>},
+    KeyRow<Lesson>{"author", "a text", readText<&Lesson::author>},
+    KeyRow<Lesson>{"license", "a text", readText<&Lesson::license>},
+};
+
+constexpr std::array kStepKeys{
+    KeyRow<LessonStep>{"minutes", "a number", readNumber<&LessonStep::minutes>},
+    KeyRow<LessonStep>{"at", "an address such as \"9.sphere.2\", or \"50%\"",
+                       readText<&LessonStep::at>},
+    KeyRow<LessonStep>{"until", "an address", readText<&LessonStep::until>},
+    KeyRow<LessonStep>{"play", "a speed such as \"pivot 2/s\" (sub-step, pivot or event)",
+                       readPlay},
+    KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
+                       readText<&LessonStep::expect>},
+    KeyRow<LessonStep>{"input", "a text: scene:ID, or the path of a file",
+                       readText<&LessonStep::input>},
+    KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",
+                       readNames<&LessonStep::names>},
+    KeyRow<LessonStep>{"rules", "the name of a set of rules", readRules<&LessonStep::rules>},
+    KeyRow<LessonStep>{"rule", "a list of NAME=VALUE", readRule<&LessonStep::rules>},
+    KeyRow<LessonStep>{"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
+    KeyRow<LessonStep>{"compare", "the options in which the other run differs", readCompare},
+    KeyRow<LessonStep>{"select", "one to three points", readWords<&LessonStep::select>},
+    KeyRow<LessonStep>{"view", "the name of a view", readText<&LessonStep::view>},
+    KeyRow<LessonStep>{"camera", "a camera as Ctrl+C copies it, in '...'",
+                       readText<&LessonStep::camera>},
+    KeyRow<LessonStep>{"frame", "\"all\" or \"pivot\"", readText<&LessonStep::frame>},
+    KeyRow<LessonStep>{"pin", "a list of layers", readWords<&LessonStep::pin>},
+    KeyRow<LessonStep>{"hide", "a list of layers", readWords<&LessonStep::hide>},
+};
+
+constexpr std::array kAskKeys{
+    KeyRow<Question>{"kind", "a text", readText<&Question::kind>},
+    KeyRow<Question>{"at", "an address such as \"9.sphere.2\", or \"50%\"",
+                     readText<&Question::at>},
+    KeyRow<Question>{"until", "an address", readText<&Question::until>},
+    KeyRow<Question>{"answer", "a text, a number, or a list of points", readDecimalAnswer},
+    KeyRow<Question>{"options", "a list of texts, A to D", readWords<&Question::options>},
+    KeyRow<Question>{"verdicts", "for each option the outcome for which it is right",
+                     readWords<&Question::verdicts>},
+    KeyRow<Question>{"within", "a number", readNumber<&Question::within>},
+    KeyRow<Question>{"why", "an address", readText<&Question::why>},
+    KeyRow<Question>{"unchecked", "true or false", readSwitch<&Question::unchecked>},
+};
+
+bool readNeighbors(const toml::node& node, LessonOptions& options) {
+    constexpr std::int64_t kMost = 1'000'000;
+    if (!node.is_integer()) return false;
+    const std::int64_t count = node.as_integer()->get();
+    options.neighbors = static_cast<std::size_t>(std::clamp<std::int64_t>(count, 0, kMost));
+    return count > 0 && count <= kMost;
+}
+
+constexpr std::array kOptionKeys{
+    KeyRow<LessonOptions>{"neighbors", "a whole number from 1 on", readNeighbors},
+    KeyRow<LessonOptions>{"radius", "a number", readNumber<&LessonOptions::radius>},
+    KeyRow<LessonOptions>{"reach", "a number", readNumber<&LessonOptions::reach>},
+    KeyRow<LessonOptions>{"symmetric", "true or false", readSwitch<&LessonOptions::symmetric>},
+};
+
+bool readOptions(const toml::node& node, Lesson& lesson) {
+    if (!node.is_table()) return false;
+    const toml::table& table = *node.as_table();
+    return std::all_of(table.begin(), table.end(), [&](const auto& each) {
+        const auto row = std::find_if(
+            kOptionKeys.begin(), kOptionKeys.end(),
+            [&](const KeyRow<LessonOptions>& key) { return key.name == each.first.str(); });
+        return row != kOptionKeys.end() && row->read(each.second, lesson.options);
+    });
+}
+
+/// Number of letters to add, remove or change to make one word of the other.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, change});
+        }
+    }
+    return row.back();
+}
+
+template <typename Target>
+std::string_view nearestKey(std::span<const KeyRow<Target>> rows, std::string_view word) {
+    constexpr std::size_t kLongestWord = 64;
+    const std::string_view cut = word.substr(0, kLongestWord);
+    return std::min_element(rows.begin(), rows.end(),
+                            [&](const KeyRow<Target>& a, const KeyRow<Target>& b) {
+                                return editDistance(a.name, cut) < editDistance(b.name, cut);
+                            })
+        ->name;
+}
+
+/// Parses a block and reads each of its keys by its row.
+template <typename Target>
+void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
+               std::vector<LessonFault>& faults) {
+    target.lines.block = block.line;
+    const toml::parse_result parsed = toml::parse(block.toml);
+    if (!parsed) {
+        faults.push_back({FaultSort::Malformed, block.line + parsed.error().source().begin.line, "",
+                          std::string(parsed.error().description())});
+        return;
+    }
+    for (const auto& [key, value] : parsed.table()) {
+        const std::string name(key.str());
+        const std::size_t line = block.line + key.source().begin.line;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const KeyRow<Target>& each) {
+            return each.name == name;
+        });
+        if (row == rows.end()) {
+            faults.push_back(
+                {FaultSort::Malformed, line, name,
+                 "no such key; the nearest is " + std::string(nearestKey(rows, name))});
+            continue;
+        }
+        target.lines.keys.emplace_back(name, line);
+        if (!row->read(value, target)) {
+            faults.push_back(
+                {FaultSort::Malformed, line, name, "expected " + std::string(row->expected)});
+        }
+    }
+}
+
+template <typename Target>
+void listKeys(std::string_view block, std::span<const KeyRow<Target>> rows,
+              std::vector<LessonKey>& keys) {
+    for (const KeyRow<Target>& row : rows) keys.push_back({block, row.name, row.expected});
+}
+
+}  // namespace
+
+void readLessonBlock(const LessonBlock& block, Lesson& lesson, std::vector<LessonFault>& faults) {
+    readBlock<Lesson>(block, kLessonKeys, lesson, faults);
+}
+
+void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<LessonFault>& faults) {
+    readBlock<LessonStep>(block, kStepKeys, step, faults);
+}
+
+void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults) {
+    readBlock<Question>(block, kAskKeys, question, faults);
+}
+
+std::vector<LessonKey> lessonKeys() {
+    std::vector<LessonKey> keys;
+    listKeys<Lesson>("lesson", kLessonKeys, keys);
+    listKeys<LessonStep>("step", kStepKeys, keys);
+    listKeys<Question>("ask", kAskKeys, keys);
+    return keys;
+}
+
+}  // namespace se::teach

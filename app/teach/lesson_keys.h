@@ -1,0 +1,32 @@
+/// Keys of the blocks of a lesson: one table per block. A new key is a member in lesson.h and a
+/// row here.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "lesson.h"
+
+namespace se::teach {
+
+/// A fenced block of a lesson.
+struct LessonBlock {
+    std::string_view toml;
+    std::size_t line = 0;  ///< Of its fence.
+};
+
+// Each reads a block into its target and appends what is wrong to `faults`.
+void readLessonBlock(const LessonBlock& block, Lesson& lesson, std::vector<LessonFault>& faults);
+void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<LessonFault>& faults);
+void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults);
+
+/// A key, for help.
+struct LessonKey {
+    std::string_view block;  ///< "lesson", "step" or "ask".
+    std::string_view name;
+    std::string_view expected;  ///< "text", "a list of texts"
+};
+/// All keys, in the order of the tables.
+std::vector<LessonKey> lessonKeys();
+
+}  // namespace se::teach

@@ -1,0 +1,289 @@
+// Blocks of CommonMark are found by cmark, with their lines; the text of a step is the source
+// between them, so that it stays Markdown.
+#include "lesson_read.h"
+
+#include <cmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+
+#include "lesson_keys.h"
+#include "lesson_syntax.h"
+#include "run_answers.h"
+#include "spiraling_edge/base/files.h"
+
+namespace se::teach {
+namespace {
+
+using MarkdownTree = std::unique_ptr<cmark_node, decltype(&cmark_node_free)>;
+
+/// "fnv1a64:" and 16 hexadecimal digits, as in session files.
+std::string hashOfText(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : text)
+        hash = (hash ^ static_cast<unsigned char>(c)) * std::uint64_t{0x100000001b3U};
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+    return std::string("fnv1a64:") + digits.data();
+}
+
+/// Number of bytes of the UTF-8 character at the start of `text`; 0 if it is none.
+std::size_t characterLength(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80U) return 0;
+    }
+    // Longer than needed, a surrogate, or beyond the last character.
+    const unsigned second = byte(1);
+    const bool wrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+                       (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+    return wrong ? 0 : length;
+}
+
+/// Line of the first byte that is no UTF-8; 0 if there is none.
+std::size_t lineOfBadByte(std::string_view text) {
+    std::size_t line = 1;
+    while (!text.empty()) {
+        const std::size_t length = characterLength(text);
+        if (length == 0) return line;
+        if (text.front() == '\n') ++line;
+        text.remove_prefix(length);
+    }
+    return 0;
+}
+
+std::vector<std::string_view> linesOf(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        lines.push_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+std::string plainText(cmark_node* heading) {
+    std::string text;
+    cmark_iter* iterator = cmark_iter_new(heading);
+    while (cmark_iter_next(iterator) != CMARK_EVENT_DONE) {
+        cmark_node* node = cmark_iter_get_node(iterator);
+        const char* literal = cmark_node_get_literal(node);
+        if (literal != nullptr) text += literal;
+    }
+    cmark_iter_free(iterator);
+    return text;
+}
+
+std::string_view urlOf(cmark_node* node) {
+    const char* url = cmark_node_get_url(node);
+    return url == nullptr ? std::string_view{} : url;
+}
+
+/// True for a relative path that leads out of its folder, and for an absolute one.
+bool leavesFolder(std::string_view path) {
+    const std::filesystem::path plain = std::filesystem::path(path).lexically_normal();
+    return plain.is_absolute() || (!plain.empty() && *plain.begin() == "..");
+}
+
+/// A text that names no answer of the run is the answer itself.
+void separateTypedAnswer(Question& question) {
+    if (question.answer.empty() || findRunAnswer(question.answer) != nullptr) return;
+    question.typed = {question.answer};
+    question.answer.clear();
+}
+
+class LessonReader {
+  public:
+    LessonReader(std::string_view text, const std::string& name) : lines_(linesOf(text)) {
+        lesson_.name = name;
+        lesson_.hash = hashOfText(text);
+    }
+
+    LessonReading read(cmark_node* root) {
+        for (cmark_node* node = cmark_node_first_child(root); node != nullptr;
+             node = cmark_node_next(node))
+            take(node);
+        finish();
+        return {std::move(lesson_), std::move(faults_)};
+    }
+
+  private:
+    static std::size_t lineOf(cmark_node* node) {
+        return static_cast<std::size_t>(std::max(cmark_node_get_start_line(node), 0));
+    }
+    void add(std::size_t line, std::string key, std::string message) {
+        faults_.push_back({FaultSort::Malformed, line, std::move(key), std::move(message)});
+    }
+
+    void take(cmark_node* node) {
+        const cmark_node_type type = cmark_node_get_type(node);
+        const int level = type == CMARK_NODE_HEADING ? cmark_node_get_heading_level(node) : 0;
+        if (level == 1 && lesson_.title.empty()) {
+            lesson_.title = plainText(node);
+        } else if (level == 2) {
+            lesson_.steps.emplace_back();
+            lesson_.steps.back().line = lineOf(node);
+            lesson_.steps.back().lines.block = lineOf(node);
+            lesson_.steps.back().title = plainText(node);
+        } else if (type == CMARK_NODE_CODE_BLOCK && isLessonFence(node)) {
+            takeBlock(node);
+        } else {
+            takeText(node);
+        }
+    }
+
+    static bool isLessonFence(cmark_node* node) {
+        const std::string_view info = cmark_node_get_fence_info(node);
+        return info == "se" || info.starts_with("se ");
+    }
+
+    void takeBlock(cmark_node* node) {
+        const std::string_view word = std::string_view(cmark_node_get_fence_info(node)).substr(2);
+        const LessonBlock block{cmark_node_get_literal(node), lineOf(node)};
+        if (word == " lesson") {
+            takeLessonBlock(block);
+        } else if (word == " step") {
+            takeStepBlock(block);
+        } else if (word == " ask") {
+            takeAskBlock(block);
+        } else {
+            add(block.line, "", "expected `se lesson`, `se step` or `se ask`");
+        }
+    }
+    void takeLessonBlock(const LessonBlock& block) {
+        if (lesson_.lines.block != 0) {
+            add(block.line, "", "a second `se lesson`: a file has one");
+        } else if (!lesson_.steps.empty()) {
+            add(block.line, "", "`se lesson` stands before the first step");
+        } else {
+            readLessonBlock(block, lesson_, faults_);
+        }
+    }
+    void takeStepBlock(const LessonBlock& block) {
+        if (lesson_.steps.empty()) {
+            add(block.line, "", "`se step` before the first step: begin one with `## Title`");
+        } else if (lesson_.steps.back().lines.block != lesson_.steps.back().line) {
+            add(block.line, "", "a second `se step` in this step: begin another with `## Title`");
+        } else {
+            readStepBlock(block, lesson_.steps.back(), faults_);
+        }
+    }
+    void takeAskBlock(const LessonBlock& block) {
+        if (lesson_.steps.empty()) {
+            add(block.line, "", "`se ask` before the first step: begin one with `## Title`");
+        } else if (lesson_.steps.back().question) {
+            add(block.line, "", "a second question in this step: begin another with `## Title`");
+        } else {
+            readAskBlock(block, lesson_.steps.back().question.emplace(), faults_);
+        }
+    }
+
+    void takeText(cmark_node* node) {
+        std::string& text = lesson_.steps.empty() ? lesson_.text : lesson_.steps.back().text;
+        const std::size_t first = std::max<std::size_t>(lineOf(node), 1);
+        const int end = cmark_node_get_end_line(node);
+        const std::size_t last =
+            std::min(static_cast<std::size_t>(std::max(end, 0)), lines_.size());
+        if (!text.empty()) text += '\n';
+        for (std::size_t i = first; i <= last; ++i) text.append(lines_[i - 1]) += '\n';
+        takeLinks(node, first);
+    }
+
+    /// Links to decisions, and images, which must not leave the folder.
+    void takeLinks(cmark_node* block, std::size_t line) {
+        cmark_iter* iterator = cmark_iter_new(block);
+        for (cmark_event_type event = cmark_iter_next(iterator); event != CMARK_EVENT_DONE;
+             event = cmark_iter_next(iterator)) {
+            if (event != CMARK_EVENT_ENTER) continue;
+            cmark_node* node = cmark_iter_get_node(iterator);
+            const cmark_node_type type = cmark_node_get_type(node);
+            if (type == CMARK_NODE_LINK && urlOf(node).starts_with("se:") && !lesson_.steps.empty())
+                lesson_.steps.back().links.push_back({line, std::string(urlOf(node).substr(3))});
+            if (type != CMARK_NODE_IMAGE) continue;
+            if (urlOf(node).find(':') != std::string_view::npos || leavesFolder(urlOf(node)))
+                add(line, "",
+                    "the image " + std::string(urlOf(node)) +
+                        " is not in the folder of the lesson");
+        }
+        cmark_iter_free(iterator);
+    }
+
+    void requireInside(const std::string& input, std::size_t line) {
+        if (input.starts_with("scene:") || input.empty() || !leavesFolder(input)) return;
+        add(line, "input", input + " is not in the folder of the lesson: copy it there");
+    }
+
+    void finish() {
+        if (lesson_.title.empty()) lesson_.title = lesson_.name;
+        if (lesson_.lines.block == 0)
+            add(0, "", "no block `se lesson`: see docs/lessons.md, or spiraling-edge lesson new");
+        if (lesson_.steps.empty()) add(0, "", "no step: begin one with `## Title`");
+        requireInside(lesson_.input, lesson_.lines.of("input"));
+        for (LessonStep& step : lesson_.steps) {
+            requireInside(step.input, step.lines.of("input"));
+            if (step.question) separateTypedAnswer(*step.question);
+        }
+        if (lesson_.lines.block != 0) {
+            for (LessonFault& each : syntaxFaults(lesson_)) {
+                const bool isKnown =
+                    std::any_of(faults_.begin(), faults_.end(), [&](const LessonFault& other) {
+                        return other.line == each.line &&
+                               (other.key == each.key || other.key.empty());
+                    });
+                if (!isKnown) faults_.push_back(std::move(each));
+            }
+        }
+        std::stable_sort(
+            faults_.begin(), faults_.end(),
+            [](const LessonFault& a, const LessonFault& b) { return a.line < b.line; });
+    }
+
+    std::vector<std::string_view> lines_;
+    Lesson lesson_;
+    std::vector<LessonFault> faults_;
+};
+
+/// A reading that has one fault alone.
+LessonReading refused(const std::string& name, std::size_t line, std::string message) {
+    LessonReading reading;
+    reading.lesson.name = name;
+    reading.faults.push_back({FaultSort::Malformed, line, "", std::move(message)});
+    return reading;
+}
+
+}  // namespace
+
+LessonReading readLesson(std::string_view text, const std::string& name) {
+    if (text.size() > kLongestLesson)
+        return refused(name, 0, "over 1 MB; a lesson is text, its images are files beside it");
+    if (const std::size_t line = lineOfBadByte(text); line > 0)
+        return refused(name, line, "not UTF-8; save the file as UTF-8");
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        const auto lines = std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n');
+        return refused(name, static_cast<std::size_t>(lines) + 1, "a zero byte; expected text");
+    }
+    const MarkdownTree tree(cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT),
+                            &cmark_node_free);
+    return LessonReader(text, name).read(tree.get());
+}
+
+Result<LessonReading> readLessonFile(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored) &&
+        std::filesystem::file_size(path, ignored) > kLongestLesson)
+        return refused(path.string(), 0, "over 1 MB; a lesson is text");
+    Result<std::string> bytes = readBytes(path);
+    if (!bytes) return bytes.error();
+    return readLesson(bytes.value(), path.string());
+}
+
+}  // namespace se::teach

@@ -1,0 +1,224 @@
+#include "lesson_runs.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "lesson_read.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+namespace se::teach {
+namespace {
+
+constexpr std::string_view kScene = "scene:";
+
+Result<PointFile> buildSceneOf(const std::string& source) {
+    const Scene* scene = findScene(source.substr(kScene.size()));
+    if (scene == nullptr)
+        return Error{source + ": no such scene; spiraling-edge scenes lists them"};
+    return scene->build();
+}
+
+/// Follows inputs that are lessons to the first that is none.
+Result<std::string> inputBelow(std::string source) {
+    std::set<std::string> seen;
+    while (source.ends_with(kLessonExtension)) {
+        if (!seen.insert(source).second) return Error{source + ": the inputs form a cycle"};
+        const Result<LessonReading> reading = readLessonFile(source);
+        if (!reading) return reading.error();
+        if (!reading.value().ok()) return Error{faultText(reading.value().faults.front(), source)};
+        source =
+            lessonSource(reading.value().lesson.input, std::filesystem::path(source).parent_path());
+    }
+    return source;
+}
+
+std::size_t countOf(Stage stage, const std::vector<Event>& events) {
+    return static_cast<std::size_t>(
+        std::count_if(events.begin(), events.end(),
+                      [&](const Event& event) { return event.address.stage == stage; }));
+}
+
+/// Why an address is not in the run.
+std::string absenceText(RunCursor& cursor, const Address& address) {
+    const std::string pivot = "pivot " + std::to_string(address.pivot);
+    const std::string stage(stageName(address.stage));
+    if (!cursor.goTo({address.pivot, Stage::Pivot, 0}) &&
+        !cursor.goTo({address.pivot, address.stage, 0})) {
+        cursor.goToEnd();
+        return "the run ends at pivot " + std::to_string(cursor.pivot().pivot) + ", there is no " +
+               pivot;
+    }
+    const std::size_t count = countOf(address.stage, cursor.pivot().events);
+    if (count == 0) return pivot + " has no decision of " + stage;
+    return pivot + " has " + std::to_string(count) +
+           (count == 1 ? " decision of " : " decisions of ") + stage + ", not " +
+           std::to_string(address.n);
+}
+
+Status goToShare(RunCursor& cursor, double share) {
+    cursor.goToEnd();
+    if (share >= 1.0 || cursor.event() == nullptr) return success();
+    const auto pivot = static_cast<std::uint32_t>(std::floor(share * cursor.pivot().pivot));
+    if (pivot == 0) {
+        cursor.goToStart();
+    } else {
+        cursor.goTo({pivot, Stage::Advance, 0}) || cursor.goTo({pivot, Stage::Pivot, 0});
+    }
+    return success();
+}
+
+std::string reachKey(const KNearest& reach) { return std::to_string(reach.k); }
+std::string reachKey(const WithinRadius& reach) { return sixDigits(reach.radius); }
+std::string reachKey(const WithinSpacings& reach) { return sixDigits(reach.spacings); }
+
+std::string settingsKey(const RunSettings& settings) {
+    std::string key = settings.rules;
+    for (const RuleValue& each : settings.choices) key += ' ' + lineOf(each);
+    for (const WhatIf& each : settings.whatIf) key += '\n' + lineOf(each);
+    const NeighborOptions& lists = settings.prepare.neighbors;
+    key += '\n' + std::to_string(lists.reach.index()) + (lists.symmetric ? " symmetric " : " ") +
+           std::to_string(lists.recompute);
+    std::visit([&](const auto& reach) { key += ' ' + reachKey(reach); }, lists.reach);
+    return key;
+}
+
+/// Triangles of the run up to a state.
+std::size_t trianglesAt(const DecisionState& state) {
+    return state.repaired != nullptr ? state.repaired->size()
+                                     : state.finishedTriangles + state.newTriangles.size();
+}
+
+/// Goes to the position of the answer: that of `until`, else the end of the pivot.
+Status goToAnswer(RunCursor& cursor, const StepSetting& setting) {
+    if (!setting.answerPlace.empty()) return goToPlace(cursor, setting.answerPlace);
+    cursor.forward(StepUnit::Pivot);
+    return success();
+}
+
+}  // namespace
+
+Result<PointFile> readLessonPoints(const std::string& source) {
+    const Result<std::string> input = inputBelow(source);
+    if (!input) return input.error();
+    if (input.value().starts_with(kScene)) return buildSceneOf(input.value());
+    return readPoints(std::filesystem::path(input.value()));
+}
+
+std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
+    if (input.starts_with(kScene)) return input;
+    return (folder / input).lexically_normal().string();
+}
+
+Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source,
+                               const RunSettings& settings) {
+    Result<Params> params = paramsOf(settings);
+    if (!params) return params.error();
+    Result<Prepared> prepared = prepare(file, prepareOptionsFor(settings.prepare, params.value()));
+    if (!prepared) return Error{source + ": " + prepared.error().message};
+    if (source.starts_with(kScene))
+        params.value().start = startOfScene(std::string_view(source).substr(kScene.size()));
+    const Status possible = requireWhatIfs(prepared.value().points, params.value());
+    if (!possible) return possible.error();
+    return PreparedRun{SharedPoints(std::move(prepared.value().points)), std::move(params.value())};
+}
+
+Status goToPlace(RunCursor& cursor, std::string_view place) {
+    if (place.empty() || place == "0") {
+        cursor.goToStart();
+        return success();
+    }
+    if (place.ends_with('%')) {
+        const auto share = numberIn<double>(place.substr(0, place.size() - 1));
+        return share ? goToShare(cursor, *share / 100.0)
+                     : Status(Error{std::string(place) + ": expected a share such as 50%"});
+    }
+    const auto address = addressFromString(place);
+    if (!address) return Error{std::string(place) + ": expected an address such as 9.sphere.2"};
+    if (cursor.goTo(*address)) return success();
+    return Error{absenceText(cursor, *address)};
+}
+
+LessonRuns::LessonRuns(std::filesystem::path folder, PointsReader read)
+    : folder_(std::move(folder)), read_(std::move(read)) {}
+
+Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting) {
+    const Result<RunSettings> settings = runSettings(setting);
+    if (!settings) return settings.error();
+    return cursorOf(setting, settings.value());
+}
+
+Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSettings& settings) {
+    const std::string source = lessonSource(setting.input, folder_);
+    const std::string key = source + '\n' + settingsKey(settings);
+    if (const auto known = cursors_.find(key); known != cursors_.end()) return known->second.get();
+    if (files_.count(source) == 0) {
+        Result<PointFile> file = read_(source);
+        if (!file) return file.error();
+        files_.emplace(source, std::move(file.value()));
+    }
+    Result<PreparedRun> run = prepareRun(files_.at(source), source, settings);
+    if (!run) return run.error();
+    auto cursor = std::make_unique<RunCursor>(run.value().points, run.value().params);
+    return cursors_.emplace(key, std::move(cursor)).first->second.get();
+}
+
+Result<RunRange> rangeOf(RunCursor& cursor, const StepSetting& setting, const Question& question) {
+    RunRange range;
+    Status moved = goToPlace(cursor, setting.at);
+    if (!moved) return moved.error();
+    if (moved = goToAnswer(cursor, setting); !moved) return moved.error();
+    const std::optional<Event> last =
+        cursor.event() ? std::optional(*cursor.event()) : std::nullopt;
+    range.after = cursor.state();
+    range.trianglesAfter = trianglesAt(range.after);
+    (void)goToPlace(cursor, setting.at);
+    range.before = cursor.state();
+    range.trianglesBefore = trianglesAt(range.before);
+    const bool isHere = last && cursor.event() && cursor.event()->address == last->address;
+    if (isHere && question.answer == "verdict") {
+        range.events = {*last};
+        return range;
+    }
+    while (cursor.forward()) {
+        range.events.push_back(*cursor.event());
+        if (last && cursor.event()->address == last->address) return range;
+    }
+    return Error{(question.until.empty() ? std::string("the end") : setting.answerPlace) +
+                 " is not after " + setting.at};
+}
+
+Result<RightAnswer> rightAnswer(const Lesson& lesson, std::size_t step, LessonRuns& runs) {
+    assert(lesson.steps[step].question.has_value());
+    const Question& question = *lesson.steps[step].question;
+    const StepSetting setting = settingOf(lesson, step);
+    const QuestionContext context{question, setting.names};
+    const QuestionKind* kind = findQuestionKind(question.kind);
+    if (kind == nullptr) return Error{question.kind + ": no such kind of question"};
+    Result<RunCursor*> cursor = runs.cursorOf(setting);
+    if (!cursor) return cursor.error();
+    Result<RunRange> range = rangeOf(*cursor.value(), setting, question);
+    if (!range) return range.error();
+    const RunAnswer* source = findRunAnswer(question.answer);
+    Result<Answer> answer = source != nullptr ? kind->fromRun(source->find(range.value()), context)
+                                              : kind->read(question.typed, context);
+    if (!answer) return answer.error();
+    RightAnswer right{std::move(answer.value()), {}, {}, std::move(range.value().events)};
+    right.text = kind->text(right.answer, context);
+    if (question.why.empty()) return right;
+    const Status moved = goToPlace(*cursor.value(), question.why);
+    if (!moved) return Error{"why: " + moved.error().message};
+    if (const Event* event = cursor.value()->event())
+        right.reason = describe(*event, pointNames(setting.names));
+    return right;
+}
+
+}  // namespace se::teach

@@ -1,0 +1,78 @@
+/// Runs of a lesson: each input is opened once under each of its settings, and its cursor goes to
+/// any position.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "lesson_setting.h"
+#include "question.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/replay/run_cursor.h"
+
+namespace se::teach {
+
+/// Reads the points of an input: "scene:ID", or the path of a file.
+using PointsReader = std::function<Result<PointFile>(const std::string& source)>;
+
+/// Built-in scenes, and files of points. An input that is a lesson stands for the input of that
+/// lesson; a cycle of such lessons fails, with all their names.
+Result<PointFile> readLessonPoints(const std::string& source);
+
+/// The input of a lesson in the folder `folder` as a path for the program, or scene:ID.
+std::string lessonSource(const std::string& input, const std::filesystem::path& folder);
+
+/// Points and params of one run.
+struct PreparedRun {
+    SharedPoints points;
+    Params params;
+};
+
+/// Prepares points for a run; `source` tells the start that a scene begins with. Fails as
+/// prepare(), if there is no such set or rule, or if a what-if has no effect.
+Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source,
+                               const RunSettings& settings);
+
+/// Moves `cursor` to an address, a share such as "50%", or "0", the start. Otherwise a sentence
+/// such as "pivot 9 has 4 decisions of sphere, not 5"; the cursor stays.
+Status goToPlace(RunCursor& cursor, std::string_view place);
+
+/// The runs of one lesson.
+class LessonRuns {
+  public:
+    /// `folder`: that of the lesson's file.
+    explicit LessonRuns(std::filesystem::path folder, PointsReader read = readLessonPoints);
+
+    /// The cursor of the run of a setting; valid as long as this object. Fails as prepareRun().
+    Result<RunCursor*> cursorOf(const StepSetting& setting);
+    /// As cursorOf(), with other settings for the same input.
+    Result<RunCursor*> cursorOf(const StepSetting& setting, const RunSettings& settings);
+
+  private:
+    std::filesystem::path folder_;
+    PointsReader read_;
+    std::map<std::string, PointFile> files_;
+    std::map<std::string, std::unique_ptr<RunCursor>> cursors_;
+};
+
+/// The part of the run between a question and its answer. Fails with a sentence if a position is
+/// not in the run, or the second not after the first.
+Result<RunRange> rangeOf(RunCursor& cursor, const StepSetting& setting, const Question& question);
+
+/// The right answer of a question, with its words.
+struct RightAnswer {
+    Answer answer;
+    std::string text;          ///< "q, 31"
+    std::string reason;        ///< The sentence of the decision at `why`; empty without one.
+    std::vector<Event> shown;  ///< The decisions from the question to the answer, in order.
+};
+
+/// The right answer to the question of step number `step`, from 0, found by running it. Requires a
+/// step with a question. Fails as LessonRuns::cursorOf() and rangeOf().
+Result<RightAnswer> rightAnswer(const Lesson& lesson, std::size_t step, LessonRuns& runs);
+
+}  // namespace se::teach

@@ -1,0 +1,144 @@
+#include "lesson_skeleton.h"
+
+#include <array>
+#include <optional>
+
+#include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/scan_run.h"
+
+namespace se::teach {
+namespace {
+
+/// A step of the skeleton: the first decision that meets the condition.
+struct SkeletonStep {
+    std::string_view title;
+    std::string_view text;
+    bool (*matches)(const Event&);
+};
+
+template <Stage stage>
+bool isAtStage(const Event& event) {
+    return event.address.stage == stage;
+}
+bool isRefused(const Event& event) { return outcomeOf(event) == Outcome::Refused; }
+template <Stage stage>
+bool isRefusedAt(const Event& event) {
+    return event.address.stage == stage && outcomeOf(event) == Outcome::Refused;
+}
+bool isMovedLimit(const Event& event) {
+    const auto* limit = as<LimitEvidence>(event);
+    return limit != nullptr && limit->moves();
+}
+
+constexpr std::array kSkeletonSteps{
+    SkeletonStep{"The first two points",
+                 "The edge ring begins with a point and its nearest neighbor.",
+                 isAtStage<Stage::Seed>},
+    SkeletonStep{"A neighbor is left out", "Each neighbor is tested; this one is refused.",
+                 isRefused},
+    SkeletonStep{"The first triangle", "Its first corner is the pivot.", isAtStage<Stage::Emit>},
+    SkeletonStep{"Start or end moves", "The edge ring is concave beside the pivot.", isMovedLimit},
+    SkeletonStep{"A point on the finished side", "Seen from it, the pivot could be no neighbor.",
+                 isRefusedAt<Stage::Reciprocal>},
+    SkeletonStep{"The edge ring splits", "It meets itself: one point stands on it twice.",
+                 isAtStage<Stage::Split>},
+    SkeletonStep{"Two rings join", "A point of another ring is reached.", isAtStage<Stage::Join>},
+};
+
+void addFence(std::string& text, std::string_view word) {
+    text += "```" + std::string(word) + "\n";
+}
+
+void addKey(std::string& text, std::string_view key, const std::string& value) {
+    text += std::string(key) + " = \"" + value + "\"\n";
+}
+
+/// A text as TOML can hold it between double quotes.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+void addStep(std::string& text, const SkeletonStep& step, const Event& event) {
+    text += "\n## " + std::string(step.title) + "\n\n" + std::string(step.text) + " " +
+            describe(event) + "\n\n";
+    addFence(text, "se step");
+    text += "minutes = 1\n";
+    addKey(text, "at", toString(event.address));
+    if (const std::string outcome = outcomeText(event); !outcome.empty())
+        addKey(text, "expect", escaped(outcome));
+    text += "```\n";
+}
+
+/// The question for the points that the circumsphere removes at a pivot.
+void addQuestion(std::string& text, std::uint32_t pivot, const Address& last) {
+    const std::string number = std::to_string(pivot);
+    text +=
+        "\n## Which neighbors go?\n\n"
+        "For each neighbor in turn: a circle through the pivot and the two beside it. A neighbor\n"
+        "outside of the sphere around that circle goes, unless a gap over 120 degrees would be\n"
+        "left. Which of them go?\n\n";
+    addFence(text, "se step");
+    text += "minutes = 2\n```\n\n";
+    addFence(text, "se ask");
+    addKey(text, "kind", "points");
+    addKey(text, "at", number + ".pivot.1");
+    addKey(text, "until", toString(last));
+    addKey(text, "answer", "refused");
+    addKey(text, "why", number + ".sphere.1");
+    text += "```\n";
+}
+
+/// The decisions that the skeleton shows.
+struct SkeletonFinds {
+    std::array<std::optional<Event>, kSkeletonSteps.size()> events;
+    std::optional<Address> lastTest;  ///< Of the first pivot that removes and keeps points.
+};
+
+/// Notes the first matches of one pivot.
+void takePivot(std::span<const Event> events, SkeletonFinds& finds) {
+    bool removes = false, keeps = false;
+    std::optional<Address> last;
+    for (const Event& event : events) {
+        for (std::size_t i = 0; i < kSkeletonSteps.size(); ++i) {
+            if (!finds.events[i] && kSkeletonSteps[i].matches(event)) finds.events[i] = event;
+        }
+        if (event.address.stage != Stage::Sphere) continue;
+        (outcomeOf(event) == Outcome::Refused ? removes : keeps) = true;
+        last = event.address;
+    }
+    if (!finds.lastTest && removes && keeps) finds.lastTest = last;
+}
+
+SkeletonFinds findsOf(const PreparedRun& run) {
+    SkeletonFinds finds;
+    scanRun(*run.points, run.params,
+            [&](const ScannedPivot& pivot) { takePivot(pivot.events, finds); });
+    return finds;
+}
+
+}  // namespace
+
+Result<std::string> lessonSkeleton(const std::string& input, const PreparedRun& run) {
+    const SkeletonFinds finds = findsOf(run);
+    std::string steps;
+    for (std::size_t i = 0; i < kSkeletonSteps.size(); ++i) {
+        if (finds.events[i]) addStep(steps, kSkeletonSteps[i], *finds.events[i]);
+        if (i == 0 && finds.lastTest) addQuestion(steps, finds.lastTest->pivot, *finds.lastTest);
+    }
+    if (steps.empty()) return Error{input + ": the run has no decision to show"};
+    std::string text = "# A lesson on " + input + "\n\n";
+    addFence(text, "se lesson");
+    text += "version = 1\n";
+    addKey(text, "input", escaped(input));
+    text += "```\n\nSay here what the lesson shows, and for whom.\n" + steps;
+    return text;
+}
+
+}  // namespace se::teach

@@ -1,0 +1,199 @@
+#include "question.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <iterator>
+
+#include "lesson_setting.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
+
+namespace se::teach {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::vector<Index> sortedSet(std::vector<Index> points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+// ---- points, point ----
+
+Result<Answer> readPoints(const Words& words, const QuestionContext& context) {
+    Answer answer;
+    for (const std::string& word : words) {
+        const Index point = pointOf(word, context.names);
+        if (point == kNone) return Error{word + ": no name and no number of a point"};
+        answer.points.push_back(point);
+    }
+    answer.points = sortedSet(std::move(answer.points));
+    return answer;
+}
+
+Result<Answer> readPoint(const Words& words, const QuestionContext& context) {
+    if (words.size() != 1) return Error{"expected one point"};
+    return readPoints(words, context);
+}
+
+Result<Answer> pointsOfRun(const RunValue& value, const QuestionContext&) {
+    Answer answer;
+    answer.points = sortedSet(value.points);
+    return answer;
+}
+
+Result<Answer> pointOfRun(const RunValue& value, const QuestionContext& context) {
+    if (value.points.size() != 1) return Error{"the run names no point there"};
+    return pointsOfRun(value, context);
+}
+
+Grade gradePoints(const Answer& given, const Answer& right, const Question&) {
+    const std::vector<Index> a = sortedSet(given.points);
+    const std::vector<Index> b = sortedSet(right.points);
+    Grade grade;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(grade.wrong));
+    std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(grade.missing));
+    grade.right = a == b;
+    const std::size_t common = a.size() - grade.wrong.size();
+    const std::size_t all = b.size() + grade.wrong.size();
+    grade.score = all == 0 ? 1.0 : static_cast<double>(common) / static_cast<double>(all);
+    return grade;
+}
+
+Grade gradePoint(const Answer& given, const Answer& right, const Question& question) {
+    Grade grade = gradePoints(given, right, question);
+    grade.score = grade.right ? 1.0 : 0.0;
+    return grade;
+}
+
+std::string textOfPoints(const Answer& answer, const QuestionContext& context) {
+    return pointsText(answer.points, context.names);
+}
+
+// ---- choice ----
+
+Result<Answer> readChoice(const Words& words, const QuestionContext& context) {
+    const Words& options = context.question.options;
+    Answer answer;
+    if (words.size() != 1) return Error{"expected one of the options"};
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (words.front() == optionLetter(i) || words.front() == options[i]) answer.choice = i;
+    }
+    if (!answer.choice) return Error{words.front() + ": expected the letter of one of the options"};
+    return answer;
+}
+
+Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context) {
+    const Words& verdicts =
+        context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
+    if (std::count(verdicts.begin(), verdicts.end(), value.outcome) != 1)
+        return Error{"the outcome is \"" + value.outcome + "\", which is not one of the options"};
+    Answer answer;
+    const auto found = std::find(verdicts.begin(), verdicts.end(), value.outcome);
+    answer.choice = static_cast<std::size_t>(found - verdicts.begin());
+    return answer;
+}
+
+Grade gradeChoice(const Answer& given, const Answer& right, const Question&) {
+    Grade grade;
+    grade.right = given.choice.has_value() && given.choice == right.choice;
+    grade.score = grade.right ? 1.0 : 0.0;
+    return grade;
+}
+
+std::string textOfChoice(const Answer& answer, const QuestionContext& context) {
+    if (!answer.choice || *answer.choice >= context.question.options.size()) return "none";
+    return optionLetter(*answer.choice) + ": " + context.question.options[*answer.choice];
+}
+
+// ---- number ----
+
+Result<Answer> readNumberAnswer(const Words& words, const QuestionContext&) {
+    if (words.size() != 1) return Error{"expected a number"};
+    Answer answer;
+    answer.number = numberIn<double>(words.front());
+    if (!answer.number || !std::isfinite(*answer.number))
+        return Error{words.front() + ": expected a number"};
+    return answer;
+}
+
+Result<Answer> numberOfRun(const RunValue& value, const QuestionContext&) {
+    if (!value.number) return Error{"the run has no number there"};
+    Answer answer;
+    answer.number = value.number;
+    return answer;
+}
+
+Grade gradeNumber(const Answer& given, const Answer& right, const Question& question) {
+    Grade grade;
+    grade.right =
+        given.number && right.number && std::abs(*given.number - *right.number) <= question.within;
+    grade.score = grade.right ? 1.0 : 0.0;
+    return grade;
+}
+
+std::string textOfNumber(const Answer& answer, const QuestionContext&) {
+    std::string text;
+    if (answer.number) appendPlainNumber(text, *answer.number);
+    return text.empty() ? "none" : text;
+}
+
+constexpr std::array kQuestionKinds{
+    QuestionKind{"points", "Mark a set of points.",
+                 "a list of points, or \"refused\", \"kept\" or \"fan\"", readPoints, pointsOfRun,
+                 gradePoints, textOfPoints},
+    QuestionKind{"point", "Mark one point.", "a point, or \"next\", \"start\" or \"end\"",
+                 readPoint, pointOfRun, gradePoint, textOfPoints},
+    QuestionKind{"choice", "Choose one of A to D.", "a letter, or \"verdict\"", readChoice,
+                 choiceOfRun, gradeChoice, textOfChoice},
+    QuestionKind{"number", "Give a number.", "a number, or \"count:triangles\" and the like",
+                 readNumberAnswer, numberOfRun, gradeNumber, textOfNumber},
+};
+
+/// Words of an option of a question that is no choice: "8, 9" names two points.
+Words optionWords(const std::string& option) {
+    Words words;
+    io::Fields fields(option, ',');
+    for (std::string_view word = fields.next(); !word.empty(); word = fields.next())
+        words.emplace_back(word);
+    return words;
+}
+
+}  // namespace
+
+std::span<const QuestionKind> questionKinds() { return kQuestionKinds; }
+
+const QuestionKind* findQuestionKind(std::string_view name) {
+    const auto found = std::find_if(kQuestionKinds.begin(), kQuestionKinds.end(),
+                                    [&](const QuestionKind& each) { return each.name == name; });
+    return found == kQuestionKinds.end() ? nullptr : &*found;
+}
+
+Grade gradeAnswer(const Question& question, const Answer& given, const Answer& right) {
+    const QuestionKind* kind = findQuestionKind(question.kind);
+    assert(kind != nullptr);
+    return kind->grade(given, right, question);
+}
+
+std::optional<std::size_t> rightOption(const QuestionContext& context, const Answer& right) {
+    const QuestionKind* kind = findQuestionKind(context.question.kind);
+    assert(kind != nullptr);
+    if (right.choice) return right.choice;
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < context.question.options.size(); ++i) {
+        const Result<Answer> option = kind->read(optionWords(context.question.options[i]), context);
+        if (!option || !kind->grade(option.value(), right, context.question).right) continue;
+        if (found) return std::nullopt;
+        found = i;
+    }
+    return found;
+}
+
+std::string optionLetter(std::size_t option) {
+    return std::string(1, static_cast<char>('A' + static_cast<int>(option)));
+}
+
+}  // namespace se::teach

@@ -1,0 +1,67 @@
+/// Kinds of questions: how an answer is read, written and graded. A new kind is a row with its
+/// functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson.h"
+#include "run_answers.h"
+#include "spiraling_edge/base/result.h"
+
+namespace se::teach {
+
+/// An answer, given or right: the member of its kind.
+struct Answer {
+    std::vector<Index> points;          ///< Of `points`, in any order; of `point`, one.
+    std::optional<std::size_t> choice;  ///< From 0, A.
+    std::optional<double> number;
+    friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+/// The result of comparing an answer with the right one.
+struct Grade {
+    bool right = false;
+    double score = 0.0;          ///< From 0 to 1; of `points`, the share of the two sets in common.
+    std::vector<Index> wrong;    ///< Points that do not belong to the answer.
+    std::vector<Index> missing;  ///< Points of the answer that were not given.
+};
+
+/// A question with the names of its points.
+struct QuestionContext {
+    const Question& question;
+    const std::vector<NamedPoint>& names;
+};
+
+/// One kind of question.
+struct QuestionKind {
+    std::string_view name;     ///< "points"
+    std::string_view task;     ///< "Mark a set of points."
+    std::string_view answers;  ///< What `answer` can be, for messages.
+    /// Reads an answer as it is typed: words of points, a number, a letter or the text of an
+    /// option.
+    Result<Answer> (*read)(const std::vector<std::string>& words, const QuestionContext& context);
+    /// The answer that a run gives. Fails if no option, or more than one, is that of the run.
+    Result<Answer> (*fromRun)(const RunValue& value, const QuestionContext& context);
+    Grade (*grade)(const Answer& given, const Answer& right, const Question& question);
+    /// "q, 31"; "B: It lies inside."; "118"
+    std::string (*text)(const Answer& answer, const QuestionContext& context);
+};
+std::span<const QuestionKind> questionKinds();
+/// Null if there is none of that name.
+const QuestionKind* findQuestionKind(std::string_view name);
+
+/// Grades an answer. Requires a question of a known kind.
+Grade gradeAnswer(const Question& question, const Answer& given, const Answer& right);
+
+/// The option, from 0, that is the right answer; nothing if there is none. For a room, which
+/// chooses among options whatever the kind of the question.
+std::optional<std::size_t> rightOption(const QuestionContext& context, const Answer& right);
+
+/// "A", "B", ...
+std::string optionLetter(std::size_t option);
+
+}  // namespace se::teach

@@ -1,0 +1,55 @@
+/// Answers of one person or of one room to the questions of a lesson, as a file (.result.json).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson_runs.h"
+
+namespace se::teach {
+
+/// Extension of a result's file.
+inline constexpr std::string_view kResultExtension = ".result.json";
+
+/// The answer to one question.
+struct GivenAnswer {
+    std::size_t step = 0;  ///< Of the lesson, from 1.
+    std::string title;     ///< Of the step.
+    std::string kind;
+    std::vector<std::string> given;  ///< Names of points, a letter, or a number; of a room, none.
+    std::vector<std::string> wrong;  ///< Of `given`, those that do not belong to the answer.
+    bool right = false;
+    double score = 0.0;    ///< From 0 to 1.
+    double seconds = 0.0;  ///< Until the last try.
+    std::size_t tries = 1;
+    /// Of a room: how many chose A, B, C and D; else empty.
+    std::vector<std::size_t> counts;
+    std::size_t rightOption = 0;  ///< Of a room, from 0.
+
+    bool isOfRoom() const { return !counts.empty(); }
+};
+
+/// All answers of a person or of a room.
+struct LessonResult {
+    std::string lesson;  ///< Title.
+    std::string hash;    ///< Lesson::hash: answers to another text are another lesson's.
+    std::string person;  ///< Empty unless the user typed a name.
+    std::vector<GivenAnswer> answers;
+};
+
+/// Grades an answer to the question of step number `step`, from 0. Requires a question there.
+GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& given,
+                         const RightAnswer& right);
+
+/// The answer of a room: `counts` hands for each of the options. Requires as many as options.
+GivenAnswer roomAnswer(const Lesson& lesson, std::size_t step, std::vector<std::size_t> counts,
+                       const RightAnswer& right);
+
+/// JSON of a result.
+std::string resultJson(const LessonResult& result);
+/// Reads resultJson(); `name` begins messages, which name the field and what was expected.
+Result<LessonResult> resultFromJson(std::string_view text, const std::string& name);
+
+}  // namespace se::teach

@@ -1,0 +1,41 @@
+/// Answers that a run gives to questions: refused, kept, next, fan, verdict and counts. A new
+/// answer is a function and a row.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/replay/run_cursor.h"
+
+namespace se::teach {
+
+/// The part of a run between the position of a question and that of its answer.
+struct RunRange {
+    DecisionState before;
+    DecisionState after;
+    std::vector<Event> events;  ///< After the first position, up to the second.
+    std::size_t trianglesBefore = 0, trianglesAfter = 0;
+};
+
+/// What a run says: one of the members, by the kind of the question.
+struct RunValue {
+    std::vector<Index> points;  ///< Ascending; of the fan, in its order.
+    std::optional<double> number;
+    std::string outcome;  ///< Words of outcomeText() in explain/figure_check.h.
+};
+
+/// One row of the table of answers.
+struct RunAnswer {
+    std::string_view name;  ///< "refused"
+    std::string_view kind;  ///< The kind of question that it answers.
+    std::string_view help;
+    RunValue (*find)(const RunRange&);
+};
+std::span<const RunAnswer> runAnswers();
+/// Null if there is none of that name.
+const RunAnswer* findRunAnswer(std::string_view name);
+
+}  // namespace se::teach
