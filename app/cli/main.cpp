@@ -33,6 +33,8 @@ constexpr std::array kVerbs{
     Verb{"sample", "sample points evenly on a shape or an isosurface of a volume", sampleVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},
     Verb{"figures", "list the figures of the paper with their scenes, and check them", figuresVerb},
+    Verb{"lesson", "list, show, check and begin lessons; sum up the results of a class",
+         lessonVerb},
     Verb{"table1", "reproduce the paper's Table 1", table1Verb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},

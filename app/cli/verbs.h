@@ -31,6 +31,8 @@ ExitCode table1Verb(const Arguments& arguments);
 ExitCode whyVerb(const Arguments& arguments);
 /// Prints the figures of the paper, and checks them.
 ExitCode figuresVerb(const Arguments& arguments);
+/// Lists, shows, checks and begins lessons, and sums up results.
+ExitCode lessonVerb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Starts the viewer. Returns only by throwing.

@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron sphere_points square | sort >helpers
+    printf '%s\n' ball expect fail fields icosahedron lesson_result sphere_points square | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -1549,6 +1549,89 @@ figures_hold() {
     expect 2 figures 26
     expect 2 figures --check --volumes nowhere
     says err "no such folder"
+}
+
+lessons_are_listed_and_shown() {
+    expect 0 lesson list
+    says out "tour               1.5 min"
+    says out "class               20 min   5 questions  Twenty minutes in class"
+    is "$(wc -l <out)" 8 "lessons"
+    expect 0 lesson list --json
+    is "$(grep -c '"minutes"' out)" 8 "lessons in JSON"
+    expect 0 lesson show removal
+    says out "2. Which of them go? (2 minutes)"
+    says out "     A  q"
+    grep -q "Answer:" out && fail "answers are shown"
+    expect 0 lesson show removal --answers
+    says out "Answer: q"
+    says out "removing it leaves a gap of 53.4 deg: removed."
+    expect 3 lesson show nothing
+    says err "no such lesson or file"
+    expect 2 lesson show
+    expect 2 lesson tell tour
+    says err "expected list, show, check, new or results"
+}
+
+lessons_are_checked() {
+    local each
+    expect 0 lesson check tour spiral neighbor-ring removal split-join start-order-cost why-a-hole class
+    is "$(grep -c ': good: ' out)" 8 "good lessons"
+    expect 0 lesson new scene:figure-8 -o good.lesson.md
+    sed 's/^expect = "seed"/expect = "joins"/' good.lesson.md >wrong.lesson.md
+    expect 1 lesson check good.lesson.md wrong.lesson.md
+    says out 'expect: the outcome there is "seed"'
+    sed 's/^at = "1.seed.1"/att = "1.seed.1"/' good.lesson.md >bad.lesson.md
+    expect 3 lesson check bad.lesson.md wrong.lesson.md
+    grep -qE '^bad.lesson.md:[0-9]+: att: no such key; the nearest is at$' out || fail "$(cat out)"
+    expect 3 lesson check bad.lesson.md --json
+    says out '"sort": "malformed"'
+    sed 's|scene:figure-8|../points.ply|' good.lesson.md >out.lesson.md
+    expect 3 lesson check out.lesson.md
+    says out "../points.ply is not in the folder of the lesson"
+    expect 3 lesson check nowhere.lesson.md
+    expect 2 lesson check
+}
+
+lessons_begin_with_an_input() {
+    mkdir folder
+    expect 0 run scene:torus -q -o folder/points.ply
+    expect 0 lesson new folder/points.ply -o folder/new.lesson.md
+    grep -q '^input = "points.ply"$' folder/new.lesson.md || fail "input: $(grep input folder/new.lesson.md)"
+    expect 0 lesson check folder/new.lesson.md
+    says out "new.lesson.md: good:"
+    expect 0 lesson new scene:torus
+    says out "# A lesson on scene:torus"
+    expect 2 lesson new folder/points.ply -o new.d/new.lesson.md
+    expect 2 lesson new folder/points.ply -o folder/points.ply
+    mkdir other
+    expect 2 lesson new folder/points.ply -o other/new.lesson.md
+    says err "a lesson lies beside its inputs"
+    expect 3 lesson new folder/missing.ply -o folder/x.lesson.md
+    absent folder/x.lesson.md
+    expect 2 lesson new -
+}
+
+# Writes the result of one person with one answer: FILE GIVEN WRONG RIGHT.
+lesson_result() {
+    printf '{"format": "spiraling-edge lesson result", "version": 1, "lesson": "L", "hash": "h", "answers": [
+        {"step": 2, "title": "Q", "kind": "points", "given": [%s], "wrong": [%s], "right": %s, "score": 0.5,
+         "seconds": 10, "tries": 1}]}' "$2" "$3" "$4" >"$1"
+}
+
+results_are_summed_up() {
+    lesson_result a.result.json '"q"' '' true
+    lesson_result b.result.json '"t"' '"t"' false
+    expect 0 lesson results a.result.json b.result.json -o class.csv
+    says out "  2     2        50 %   t (1)             Q"
+    says class.csv "L,h,2,Q,points,2,1,0.5,0.5,10,t,1,,,,"
+    expect 0 lesson results a.result.json -o -
+    says out "lesson,hash,step,question"
+    lesson_result c.result.json '"q"' '' maybe
+    rm class.csv
+    expect 3 lesson results a.result.json c.result.json -o class.csv
+    absent class.csv
+    expect 3 lesson results missing.result.json
+    expect 2 lesson results
 }
 
 starts_are_given_as_json() {

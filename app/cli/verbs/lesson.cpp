@@ -1,0 +1,225 @@
+// spiraling-edge lesson: lists, prints, checks and begins lessons, and sums up results.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "input.h"
+#include "options.h"
+#include "output/lesson_page.h"
+#include "output/output.h"
+#include "spiraling_edge/base/files.h"
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_check.h"
+#include "teach/lesson_read.h"
+#include "teach/lesson_skeleton.h"
+#include "teach/result_table.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using teach::Lesson;
+using teach::LessonFault;
+using teach::LessonReading;
+using teach::LessonRuns;
+
+struct LessonArguments {
+    std::string action;
+    std::vector<std::string> names;
+    std::string output;
+    bool answers = false;
+    bool json = false;
+};
+
+/// A lesson, its faults by reading, and the folder of its inputs.
+struct OpenedLesson {
+    LessonReading reading;
+    fs::path folder;
+};
+
+/// Opens a lesson by its id or its file. Throws Failure(Input) if there is none.
+OpenedLesson openLesson(const std::string& name) {
+    if (const teach::EmbeddedLesson* built = teach::findEmbeddedLesson(name))
+        return {teach::readLesson(built->text, name), {}};
+    std::error_code ignored;
+    if (!fs::exists(name, ignored)) {
+        throw Failure(ExitCode::Input,
+                      name + ": no such lesson or file; `spiraling-edge lesson list` lists them");
+    }
+    Result<LessonReading> reading = teach::readLessonFile(name);
+    if (!reading) throw Failure(ExitCode::Input, reading.error().message);
+    return {std::move(reading.value()), fs::path(name).parent_path()};
+}
+
+/// The one name of an action. Throws Failure(Usage) otherwise.
+const std::string& theName(const LessonArguments& arguments, const std::string& what) {
+    if (arguments.names.size() == 1) return arguments.names.front();
+    throw Failure(ExitCode::Usage, fmt::format("lesson {}: expected {}", arguments.action, what));
+}
+
+ExitCode listLessons(const LessonArguments& arguments) {
+    if (!arguments.names.empty()) throw Failure(ExitCode::Usage, "lesson list: takes no names");
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    std::string text;
+    for (const teach::EmbeddedLesson& each : teach::embeddedLessons()) {
+        const Lesson lesson = teach::readLesson(each.text, std::string(each.id)).lesson;
+        list.push_back({{"id", each.id},
+                        {"title", lesson.title},
+                        {"minutes", lesson.minutes()},
+                        {"steps", lesson.steps.size()},
+                        {"questions", lesson.questions()}});
+        text += fmt::format("{:<17} {:>4} min  {:>2} questions  {}\n", each.id, lesson.minutes(),
+                            lesson.questions(), lesson.title);
+    }
+    writeOutput("-", arguments.json ? list.dump(2) + "\n" : text);
+    return ExitCode::Good;
+}
+
+ExitCode showLesson(const LessonArguments& arguments) {
+    const OpenedLesson opened = openLesson(theName(arguments, "the id or the file of a lesson"));
+    const LessonReading& reading = opened.reading;
+    if (!reading.ok()) {
+        throw Failure(ExitCode::Input,
+                      teach::faultText(reading.faults.front(), reading.lesson.name));
+    }
+    if (!arguments.answers) {
+        writeOutput("-", lessonPage(reading.lesson));
+        return ExitCode::Good;
+    }
+    LessonRuns runs(opened.folder);
+    const Result<std::string> page = lessonPageWithAnswers(reading.lesson, runs);
+    if (!page) throw Failure(ExitCode::Input, page.error().message);
+    writeOutput("-", page.value());
+    return ExitCode::Good;
+}
+
+nlohmann::ordered_json faultJson(const LessonFault& fault, const std::string& name) {
+    const bool malformed = fault.sort == teach::FaultSort::Malformed;
+    return {{"file", name},
+            {"line", fault.line},
+            {"key", fault.key},
+            {"sort", malformed ? "malformed" : "disagrees"},
+            {"message", fault.message}};
+}
+
+ExitCode checkLessons(const LessonArguments& arguments) {
+    if (arguments.names.empty())
+        throw Failure(ExitCode::Usage, "lesson check: expected ids or files of lessons");
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    std::string text;
+    ExitCode code = ExitCode::Good;
+    for (const std::string& name : arguments.names) {
+        const OpenedLesson opened = openLesson(name);
+        std::vector<LessonFault> faults = opened.reading.faults;
+        LessonRuns runs(opened.folder);
+        if (faults.empty()) faults = teach::checkLesson(opened.reading.lesson, runs);
+        for (const LessonFault& fault : faults) {
+            text += teach::faultText(fault, name) + "\n";
+            list.push_back(faultJson(fault, name));
+        }
+        if (teach::isMalformed(faults)) code = ExitCode::Input;
+        if (!faults.empty() && code == ExitCode::Good) code = ExitCode::CheckFailed;
+        if (!faults.empty()) continue;
+        const Lesson& lesson = opened.reading.lesson;
+        text += fmt::format("{}: good: {} steps, {} questions, {} minutes\n", name,
+                            lesson.steps.size(), lesson.questions(), lesson.minutes());
+    }
+    writeOutput("-", arguments.json ? list.dump(2) + "\n" : text);
+    return code;
+}
+
+/// The input as it stands in a lesson at `output`. Throws Failure(Usage) if it would leave the
+/// folder.
+std::string inputForLesson(const std::string& input, const std::string& output) {
+    if (input.starts_with("scene:") || output == "-") return input;
+    const fs::path folder = fs::absolute(output).parent_path();
+    const fs::path path = fs::absolute(input).lexically_relative(folder);
+    if (!path.empty() && *path.begin() != "..") return path.string();
+    throw Failure(
+        ExitCode::Usage,
+        fmt::format("{}: not in the folder of {}; a lesson lies beside its inputs", input, output));
+}
+
+ExitCode newLesson(const LessonArguments& arguments) {
+    const std::string& input = theName(arguments, "an input: a file with points, or scene:ID");
+    if (input == kStandardInput)
+        throw Failure(ExitCode::Usage,
+                      "lesson new: standard input cannot be read again; name a file");
+    const std::string output = arguments.output.empty() ? "-" : arguments.output;
+    requireWritable({{"-o", output}});
+    requireOtherThan(input, {{"-o", output}});
+    const std::string written = inputForLesson(input, output);
+    const Result<teach::PreparedRun> run = teach::prepareRun(readInput(input), input, {});
+    if (!run) throw Failure(ExitCode::Input, run.error().message);
+    const Result<std::string> text = teach::lessonSkeleton(written, run.value());
+    if (!text) throw Failure(ExitCode::Input, text.error().message);
+    writeOutput(output, text.value());
+    return ExitCode::Good;
+}
+
+ExitCode sumUpResults(const LessonArguments& arguments) {
+    if (arguments.names.empty())
+        throw Failure(ExitCode::Usage, "lesson results: expected files *.result.json");
+    if (!arguments.output.empty()) requireWritable({{"-o", arguments.output}});
+    std::vector<teach::LessonResult> results;
+    for (const std::string& name : arguments.names) {
+        const Result<std::string> bytes = readBytes(name);
+        if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
+        Result<teach::LessonResult> result = teach::resultFromJson(bytes.value(), name);
+        if (!result) throw Failure(ExitCode::Input, result.error().message);
+        results.push_back(std::move(result.value()));
+    }
+    const std::vector<teach::QuestionSummary> rows = teach::summarize(results);
+    if (arguments.output != "-") writeOutput("-", teach::summaryText(rows));
+    if (!arguments.output.empty()) writeOutput(arguments.output, teach::summaryCsv(rows));
+    return ExitCode::Good;
+}
+
+/// An action of the verb: a new one is a function and a row.
+struct LessonAction {
+    std::string_view name;
+    ExitCode (*run)(const LessonArguments&);
+};
+constexpr std::array kLessonActions{
+    LessonAction{"list", listLessons},     LessonAction{"show", showLesson},
+    LessonAction{"check", checkLessons},   LessonAction{"new", newLesson},
+    LessonAction{"results", sumUpResults},
+};
+
+void addLessonOptions(CLI::App& app, LessonArguments& arguments) {
+    app.add_option("ACTION", arguments.action, "list, show, check, new or results")->required();
+    app.add_option("NAME", arguments.names,
+                   "Ids of lessons, files .lesson.md or .result.json; of new: an input");
+    app.add_flag("--answers", arguments.answers, "With show: the answers too, found by running it");
+    app.add_flag("--json", arguments.json, "With list and check: as JSON");
+    addOutputOption(app, "-o,--output", arguments.output,
+                    "With new: write the lesson to this file; with results: the table as CSV");
+}
+
+}  // namespace
+
+ExitCode lessonVerb(const Arguments& words) {
+    LessonArguments arguments;
+    CLI::App app(
+        "Lists the lessons, shows one, checks one against its runs (exit code 1 if an answer "
+        "disagrees, 3 if the file is malformed), begins a new one on an input, or sums up the "
+        "results of a class (docs/lessons.md).",
+        "spiraling-edge lesson");
+    addLessonOptions(app, arguments);
+    if (const auto code = parseArguments(app, words)) return *code;
+    const auto action =
+        std::find_if(kLessonActions.begin(), kLessonActions.end(),
+                     [&](const LessonAction& each) { return each.name == arguments.action; });
+    if (action == kLessonActions.end()) {
+        throw Failure(ExitCode::Usage, arguments.action +
+                                           ": expected list, show, check, new or results; see "
+                                           "spiraling-edge lesson --help");
+    }
+    return action->run(arguments);
+}
+
+}  // namespace se::cli
