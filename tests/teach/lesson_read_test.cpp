@@ -1,0 +1,166 @@
+#include "teach/lesson_read.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "lesson_files.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/files.h"
+#include "teach/lesson_keys.h"
+
+namespace se::teach {
+namespace {
+
+/// The fault that a text has, as "LINE: KEY: MESSAGE"; empty without one.
+std::string faultOf(const std::string& text) {
+    const LessonReading reading = readLesson(text, "x.lesson.md");
+    return reading.ok() ? std::string() : faultText(reading.faults.front(), "x.lesson.md");
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a lesson is read with title, text, steps, minutes and lines") {
+    const std::string text =
+        "# A *title*\n\nHello.\n\n" +
+        fenced("lesson", "version = 1\ninput = \"scene:figure-8\"\nnames = { p = 15 }") +
+        "\n## One\n\nText [so](se:9.sphere.3).\n\n" +
+        fenced("step", "at = \"9.limits.2\"\nminutes = 2.5") + "\nMore.\n\n## Two\n\nOnly text.\n";
+    const LessonReading reading = readLesson(text, "x.lesson.md");
+    REQUIRE(reading.ok());
+    const Lesson& lesson = reading.lesson;
+    CHECK(lesson.title == "A title");
+    CHECK(lesson.text == "Hello.\n");
+    CHECK(lesson.input == "scene:figure-8");
+    CHECK(lesson.names == std::vector<NamedPoint>{{"p", 15}});
+    REQUIRE(lesson.steps.size() == 2);
+    CHECK(lesson.steps[0].title == "One");
+    CHECK(lesson.steps[0].text == "Text [so](se:9.sphere.3).\n\nMore.\n");
+    REQUIRE(lesson.steps[0].links.size() == 1);
+    CHECK(lesson.steps[0].links[0].address == "9.sphere.3");
+    CHECK(lesson.steps[0].links[0].line == 13);
+    CHECK(lesson.steps[0].lines.of("minutes") == 17);
+    CHECK(lesson.minutes() == 3.5);
+    CHECK(lesson.questions() == 0);
+    CHECK(lesson.hash.size() == 24);
+}
+
+TEST_CASE("a lesson with line ends of Windows is read alike") {
+    const std::string text = figure8Question("\"refused\"");
+    std::string windows;
+    for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    const LessonReading reading = readLesson(windows, "x");
+    REQUIRE(reading.ok());
+    CHECK(reading.lesson.steps[0].text == "Text.\n");
+    CHECK(reading.lesson.steps[0].question->answer == "refused");
+}
+
+TEST_CASE("HTML and other fenced blocks are text") {
+    const LessonReading reading = readLesson(
+        lessonWith("## One\n\n<b onclick=\"x\">bold</b>\n\n```sh\nspiraling-edge\n```\n"), "x");
+    REQUIRE(reading.ok());
+    CHECK(contains(reading.lesson.steps[0].text, "<b onclick"));
+    CHECK(contains(reading.lesson.steps[0].text, "```sh\nspiraling-edge\n```"));
+}
+
+TEST_CASE("bad lessons are refused with line, key and reason") {
+    struct Bad {
+        std::string text;
+        std::string fault;
+    };
+    const std::string ask = "kind = \"choice\"\nat = \"9.limits.2\"\nanswer = \"A\"\n";
+    const std::vector<Bad> table{
+        {"", "no block `se lesson`"},
+        {"# Only a title\n", "no block `se lesson`"},
+        {lessonWith(""), "no step: begin one with `## Title`"},
+        {lessonWith(stepWith("step", "untill = \"9.sphere.2\"")),
+         "x.lesson.md:13: untill: no such key; the nearest is until"},
+        {lessonWith(stepWith("step", "at = 9")), ":13: at: expected an address"},
+        {lessonWith(stepWith("step", "at = \"9.spere.2\"")), ":13: at: expected PIVOT"},
+        {lessonWith(stepWith("step", "at = \"101%\"")), ":13: at: expected PIVOT"},
+        {lessonWith(stepWith("step", "minutes = -1")), ":13: minutes: expected a number"},
+        {lessonWith(stepWith("step", "\nat =")), ":14: Error while parsing"},
+        {lessonWith(stepWith("step", "view = \"above\"")), "view: expected one of front"},
+        {lessonWith(stepWith("step", "frame = \"near\"")), "frame: expected one of all, pivot"},
+        {lessonWith(stepWith("step", "play = \"pivot 2\"")), "play: expected a speed"},
+        {lessonWith(stepWith("step", "play = \"pivot 2/s\"")), "play: needs until"},
+        {lessonWith(stepWith("step", "camera = \"no\"")), "camera: expected JSON"},
+        {lessonWith(stepWith("step", "select = [1, 2, 3, 4]")), "select: expected one to three"},
+        {lessonWith(stepWith("step", "rules = \"none\"")), "rules: --rules none: no such set"},
+        {lessonWith(stepWith("step", "rule = \"sphere=7\"")), "rules: --rule sphere=7"},
+        {lessonWith(stepWith("step", "what_if = \"9.sphere hold 1\"")), "--what-if"},
+        {lessonWith(stepWith("step", "compare = \"--fast 1\"")), "compare: --fast: expected"},
+        {lessonWith(stepWith("step", "compare = \"--rules\"")), "its value is missing"},
+        {lessonWith(stepWith("steps", "")), "expected `se lesson`, `se step` or `se ask`"},
+        {lessonWith(stepWith("step", "") + fenced("step", "")), "a second `se step`"},
+        {lessonWith(stepWith("ask", ask + "options = [\"a\", \"b\"]") + fenced("ask", ask)),
+         "a second question in this step"},
+        {lessonWith(stepWith("lesson", "version = 1")), "a second `se lesson`"},
+        {lessonWith(stepWith("ask", "at = \"9.limits.2\"")), "kind: missing"},
+        {lessonWith(stepWith("ask", "kind = \"word\"")), "kind: expected one of points, point"},
+        {lessonWith(stepWith("ask", "kind = \"points\"")), "answer: missing: a list of points"},
+        {lessonWith(stepWith("ask", "kind = \"point\"\nanswer = \"refused\"")),
+         "refused is an answer of questions of kind points"},
+        {lessonWith(stepWith("ask", ask)), "options: expected two to four answers"},
+        {lessonWith(stepWith("ask", ask + "options = [\"a\", \"a\"]")), "two of the answers"},
+        {lessonWith(stepWith("ask", ask + "options = [\"a\", \"b\"]\nverdicts = [\"kept\"]")),
+         "verdicts: expected one for each"},
+        {"# T\n\n" + fenced("lesson", "version = 2\ninput = \"scene:figure-8\"") + "## S\n",
+         ":4: version: expected 1"},
+        {"# T\n\n" + fenced("lesson", "version = 1") + "## S\n", ":3: input: missing"},
+        {"# T\n\n" + fenced("lesson", "version = 1\ninput = \"../a.ply\"") + "## S\n",
+         ":5: input: ../a.ply is not in the folder"},
+        {"# T\n\n" + fenced("lesson", "version = 1\ninput = \"/etc/passwd\"") + "## S\n",
+         "is not in the folder"},
+        {lessonWith("## S\n\n![a](../../a.png)\n"), "the image ../../a.png is not in the folder"},
+        {lessonWith("## S\n\n![a](http://example.org/a.png)\n"), "is not in the folder"},
+        {lessonWith("## S\n\nSee [this](se:nowhere).\n"), ":10: se:nowhere: expected an address"},
+        {lessonWith("## S\n\n\xff\n"), "x.lesson.md:10: not UTF-8"},
+        {lessonWith("## S\n\n\xe2\x82\n"), "not UTF-8"},
+        {std::string(kLongestLesson + 1, 'a'), "over 1 MB"},
+        {lessonWith("## S\n\n") + std::string(1, '\0'), "a zero byte"},
+    };
+    for (const Bad& each : table) {
+        CAPTURE(each.fault);
+        const std::string found = faultOf(each.text);
+        CAPTURE(found);
+        CHECK(contains(found, each.fault));
+    }
+}
+
+TEST_CASE("all faults of a lesson are found, in the order of the file") {
+    const LessonReading reading =
+        readLesson(lessonWith(stepWith("step", "untill = \"1\"\nframe = \"far\"") +
+                              stepWith("step", "at = \"x\"")),
+                   "x");
+    REQUIRE(reading.faults.size() == 3);
+    CHECK(reading.faults[0].key == "untill");
+    CHECK(reading.faults[1].key == "frame");
+    CHECK(reading.faults[2].key == "at");
+}
+
+TEST_CASE("a file that is none, or too long, is refused") {
+    CHECK_FALSE(readLessonFile("no-such-file.lesson.md").ok());
+    const auto path = std::filesystem::temp_directory_path() / "se-long.lesson.md";
+    REQUIRE(writeFileAtomically(path, std::string(kLongestLesson + 1, 'a')));
+    const Result<LessonReading> reading = readLessonFile(path);
+    REQUIRE(reading.ok());
+    CHECK(contains(reading.value().faults.front().message, "over 1 MB"));
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("each key of the table is in docs/lessons.md") {
+    const Result<std::string> page =
+        readBytes(std::filesystem::path(SPIRALING_EDGE_DOCS) / "lessons.md");
+    REQUIRE(page.ok());
+    for (const LessonKey& key : lessonKeys()) {
+        CAPTURE(key.name);
+        CHECK(contains(page.value(), "`" + std::string(key.name) + "`"));
+    }
+}
+
+}  // namespace se::teach
