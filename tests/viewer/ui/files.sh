@@ -8,6 +8,10 @@ says phase empty
 press F10 F5 f Return space 1 ctrl+b ctrl+z ctrl+s Home; says start_page true; says file_browser false
 click 490 150
 says start_page false
+says input scene:figure-1; says layout learn
+press F2; says layout present; press F2; says layout debug
+stop
+start scene:sphere
 says input scene:sphere
 
 # Undo and redo: layer, camera, selection, layout.
