@@ -101,7 +101,7 @@ class StepCheck {
         const Status moved = goToPlace(*cursor_, step_.at.empty() ? setting_.at : step_.at);
         const Event* event = moved ? cursor_->event() : nullptr;
         const std::string found = event != nullptr ? outcomeText(*event) : "";
-        if (found == step_.expect) return true;
+        if (isOutcome(step_.expect, found)) return true;
         return disagrees(step_.lines, "expect",
                          found.empty() ? "the decision there has no outcome"
                                        : "the outcome there is \"" + found + "\"");

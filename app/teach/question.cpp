@@ -89,10 +89,11 @@ Result<Answer> readChoice(const Words& words, const QuestionContext& context) {
 Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context) {
     const Words& verdicts =
         context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
-    if (std::count(verdicts.begin(), verdicts.end(), value.outcome) != 1)
+    const auto isThat = [&](const std::string& words) { return isOutcome(words, value.outcome); };
+    if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
         return Error{"the outcome is \"" + value.outcome + "\", which is not one of the options"};
     Answer answer;
-    const auto found = std::find(verdicts.begin(), verdicts.end(), value.outcome);
+    const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
     answer.choice = static_cast<std::size_t>(found - verdicts.begin());
     return answer;
 }

@@ -139,6 +139,12 @@ constexpr std::array kRunAnswers{
 
 }  // namespace
 
+bool isOutcome(std::string_view words, std::string_view outcome) {
+    if (words.empty() || !outcome.starts_with(words)) return words == outcome;
+    const std::string_view rest = outcome.substr(words.size());
+    return rest.empty() || rest.front() == ' ' || rest.front() == ',';
+}
+
 std::span<const RunAnswer> runAnswers() { return kRunAnswers; }
 
 const RunAnswer* findRunAnswer(std::string_view name) {

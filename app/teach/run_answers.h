@@ -27,6 +27,9 @@ struct RunValue {
     std::string outcome;  ///< Words of outcomeText() in explain/figure_check.h.
 };
 
+/// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".
+bool isOutcome(std::string_view words, std::string_view outcome);
+
 /// One row of the table of answers.
 struct RunAnswer {
     std::string_view name;  ///< "refused"
