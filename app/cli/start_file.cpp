@@ -44,6 +44,7 @@ struct StartEntry {
         const std::vector<StartEntry> all = items(expected);
         if (count > 0 && all.size() != count) fail(expected);
         std::vector<Index> points;
+        points.reserve(all.size());
         for (const StartEntry& each : all) points.push_back(each.point());
         return points;
     }
@@ -81,7 +82,7 @@ void readKey(const std::string& path, const std::string& name, const StartJson& 
              GivenStart& start) {
     for (const StartKey& key : kStartKeys) {
         if (key.name != name) continue;
-        key.read({value, path + ": " + name}, start);
+        key.read({value, fmt::format("{}: {}", path, name)}, start);
         return;
     }
     throw Failure(ExitCode::Input,
