@@ -11,6 +11,7 @@
 #include <span>
 
 #include "spiraling_edge/base/number_text.h"
+#include "toml_brackets.h"
 
 namespace se::teach {
 namespace {
@@ -262,6 +263,11 @@ template <typename Target>
 void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
                std::vector<LessonFault>& faults) {
     target.lines.block = block.line;
+    if (const std::size_t line = lineOfStrayBracket(block.toml); line > 0) {
+        faults.push_back({FaultSort::Malformed, block.line + line, "",
+                          "a bracket that does not belong there; a table is written as { ... }"});
+        return;
+    }
     const toml::parse_result parsed = toml::parse(block.toml);
     if (!parsed) {
         faults.push_back({FaultSort::Malformed, block.line + parsed.error().source().begin.line, "",

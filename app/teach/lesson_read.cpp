@@ -227,6 +227,10 @@ class LessonReader {
         if (lesson_.lines.block == 0)
             add(0, "", "no block `se lesson`: see docs/lessons.md, or spiraling-edge lesson new");
         if (lesson_.steps.empty()) add(0, "", "no step: begin one with `## Title`");
+        if (lesson_.steps.size() > kMaxLessonSteps) {
+            add(lesson_.steps[kMaxLessonSteps].line, "", "over 200 steps: write two lessons");
+            lesson_.steps.resize(kMaxLessonSteps);
+        }
         requireInside(lesson_.input, lesson_.lines.of("input"));
         for (LessonStep& step : lesson_.steps) {
             requireInside(step.input, step.lines.of("input"));

@@ -15,6 +15,9 @@ namespace se::teach {
 /// Longest file that is read, in bytes.
 inline constexpr std::size_t kLongestLesson = 1'000'000;
 
+/// Maximum number of steps.
+inline constexpr std::size_t kMaxLessonSteps = 200;
+
 /// A lesson and what is wrong with it; without faults it is complete and each key has a valid
 /// value. Addresses, points and answers are not looked up yet (lesson_check.h).
 struct LessonReading {

@@ -18,6 +18,12 @@ std::string faultOf(const std::string& text) {
     return reading.ok() ? std::string() : faultText(reading.faults.front(), "x.lesson.md");
 }
 
+std::string manySteps(std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += "## S\n";
+    return text;
+}
+
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
@@ -67,6 +73,16 @@ TEST_CASE("HTML and other fenced blocks are text") {
     CHECK(contains(reading.lesson.steps[0].text, "```sh\nspiraling-edge\n```"));
 }
 
+TEST_CASE("brackets in texts and comments are no brackets") {
+    const std::string toml =
+        "select = [ # }\n 1]\nrules = \"paper\"\ncamera = '{\"a\": [1]}'\n"
+        "frame = \"all\" # ] }\nwhat_if = ["
+        "\"\"\"9.sphere keep 46\"\"\"]\nnames = { \"\\\"}\" = 3 }";
+    const LessonReading reading = readLesson(lessonWith(stepWith("step", toml)), "x");
+    for (const LessonFault& fault : reading.faults) MESSAGE(faultText(fault, "x"));
+    CHECK(reading.ok());
+}
+
 TEST_CASE("bad lessons are refused with line, key and reason") {
     struct Bad {
         std::string text;
@@ -84,6 +100,17 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(stepWith("step", "at = \"101%\"")), ":13: at: expected PIVOT"},
         {lessonWith(stepWith("step", "minutes = -1")), ":13: minutes: expected a number"},
         {lessonWith(stepWith("step", "\nat =")), ":14: Error while parsing"},
+        {lessonWith(stepWith("step", "\nselect = [}")), ":14: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "select = [ # ]\n }")), ":14: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "names = { a = 1 ] }")),
+         ":13: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "at = }")), ":13: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "at = \"0\"\n [part]")),
+         ":14: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "[.")), ":13: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "at = [[")), ":13: Error while parsing"},
+        {lessonWith(std::string(201 * 3, '#')), "no step"},
+        {lessonWith(manySteps(201)), "over 200 steps"},
         {lessonWith(stepWith("step", "view = \"above\"")), "view: expected one of front"},
         {lessonWith(stepWith("step", "frame = \"near\"")), "frame: expected one of all, pivot"},
         {lessonWith(stepWith("step", "play = \"pivot 2\"")), "play: expected a speed"},
