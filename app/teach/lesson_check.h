@@ -7,7 +7,7 @@
 
 namespace se::teach {
 
-/// What is wrong with a lesson that lesson_read.h found complete; empty if nothing is. Runs each
+/// Faults of a lesson that lesson_read.h found complete; empty if nothing is. Runs each
 /// step. Stops at the first fault of a step, and goes on with the next step.
 std::vector<LessonFault> checkLesson(const Lesson& lesson, LessonRuns& runs);
 

@@ -12,7 +12,7 @@
 
 namespace se::teach {
 
-/// What is open at a step.
+/// Input, rules and position at a step.
 struct StepSetting {
     std::string input;  ///< As in the lesson: scene:ID, or a path relative to its folder.
     LessonOptions options;

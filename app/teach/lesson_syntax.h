@@ -11,7 +11,7 @@ namespace se::teach {
 /// True for an address, a share such as "50%", and "0", the start of the run.
 bool isPlaceText(std::string_view text);
 
-/// What is wrong with the values of a lesson.
+/// Faults of the values of a lesson.
 std::vector<LessonFault> syntaxFaults(const Lesson& lesson);
 
 }  // namespace se::teach

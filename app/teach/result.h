@@ -31,7 +31,7 @@ struct GivenAnswer {
     bool isOfRoom() const { return !counts.empty(); }
 };
 
-/// All answers of a person or of a room.
+/// All answers of one student or of a room.
 struct LessonResult {
     std::string lesson;  ///< Title.
     std::string hash;    ///< Lesson::hash: answers to another text are another lesson's.

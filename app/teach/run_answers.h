@@ -20,7 +20,7 @@ struct RunRange {
     std::size_t trianglesBefore = 0, trianglesAfter = 0;
 };
 
-/// What a run says: one of the members, by the kind of the question.
+/// The answer of a run: one of the members, by the kind of the question.
 struct RunValue {
     std::vector<Index> points;  ///< Ascending; of the fan, in its order.
     std::optional<double> number;

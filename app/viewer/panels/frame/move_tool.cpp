@@ -23,11 +23,6 @@ constexpr float kMoveShare = 0.01F;
 /// Radius around a point within which a press is on it, in em.
 constexpr float kReachOfPress = 0.7F;
 
-glm::vec2 toolPointer() {
-    const ImVec2 mouse = ImGui::GetMousePos();
-    return {mouse.x, mouse.y};
-}
-
 CameraMatrices cameraOf(const PanelContext& context) {
     const Rect& view = context.rects.view;
     return context.camera().matrices(view.size.x / view.size.y);
@@ -72,7 +67,7 @@ void followPointer(const PanelContext& context, MoveTool& tool) {
     const bool along = ImGui::GetIO().KeyShift;
     if (std::exchange(tool.alongNormal, along) != along) tool.anchor = model.place[drag.point()];
     const Rect& view = context.rects.view;
-    const glm::vec2 pixel = toolPointer() + tool.offset - view.min;
+    const glm::vec2 pixel = pointerInWindow() + tool.offset - view.min;
     const glm::vec3& normal = model.normal[drag.point()];
     const auto place = along
                            ? placeOnLine(cameraOf(context), view.size, pixel, tool.anchor, normal)
@@ -116,7 +111,7 @@ bool handleMoveTool(const PanelContext& context) {
         return true;
     }
     if (tool.pressed != kNone) {
-        motion.move(toolPointer(), kMoveShare * ImGui::GetIO().DisplaySize.y);
+        motion.move(pointerInWindow(), kMoveShare * ImGui::GetIO().DisplaySize.y);
         if (down && motion.drags() && drag.possible(tool.pressed)) beginMove(context, tool);
         if (!down || motion.drags()) tool.pressed = kNone;
         return down;
@@ -126,7 +121,7 @@ bool handleMoveTool(const PanelContext& context) {
     if (pressed) tool.pressed = draggableAt(context, motion.pressedAt());
     if (tool.pressed != kNone) motion.begin();
     const bool hovers = ImGui::IsItemHovered() && !ImGui::IsItemActive();
-    if (hovers && draggableAt(context, toolPointer()) != kNone)
+    if (hovers && draggableAt(context, pointerInWindow()) != kNone)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return tool.pressed != kNone;
 }

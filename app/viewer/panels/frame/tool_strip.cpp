@@ -16,11 +16,6 @@ constexpr float kStripWidth = 27.0F;
 /// Minimum distance between corners of a lasso, in em.
 constexpr float kPieceStep = 0.25F;
 
-glm::vec2 pieceMouse() {
-    const ImVec2 mouse = ImGui::GetMousePos();
-    return {mouse.x, mouse.y};
-}
-
 void finishPiece(const PanelContext& context, PieceTool& tool) {
     const Rect& view = context.rects.view;
     std::vector<glm::vec2> path = tool.finish();
@@ -71,10 +66,10 @@ bool handlePieceTool(const PanelContext& context) {
     // The camera does not follow a drag that began here, even if Esc ends the tool meanwhile.
     if (ImGui::IsItemActivated()) context.state<ViewDrag>().begin();
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyCtrl)
-        tool.begin(pieceMouse(), io.KeyShift ? PieceShape::Lasso : tool.shape);
+        tool.begin(pointerInWindow(), io.KeyShift ? PieceShape::Lasso : tool.shape);
     if (!tool.drawing) return false;
     const Rect& view = context.rects.view;
-    tool.moveTo(glm::clamp(pieceMouse(), view.min, view.max()), kPieceStep * context.em);
+    tool.moveTo(glm::clamp(pointerInWindow(), view.min, view.max()), kPieceStep * context.em);
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) finishPiece(context, tool);
     return true;
 }

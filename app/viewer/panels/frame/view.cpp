@@ -132,10 +132,7 @@ void drawLasso(const PanelContext& context) {
                   toU32(context.palette.text.withAlpha(0.5F)), std::max(1.0F, 0.08F * context.em));
 }
 
-glm::vec2 localMouse(const Rect& view) {
-    const ImVec2 mouse = ImGui::GetMousePos();
-    return glm::vec2(mouse.x, mouse.y) - view.min;
-}
+glm::vec2 localMouse(const Rect& view) { return pointerInWindow() - view.min; }
 
 bool isOn(const PanelContext& context, LayerId layer) {
     return shownLayers(context.settings().layers, context.session().stage())

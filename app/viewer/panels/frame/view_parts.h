@@ -1,6 +1,9 @@
 /// Overlays of the scene. Each reports its rectangle, so that the next one avoids it.
 #pragma once
 
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -19,6 +22,12 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
 
 /// Legend of the mesh colors, if they have a meaning.
 std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Rect> taken);
+
+/// The pointer, in pixels of the window.
+inline glm::vec2 pointerInWindow() {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    return {mouse.x, mouse.y};
+}
 
 /// Draws a box or a lasso with the left button while the tool for a piece is on. True while it
 /// takes the mouse. To be called right after the scene's own item.
