@@ -8,7 +8,7 @@
 
 namespace se::view {
 
-/// What covers the window while the audience looks at the speaker.
+/// Cover of the window while the audience looks at the speaker.
 enum class BlankScreen : std::uint8_t { None, Black, White };
 
 struct PictureLook {

@@ -52,7 +52,7 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         context.run("edit.whatif.clear");
 }
 
-/// What a drag in the view does.
+/// The effect of a drag in the view.
 void drawDragHint(const Session& session) {
     if (session.drag().held()) return dimText("Shift: along its normal. Esc takes it back.");
     if (session.drag().possible(session.picture().pivot))
