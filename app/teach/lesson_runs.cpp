@@ -27,20 +27,6 @@ Result<PointFile> buildSceneOf(const std::string& source) {
     return scene->build();
 }
 
-/// Follows inputs that are lessons to the first that is none.
-Result<std::string> inputBelow(std::string source) {
-    std::set<std::string> seen;
-    while (source.ends_with(kLessonExtension)) {
-        if (!seen.insert(source).second) return Error{source + ": the inputs form a cycle"};
-        const Result<LessonReading> reading = readLessonFile(source);
-        if (!reading) return reading.error();
-        if (!reading.value().ok()) return Error{faultText(reading.value().faults.front(), source)};
-        source =
-            lessonSource(reading.value().lesson.input, std::filesystem::path(source).parent_path());
-    }
-    return source;
-}
-
 std::size_t countOf(Stage stage, const std::vector<Event>& events) {
     return static_cast<std::size_t>(
         std::count_if(events.begin(), events.end(),
@@ -106,8 +92,21 @@ Status goToAnswer(RunCursor& cursor, const StepSetting& setting) {
 
 }  // namespace
 
+Result<std::string> pointsSource(std::string source) {
+    std::set<std::string> seen;
+    while (source.ends_with(kLessonExtension)) {
+        if (!seen.insert(source).second) return Error{source + ": the inputs form a cycle"};
+        const Result<LessonReading> reading = readLessonFile(source);
+        if (!reading) return reading.error();
+        if (!reading.value().ok()) return Error{faultText(reading.value().faults.front(), source)};
+        source =
+            lessonSource(reading.value().lesson.input, std::filesystem::path(source).parent_path());
+    }
+    return source;
+}
+
 Result<PointFile> readLessonPoints(const std::string& source) {
-    const Result<std::string> input = inputBelow(source);
+    const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
     if (input.value().starts_with(kScene)) return buildSceneOf(input.value());
     return readPoints(std::filesystem::path(input.value()));

@@ -19,8 +19,11 @@ namespace se::teach {
 /// Reads the points of an input: "scene:ID", or the path of a file.
 using PointsReader = std::function<Result<PointFile>(const std::string& source)>;
 
-/// Built-in scenes, and files of points. An input that is a lesson stands for the input of that
-/// lesson; a cycle of such lessons fails, with all their names.
+/// The points of an input: its own name, or for a lesson the input of that lesson. Fails if such
+/// lessons form a cycle, or if one of them is faulty.
+Result<std::string> pointsSource(std::string source);
+
+/// Reads the points of pointsSource(): a built-in scene, or a file.
 Result<PointFile> readLessonPoints(const std::string& source);
 
 /// The input of a lesson in the folder `folder` as a path for the program, or scene:ID.

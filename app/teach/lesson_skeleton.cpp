@@ -1,8 +1,10 @@
 #include "lesson_skeleton.h"
 
 #include <array>
+#include <cassert>
 #include <optional>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
@@ -123,7 +125,62 @@ SkeletonFinds findsOf(const PreparedRun& run) {
     return finds;
 }
 
+/// `key = ["a", "b"]`; nothing for an empty list.
+void addList(std::string& text, std::string_view key, const std::vector<std::string>& values) {
+    if (values.empty()) return;
+    std::string list;
+    for (const std::string& each : values)
+        list += (list.empty() ? "\"" : ", \"") + escaped(each) + '"';
+    text += std::string(key) + " = [" + list + "]\n";
+}
+
+void addOptions(std::string& text, const LessonOptions& options) {
+    if (options == LessonOptions{}) return;
+    std::string list;
+    const auto add = [&](std::string_view key, double value) {
+        list += (list.empty() ? "" : ", ") + std::string(key) + " = ";
+        appendPlainNumber(list, value);
+    };
+    if (options.neighbors > 0) add("neighbors", static_cast<double>(options.neighbors));
+    if (options.radius > 0.0) add("radius", options.radius);
+    if (options.reach > 0.0) add("reach", options.reach);
+    if (options.symmetric) list += list.empty() ? "symmetric = true" : ", symmetric = true";
+    text += "options = { " + list + " }\n";
+}
+
+/// A heading is one line without marks of its own.
+std::string headingOf(const NotedPosition& position) {
+    if (position.note.empty()) return position.address;
+    std::string line = position.note.substr(0, position.note.find('\n'));
+    const std::size_t first = line.find_first_not_of("# ");
+    return first == std::string::npos ? position.address : line.substr(first);
+}
+
 }  // namespace
+
+std::string lessonOfNotes(const std::string& input, const LessonOptions& options,
+                          const LessonRules& rules, const std::string& intro,
+                          const std::vector<NotedPosition>& notes) {
+    assert(!notes.empty());
+    std::string text = "# A lesson on " + input + "\n\n";
+    addFence(text, "se lesson");
+    text += "version = 1\n";
+    addKey(text, "input", escaped(input));
+    addOptions(text, options);
+    if (!rules.set.empty()) addKey(text, "rules", rules.set);
+    addList(text, "rule", rules.rule);
+    text += "```\n";
+    if (!intro.empty()) text += "\n" + intro + "\n";
+    for (const NotedPosition& each : notes) {
+        text += "\n## " + headingOf(each) + "\n\n";
+        addFence(text, "se step");
+        addKey(text, "at", each.address);
+        if (!each.camera.empty()) text += "camera = '" + each.camera + "'\n";
+        addList(text, "what_if", rules.whatIfs);
+        text += "```\n";
+    }
+    return text;
+}
 
 Result<std::string> lessonSkeleton(const std::string& input, const PreparedRun& run) {
     const SkeletonFinds finds = findsOf(run);

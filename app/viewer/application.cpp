@@ -33,7 +33,8 @@ Application::Application(const Options& options, const ViewSettings& settings)
       alerts_(commands_, document_),
       sampling_(commands_),
       compare_(commands_),
-      mesh_(commands_) {
+      mesh_(commands_),
+      lesson_(commands_, document_) {
     compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
@@ -53,6 +54,7 @@ Status Application::start(float contentScale) {
     if (const Status status = painter_.start(options_.shaders); !status) return status;
     document_.begin(options_);
     alerts_.begin(options_);
+    lesson_.begin(options_);
     sampling_.setUsual(options_.input);
     if (options_.grow) sampling_.begin(*options_.grow);
     std::string complaints;
@@ -74,7 +76,8 @@ bool Application::poll() {
     const bool saved = mesh_.poll();
     const bool changed = sampling_.poll() || opened || saved;
     document_.poll();
-    alerts_.poll();
+    const bool taught = lesson_.poll();
+    if (!ui_.lesson.walk.isOpen()) alerts_.poll();
     if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     const bool compared = compare_.poll();
     const Compared* found = compare_.comparison().result();
@@ -85,17 +88,19 @@ bool Application::poll() {
     }
     // The lists of a figure are those of its drawing, and nothing is to be mended.
     const bool figure = session_.ready() && !session_.model().params.start.empty();
-    if (session_.takeProblemFound() && !figure) {
+    if (session_.takeProblemFound() && !figure && !ui_.lesson.walk.isOpen()) {
         ui_.tab.wanted = kDoctorTab;
         ui_.tab.byFinding = true;
     }
     const bool notice = !session_.messages().notice().empty();
-    return std::exchange(noticed_, notice) != notice || changed || compared;
+    return std::exchange(noticed_, notice) != notice || changed || compared || taught;
 }
 
 Status Application::waitUntilDone() {
     sampling_.waitUntilDone();
     if (ui_.growth.phase == GrowthPhase::Failed) return Error{ui_.growth.complaint};
+    lesson_.waitUntilDone();
+    if (!lesson_.status()) return lesson_.status();
     session_.waitUntilDone();
     if (inputFailed()) return Error{session_.input().error()};
     document_.poll();
@@ -126,7 +131,7 @@ bool Application::animating() const {
            painter_.unfinished() || ui_.look.blinking() || ui_.click.waiting() ||
            compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
            sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
-           ui_.cameraMove.active();
+           ui_.cameraMove.active() || lesson_.moving();
 }
 
 std::string Application::title() const {
@@ -151,6 +156,10 @@ void Application::rememberSize(glm::ivec2 size) {
 void Application::play(double seconds) {
     const PlayLoop& loop = playback_.loop;
     if (!playback_.playing() || session_.moves().busy()) return;
+    if (playback_.until && session_.reached(*playback_.until)) {
+        session_.moves().playTo(*playback_.until);
+        playback_.pause();
+    }
     const bool turn = loop.complete() && session_.reached(*loop.to);
     if (!turn && session_.atEnd()) playback_.pause();
     const int due = playback_.due(seconds);
@@ -175,6 +184,7 @@ void Application::placeCamera(const PanelRects& rects) {
         frameAlert(commands_, rects.view);
         --alertFrames_;
     }
+    if (lesson_.takeAim()) lesson_.aim();
     // The undo stack begins here: the user has not changed anything yet.
     if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
@@ -244,29 +254,6 @@ void Application::drawUserInterface(const PanelRects& rects) {
     }
 }
 
-/// The user's sizes. A line in Find leaves its room to an open panel of Change; in Learn the dial
-/// belongs to Understand, and leaves its room to the other groups.
-PanelSizes Application::panelSizes() const {
-    constexpr float kTabsOfFind = 26.0F;
-    PanelSizes sizes = ui_.settings.panels;
-    sizes.quiet = ui_.panelsQuiet;
-    const auto asked = [&](PanelGroup group) {
-        return ui_.tab.asked[static_cast<std::size_t>(group)];
-    };
-    if (ui_.tab.group == PanelGroup::Find || ui_.tab.group == PanelGroup::Change)
-        sizes.of(Splitter::LearnDial) = -1.0F;
-    float& find = sizes.of(Splitter::Find);
-    if (find <= 0.0F && asked(PanelGroup::Change) && !asked(PanelGroup::Find)) find = kTabsOfFind;
-    return sizes;
-}
-
-PanelRects Application::areasIn(glm::vec2 size) const {
-    const float em = imgui_->em();
-    if (ui_.picture.viewAlone) return viewAlone(size);
-    if (ui_.growth.open) return computePageRects(size, em);
-    return computePanelRects(size, em, ui_.layoutPreset, ui_.navigation.drawer, panelSizes());
-}
-
 bool Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
     ui_.clock += seconds;
@@ -279,9 +266,8 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     play(seconds);
     session_.showNames(ui_.settings.names);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));
-    const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
-    ui_.scale = static_cast<float>(chosen);
-    imgui_->setLooks(static_cast<float>(chosen), ui_.settings.theme);
+    ui_.scale = scaleIn(size);
+    imgui_->setLooks(ui_.scale, ui_.settings.theme);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
@@ -295,7 +281,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     } else {
         placeCamera(rects);
         moveCamera();
-        if (session_.ready() && ui_.settings.pointTint == PointTint::Margin)
+        if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
             session_.questions().requestClosest();
         const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
         painter_.fill(commands_, onPaper, compare_.look());
@@ -325,6 +311,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     compare_.carryOut();
     mesh_.carryOut();
     document_.carryOut(ui_.requests);
+    lesson_.carryOut();
     ui_.unsaved = document_.unsaved();
     const std::string copied = std::exchange(ui_.requests.copyText, {});
     if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());

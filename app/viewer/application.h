@@ -9,6 +9,7 @@
 #include "controllers/alerts.h"
 #include "controllers/compare.h"
 #include "controllers/document.h"
+#include "controllers/lesson.h"
 #include "controllers/mesh_saving.h"
 #include "controllers/sampling.h"
 #include "controllers/scene_painter.h"
@@ -85,7 +86,7 @@ class Application {
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
     bool inputFailed() const {
         return session_.input().phase() == SessionPhase::Failed ||
-               ui_.growth.phase == GrowthPhase::Failed;
+               ui_.growth.phase == GrowthPhase::Failed || !lesson_.status();
     }
     std::string title() const;
     /// Reads recent files and layout from that file and keeps them there; to be called before
@@ -104,8 +105,11 @@ class Application {
     bool holdsLook(const Command& command, int key);
     bool endsBlankScreen(const KeyChord& chord);
     const Command* commandFor(const KeyChord& chord) const;
+    bool isOfLesson(const Command& command) const;
     void play(double seconds);
     PanelSizes panelSizes() const;
+    bool showsLesson() const;
+    float scaleIn(glm::ivec2 size) const;
     void placeCamera(const PanelRects& rects);
     void moveCamera();
     void drawUserInterface(const PanelRects& rects);
@@ -130,6 +134,7 @@ class Application {
     SamplingController sampling_;
     CompareController compare_;
     MeshController mesh_;
+    LessonController lesson_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;

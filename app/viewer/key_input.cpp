@@ -81,7 +81,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     if (command == nullptr || (repeated && !command->repeats)) return false;
     const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
-                            io.NavVisible && io.WantCaptureKeyboard};
+                            io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
     // Handled at once, since two keys may come within a frame.
@@ -98,11 +98,18 @@ bool Application::endsBlankScreen(const KeyChord& chord) {
     return true;
 }
 
+/// The commands of the open lesson come before those of panels and of a presenter's remote control.
+bool Application::isOfLesson(const Command& command) const {
+    return ui_.lesson.walk.isOpen() && command.id.starts_with("lesson.");
+}
+
 /// The command of a key in the present layout.
 const Command* Application::commandFor(const KeyChord& chord) const {
+    const Command* usual = ui_.settings.keys.commandFor(chord);
+    if (usual != nullptr && isOfLesson(*usual)) return usual;
     const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.growth.open;
     const Command* first = present ? presenterCommandFor(chord) : nullptr;
-    return first != nullptr ? first : ui_.settings.keys.commandFor(chord);
+    return first != nullptr ? first : usual;
 }
 
 /// The two actions that last while their key is held.

@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "input_options.h"
+#include "jobs/open_lesson.h"
 #include "jobs/thread.h"
 #include "run/number_format.h"
 #include "run/strings.h"
@@ -80,14 +81,18 @@ struct RawOptions {
     std::string labels;
     std::string shaders;
     std::string stateDump;
+    std::size_t step = 0;
+    std::string result;
     bool actions = false;
 };
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
-    app.add_option("FILE", o.input.source,
-                   "Points: " + listText(pointFormats(), &PointFormat::name, "or") +
-                       "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
-                       "--new; or a session file. Without it, the start page");
+    app.add_option(
+        "FILE", o.input.source,
+        "Points: " + listText(pointFormats(), &PointFormat::name, "or") +
+            "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
+            "--new; a session file; a lesson, as a file or lesson:ID. Without it, the start "
+            "page");
     app.add_option("--rules", o.input.rules,
                    "Reading of the paper: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
@@ -106,6 +111,10 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--place", raw.place,
                    "Start at an address with a camera: the text copied by Ctrl+C")
         ->type_name("TEXT");
+    app.add_option("--step", raw.step, "Step of the lesson to begin with, from 1")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--result", raw.result, "Save answers to the questions of the lesson there")
+        ->type_name("FILE");
     app.add_option("--with", o.withText,
                    "Compare with a run by the options that differ, as one word "
                    "(\"--rules robust\"), or with a mesh file")
@@ -251,6 +260,14 @@ Status chooseComparison(Options& o) {
     return success();
 }
 
+Status adoptLesson(Options& o) {
+    if (!isLesson(o.input.source)) return success();
+    o.lesson = std::exchange(o.input.source, {});
+    if (!o.lesson.starts_with(kLessonPrefix))
+        o.lesson = std::filesystem::absolute(o.lesson).lexically_normal().string();
+    return success();
+}
+
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
     const bool names = path.empty() || isScene(path) || isSample(path) || isStandardInput(path);
@@ -314,6 +331,10 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
             requireWritable(raw.screenshot, "--screenshot");
         }
         if (app.count("--state-dump") > 0) requireWritable(raw.stateDump, "--state-dump");
+        if (app.count("--result") > 0) requireWritable(raw.result, "--result");
+        const bool ofLesson = app.count("--step") + app.count("--result") > 0;
+        if (ofLesson && !isLesson(o.input.source))
+            throw CLI::ValidationError("--step, --result", "need a lesson as FILE");
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }
@@ -329,6 +350,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
     o.stateDump = raw.stateDump;
+    if (raw.step > 0) o.lessonStep = raw.step - 1;
+    o.resultFile = raw.result;
     return {std::move(o), kExitGood};
 }
 

@@ -30,6 +30,9 @@ ParsedOptions parseOptions(int argc, const char* const* argv);
 /// Fails with a sentence.
 Status adoptSession(Options& options);
 
+/// Takes FILE as a lesson if it is one.
+Status adoptLesson(Options& options);
+
 /// Reads standard input to its end, into memory, if FILE is `-`, so that it can be opened again.
 /// Fails with a sentence.
 Status adoptStandardInput(Options& options);

@@ -98,8 +98,6 @@ void dumpRun(json& out, const Session& session) {
     out["event"] = session.cursor();
     out["decision"] =
         session.event() != nullptr ? describe(*session.event(), session.names()) : std::string{};
-    out["events"] = session.record().events.size();
-    out["at_end"] = session.atEnd();
     out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();
     out["rings"] = session.picture().rings.size();
     out["selected"] = indexOrNull(session.selected());
@@ -108,6 +106,15 @@ void dumpRun(json& out, const Session& session) {
     const auto corners = session.selection().corners();
     out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());
     if (!corners.empty()) out["selection_present"] = factsOf(session, session.selection()).present;
+    out["marked"] = session.highlights().marked().size();
+    out["hovered"] = indexOrNull(session.highlights().hovered());
+    out["busy"] = session.moves().busy();
+}
+
+/// What is known of the whole run: nothing of it is told while a question is open.
+void dumpFindings(json& out, const Session& session) {
+    out["events"] = session.record().events.size();
+    out["at_end"] = session.atEnd();
     const DoctorJob& doctorJob = session.doctorJob();
     out["doctor"] = doctorJob.done() ? "done" : doctorJob.busy() ? "busy" : "waiting";
     out["findings"] = json::array();
@@ -123,7 +130,6 @@ void dumpRun(json& out, const Session& session) {
     out["mended"] = session.model().fixesDone;
     out["aside"] = json::object();
     for (const AsidePoints& each : session.model().aside) out["aside"][nameOf(each)] = each.count;
-    out["marked"] = session.highlights().marked().size();
     const AlertSearch& alerts = session.alerts().search();
     out["alert_search"] = alerts.done()                 ? "done"
                           : alerts.busy()               ? "busy"
@@ -139,8 +145,6 @@ void dumpRun(json& out, const Session& session) {
     out["trials_ended"] = trials.ended() || (alerts.done() && alerts.places().empty());
     out["trial_best"] = trials.best() != nullptr ? wordsOf(trials.best()->change) : "";
     out["noticed"] = session.noticedHere().size();
-    out["hovered"] = indexOrNull(session.highlights().hovered());
-    out["busy"] = session.moves().busy();
     dumpDerived(out, session.model().report);
 }
 
@@ -237,6 +241,23 @@ void dumpMeshForm(json& out, const UiState& ui) {
     out["mesh_command"] = form.copied;
 }
 
+/// The open lesson; nothing of it that the user has not been shown.
+void dumpLesson(json& out, const LessonPanel& panel) {
+    const LessonWalk& walk = panel.walk;
+    out["lesson"] = walk.isOpen() ? walk.lesson().title : "";
+    out["lesson_opening"] = panel.opening;
+    out["lesson_complaint"] = panel.complaint;
+    if (!walk.isOpen()) return;
+    out["lesson_step"] = walk.step() + 1;
+    out["lesson_title"] = walk.shownStep().title;
+    out["lesson_away"] = panel.away;
+    out["question"] = walk.question() == nullptr ? "none" : walk.asks() ? "open" : "shown";
+    out["given"] = walk.question() != nullptr ? walk.state().typed : "";
+    out["tries"] = walk.state().tries;
+    if (walk.state().grade) out["answered_right"] = walk.state().grade->right;
+    if (walk.question() != nullptr && !walk.asks()) out["right_answer"] = walk.right().text;
+}
+
 void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) {
     const LayerSwitches shown = shownLayers(modes, stage);
     for (const Layer& layer : layers()) {
@@ -328,12 +349,16 @@ std::string Application::stateDump(const InputProgress& input) const {
                               std::lround(rect.size.x), std::lround(rect.size.y)};
     }
     for (const Bookmark& each : ui_.bookmarks) out["bookmarks"].push_back(toString(each.address));
-    dumpStops(out, ui_, session_);
+    dumpLesson(out, ui_.lesson);
+    const bool hides = ui_.lesson.hides();
+    if (!hides) dumpStops(out, ui_, session_);
     const ViewPosition place{session_.event() != nullptr ? toString(session_.address()) : "",
                              camera_.pose()};
     out.update(json::parse(toText(place)));
     if (session_.ready()) {
         dumpRun(out, session_);
+        if (hides) return out.dump(2) + "\n";
+        dumpFindings(out, session_);
         dumpNavigation(out, ui_.navigation, session_);
         dumpQuestions(out, session_);
     }

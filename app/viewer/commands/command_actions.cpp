@@ -133,7 +133,7 @@ void toggleBookmarkHere(C& c) {
     if (c.session.event() == nullptr)
         return c.session.messages().say("The start of the run cannot be bookmarked.");
     const Address here = c.session.address();
-    const bool there = toggleBookmark(c.ui.bookmarks, here);
+    const bool there = toggleBookmark(c.ui.bookmarks, here, c.camera.pose());
     c.session.messages().say((there ? "Bookmark set: " : "Bookmark removed: ") + toString(here) +
                              ".");
 }

@@ -8,6 +8,7 @@
 #include "break_commands.h"
 #include "camera_actions.h"
 #include "command_actions.h"
+#include "lesson_actions.h"
 #include "panel_state/side_panels.h"
 #include "piece_actions.h"
 #include "run/strings.h"
@@ -52,6 +53,12 @@ const auto kCommands = std::to_array<Command>({
     {"file.copycommand", "File", "Copy command", "",
      "Copy the command line that makes this mesh: spiraling-edge run with all options.",
      copyCommand, "clipboard shell terminal script export"},
+    {"file.savelesson", "File", "Save as lesson...", "",
+     "Save the bookmarks, with their notes and cameras, as the steps of a lesson.", saveLesson,
+     "write teach export course"},
+    {"file.saveresult", "File", "Save result...", "",
+     "Save the answers to the questions of the open lesson.", saveResult,
+     "lesson answers grade student class"},
     {"file.savepoints", "File", "Save new points...", "", "Save the new points as PLY.", savePoints,
      "export write store ply"},
     {"file.restart", "File", "Reload and restart", "Ctrl+R",
@@ -148,6 +155,16 @@ const auto kCommands = std::to_array<Command>({
     {"step.alert.previous", "Step", "Previous place with faults", "Shift+F8",
      "Show the previous place with faults.", [](C& c) { nextPlace(c, -1); },
      "error failure hole defect problem alert", kRepeats},
+    {"lesson.next", "Step", "Next step of the lesson", "PageDown",
+     "Show the next step of the open lesson; in Present the answer to an open question first.",
+     nextLessonStep, "teach course slide forward", kRepeats},
+    {"lesson.previous", "Step", "Previous step of the lesson", "PageUp",
+     "Show the step of the lesson before.", previousLessonStep, "teach course slide back",
+     kRepeats},
+    {"lesson.return", "Step", "Back to the step of the lesson", "",
+     "Return to position, rules and view of the step.", returnToLessonStep, "teach course"},
+    {"lesson.close", "Step", "Close the lesson", "", "Close the lesson; the run stays open.",
+     closeLesson, "teach course end leave"},
     {"step.back", "Step", "Back", "Alt+Left", "Go back to where the last jump began.",
      [](C& c) { pause(c), c.session.moves().goBack(); }, "", kRepeats},
     {"step.forward", "Step", "Forward", "Alt+Right", "Undo going back.",
@@ -375,6 +392,8 @@ const auto kCommands = std::to_array<Command>({
 
     {"help.guide", "Help", "Guide", "", "What the window shows, and how to move through a run.",
      [](C& c) { c.ui.help = HelpPage::Guide; }, "manual documentation introduction"},
+    {"help.tour", "Help", "Tour", "", "The six stages on a torus, in ninety seconds.", openTour,
+     "introduction lesson start tutorial teach"},
     {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
      "Type words of an action, a panel or a scene, then press Enter.",
      [](C& c) { c.ui.palette.show(); }},
@@ -412,6 +431,8 @@ std::string listActions() {
 
 void runCommand(const Command& command, CommandContext& context) {
     if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
+    if (context.ui.lesson.hides() && !isAllowedDuringQuestion(command))
+        return context.session.messages().say("Answer the question first, or show its answer.");
     command.run(context);
 }
 

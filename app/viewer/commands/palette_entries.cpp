@@ -4,6 +4,7 @@
 #include <array>
 
 #include "command_actions.h"
+#include "jobs/open_lesson.h"
 #include "run/model.h"
 #include "run/strings.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -98,6 +99,9 @@ std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panel
             entries.push_back({PaletteEntry::Kind::Panel, title, kPanelNote, wordsForPanel(title),
                                title, "Show this panel."});
     }
+    for (const LessonEntry& each : lessonEntries())
+        entries.push_back({PaletteEntry::Kind::Lesson, each.title, "Lesson", "teach course open",
+                           each.source, each.text});
     for (const Scene& scene : scenes()) entries.push_back(entryOf(scene, "example open"));
     for (const FailureScene& each : failureScenes())
         entries.push_back(entryOf(each.scene, "example open failure gallery wrong"));
@@ -125,6 +129,9 @@ void choose(const PaletteEntry& entry, CommandContext& context) {
             return showPanel(context, entry.id);
         case PaletteEntry::Kind::Scene:
             context.ui.requests.open = sceneSource(entry.id);
+            return;
+        case PaletteEntry::Kind::Lesson:
+            context.ui.requests.open = entry.id;
             return;
     }
 }

@@ -1,4 +1,4 @@
-/// Entries of the command palette: actions, panels and scenes. No ImGui.
+/// Entries of the command palette: actions, panels, lessons and scenes. No ImGui.
 #pragma once
 
 #include <span>
@@ -12,17 +12,17 @@ namespace se::view {
 
 /// One line of the palette.
 struct PaletteEntry {
-    enum class Kind : std::uint8_t { Action, Panel, Scene };
+    enum class Kind : std::uint8_t { Action, Panel, Scene, Lesson };
     Kind kind = Kind::Action;
     std::string_view title;
     std::string_view note;      ///< Group: the menu of an action, otherwise the kind.
     std::string_view synonyms;  ///< Synonyms, separated by spaces.
-    std::string_view id;        ///< Of the action or scene; for a panel its title.
+    std::string_view id;  ///< Of the action or scene; of a panel its title, of a lesson its source.
     std::string_view help;
 };
 
-/// All of them: actions as in their table, then `panels` by title, then scenes, those that fail
-/// last. A panel with the title of an action is listed once, as the action.
+/// All of them: actions as in their table, then `panels` by title, then lessons, then scenes,
+/// those that fail last. A panel with the title of an action is listed once, as the action.
 std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels);
 
 /// The entries in which every word of `filter` begins a word, in any case: of the title, of
@@ -31,7 +31,7 @@ std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panel
 std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
                                           std::string_view filter);
 
-/// Runs an action, shows a panel, opens a scene.
+/// Runs an action, shows a panel, opens a lesson or a scene.
 void choose(const PaletteEntry& entry, CommandContext& context);
 
 }  // namespace se::view

@@ -99,8 +99,8 @@ void DocumentController::aimAtScene(const std::string& source) {
 }
 
 void DocumentController::keepIn(const std::filesystem::path& path, bool resetLayout) {
-    kept_ = path;
-    const KeptState state = readKeptState(path);
+    kept_.open(path);
+    const KeptState state = kept_.read();
     c_.ui.recent = state.recent;
     keptLayout_ = state.layout;
     if (!resetLayout) c_.ui.layoutPreset = state.layout;
@@ -141,6 +141,11 @@ void DocumentController::spreadOver(const std::string& volume) {
 
 void DocumentController::open(const std::string& path) {
     c_.playback.pause();
+    if (isLesson(path)) {
+        c_.ui.lesson.open = path;
+        return;
+    }
+    foreign_ = true;
     if (isVolumePath(path)) return spreadOver(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
@@ -172,7 +177,14 @@ void DocumentController::openSpec(InputSpec spec) {
     expectArrival(spec.source);
     if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
     const bool same = session.ready() && session.input().spec().source == spec.source;
+    foreign_ = foreign_ || !same;
     if (same) arrival_.selected = session.selection();
+    openInput(std::move(spec));
+}
+
+void DocumentController::openStep(InputSpec spec, const std::string& address) {
+    expectArrival({});
+    arrival_.goTo = address;
     openInput(std::move(spec));
 }
 
@@ -402,7 +414,7 @@ std::string DocumentController::unsaved() const {
 }
 
 void DocumentController::note(const std::string& file) {
-    if (kept_.empty() || file.empty() || isStandardInput(file)) return;
+    if (!kept_.isOpen() || file.empty() || isStandardInput(file)) return;
     keep([&](KeptState& state) {
         remember(state, file);
         c_.ui.recent = state.recent;
@@ -411,15 +423,11 @@ void DocumentController::note(const std::string& file) {
 
 void DocumentController::keepLayout() {
     keptLayout_ = c_.ui.layoutPreset;
-    if (!kept_.empty()) keep([this](KeptState& state) { state.layout = keptLayout_; });
+    keep([this](KeptState& state) { state.layout = keptLayout_; });
 }
 
 void DocumentController::keep(const std::function<void(KeptState&)>& change) {
-    // Another window may have stored something since.
-    KeptState state = readKeptState(kept_);
-    change(state);
-    if (const Status s = writeKeptState(kept_, state); !s)
-        c_.session.messages().say(s.error().message);
+    if (const Status s = kept_.change(change); !s) c_.session.messages().say(s.error().message);
 }
 
 }  // namespace se::view

@@ -36,6 +36,16 @@ class DocumentController {
     /// Opens a point file, `scene:ID`, the line of a SampleSpec or a session file; for a volume the
     /// page with new points.
     void open(const std::string& path);
+    /// Opens the input of a step of the open lesson at an address.
+    void openStep(InputSpec spec, const std::string& address);
+    /// Something else than a step of the open lesson was opened; once.
+    bool takeForeignOpening() { return std::exchange(foreign_, false); }
+    /// The requested input is not open yet.
+    bool arriving() const { return arrival_.pending; }
+    /// Adds a file to the list of recent ones.
+    void note(const std::string& file);
+    /// State that survives a restart.
+    const KeptFile& kept() const { return kept_; }
     /// Opens files that were dropped on the window: the first of them.
     void drop(const std::vector<std::string>& paths);
     /// Carries out the requests of panels and commands.
@@ -113,7 +123,6 @@ class DocumentController {
     void arrive();
     void save();
     void saveAs(const std::string& path);
-    void note(const std::string& file);
     void keepLayout();
     void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.
@@ -133,9 +142,10 @@ class DocumentController {
     bool focus_ = false;
     bool placed_ = false;
     bool ofSession_ = false;
+    bool foreign_ = false;
     std::string alert_;
     Status placeStatus_ = success();
-    std::filesystem::path kept_;  ///< Empty: nothing is kept.
+    KeptFile kept_;
     LayoutPreset keptLayout_ = LayoutPreset::Debug;
 };
 

@@ -48,7 +48,7 @@ Index seedBefore(const Session& session) {
 
 /// Not 0 if the points are colored by their margins, and the margins are known.
 std::uint32_t tintOf(const Session& session, PointTint tint) {
-    const bool known = !session.questions().leastMargin().empty();
+    const bool known = !session.questions().leastMargin().empty() && !session.horizon();
     return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
 }
 

@@ -29,6 +29,9 @@ struct Options {
     std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
     std::optional<SessionFile> session;  ///< The session in FILE, if it is one.
     std::string sessionPath;
+    std::string lesson;                     ///< The lesson in FILE, if it is one; empty: none.
+    std::optional<std::size_t> lessonStep;  ///< Its step to begin with, from 0.
+    std::filesystem::path resultFile;       ///< Answers to its questions go there; empty: nowhere.
     std::string goTo;
     std::string
         alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.

@@ -109,8 +109,9 @@ void addSeed(const LayerInput& in, DrawList& out) {
     out.line(in.at(e->first), in.at(e->second), c.used, 0.3F, Depth::OnTop);
     out.mark(in.at(e->second), Shape::RingedDisc, c.used, 1.1F);
     out.mark(in.at(e->first), Shape::RingedDisc, c.pivot, 1.3F);
-    out.label(in.at(e->first), "start point " + std::to_string(e->first), c.pivot, true);
-    out.label(in.at(e->second), std::to_string(e->second) + ", its nearest not DONE", c.used, true);
+    out.label(in.at(e->first), "start point " + nameOf(e->first, in.names), c.pivot, true);
+    out.label(in.at(e->second), nameOf(e->second, in.names) + ", its nearest not DONE", c.used,
+              true);
     out.label(in.middleOf(e->first, e->second), "ring of two", c.used);
 }
 

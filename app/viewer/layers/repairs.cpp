@@ -39,7 +39,7 @@ void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
     const Palette& c = in.palette;
     addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
     const auto letter = [&](const char* name, Index point, const Color& color) {
-        addPoint(in, point, std::string(name) + " " + std::to_string(point), Shape::Disc, color,
+        addPoint(in, point, std::string(name) + " " + nameOf(point, in.names), Shape::Disc, color,
                  out);
     };
     letter("u", e.u, c.rejected);
@@ -64,7 +64,7 @@ void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out)
         out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), in.palette.text.withAlpha(0.16F));
     }
     addEdges(in, edges, out);
-    addPoint(in, e.point, std::to_string(e.point) + " " + wayOf(p, edges), Shape::RingedDisc,
+    addPoint(in, e.point, nameOf(e.point, in.names) + " " + wayOf(p, edges), Shape::RingedDisc,
              in.palette.pivot, out);
     if (!edges.kept.empty()) {
         out.label(in.middleOf(edges.kept.front()[0], edges.kept.front()[1]), leastAngles(in),
@@ -76,8 +76,8 @@ void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawLi
     const DecisionState& p = in.picture;
     const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles);
     addEdges(in, edges, out);
-    addPoint(in, e.point, std::to_string(e.point) + " taken out", Shape::Cross, in.palette.rejected,
-             out);
+    addPoint(in, e.point, nameOf(e.point, in.names) + " taken out", Shape::Cross,
+             in.palette.rejected, out);
     if (!edges.kept.empty()) {
         out.label(in.middleOf(edges.kept.front()[0], edges.kept.front()[1]),
                   std::to_string(p.goneTriangles.size()) + " triangles \xE2\x86\x92 " +

@@ -24,6 +24,8 @@ constexpr float kMaxHalf = 0.42F;
 constexpr float kWideView = 40.0F;
 /// In a low window the view comes first: a large caption gets this share of the height at most.
 constexpr float kMaxNarration = 0.5F;
+/// Share of the height that the text of a lesson has in Present.
+constexpr float kLessonShare = 0.34F;
 /// Line above it, where nothing else shows the address.
 constexpr float kAddressLine = 1.4F;
 /// Heights of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
@@ -244,15 +246,20 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow, sizes);
     const float left = px(columns.left);
     const float right = px(columns.right);
-    const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
+    const bool lesson = present && sizes.lesson;
+    const float run = px(lesson              ? 0.0F
+                         : l.drawerFolded    ? kRunFolded
+                         : ems.y < kHighFrom ? kRunOpen
+                                             : kRunHigh);
     const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
     const float shown = size.x - left - right;
     const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
-    l.addressLine = present ? px(kAddressLine) : 0.0F;
-    const float wanted = l.addressLine + px((wide      ? kNarration
-                                             : compare ? kNarrationHalf
-                                                       : kNarrationNarrow) *
-                                            l.caption);
+    l.addressLine = present && !lesson ? px(kAddressLine) : 0.0F;
+    const float wanted = lesson ? std::round(kLessonShare * size.y)
+                                : l.addressLine + px((wide      ? kNarration
+                                                      : compare ? kNarrationHalf
+                                                                : kNarrationNarrow) *
+                                                     l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};
@@ -264,9 +271,9 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float status = present ? 0.0F : px(kStatus);
     const float bottom = size.y - status - drawer;
     const float middle = std::max(0.0F, bottom - y);
-    const float narration =
-        std::min(wanted, std::max(l.addressLine + px(kNarration),
-                                  std::round((compare ? kMaxHalf : kMaxNarration) * middle)));
+    const float most = std::max(l.addressLine + px(kNarration),
+                                std::round((compare ? kMaxHalf : kMaxNarration) * middle));
+    const float narration = lesson ? wanted : std::min(wanted, most);
     const float lower =
         debug && !l.narrow ? px(lowerHeight(middle / em, narration / em, sizes)) : 0.0F;
     const float upper = middle - lower;

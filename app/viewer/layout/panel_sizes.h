@@ -30,6 +30,7 @@ struct PanelSizes {
     std::array<float, kSplitterCount> ems{};
     bool folded = false;  ///< Find and Change show their tabs alone.
     bool quiet = false;   ///< Find and Change show a line each below their tabs.
+    bool lesson = false;  ///< In Present: the text of a lesson is the caption, without the drawer.
 
     float& of(Splitter splitter) { return ems[static_cast<std::size_t>(splitter)]; }
     float of(Splitter splitter) const { return ems[static_cast<std::size_t>(splitter)]; }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "jobs/open_lesson.h"
 #include "run/strings.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
+#include "teach/result.h"
 
 namespace se::view {
 
@@ -44,7 +46,7 @@ void FileBrowsing::readFolder(const fs::path& next) {
 
 bool canBeOpened(const fs::path& path) {
     return lowerExtension(path) == kSessionExtension || isVolumePath(path) ||
-           pointFormatOf(path) != nullptr;
+           isLesson(path.string()) || pointFormatOf(path) != nullptr;
 }
 
 bool canHoldMesh(const fs::path& path) {
@@ -66,12 +68,17 @@ bool isListed(const fs::path& path, BrowserTask task) {
             return canHoldMesh(path);
         case BrowserTask::SaveMesh:
             return namesMeshFormat(path);
+        case BrowserTask::SaveResult:
+            return path.string().ends_with(teach::kResultExtension);
+        case BrowserTask::SaveLesson:
+            return isLesson(path.string());
     }
     return false;
 }
 
 std::string typedSource(const fs::path& folder, const std::string& text) {
-    if (text.empty() || isScene(text) || isSample(text)) return text;
+    if (text.empty() || isScene(text) || isSample(text) || text.starts_with(kLessonPrefix))
+        return text;
     const char* home = std::getenv("HOME");
     if (home != nullptr && (text == "~" || text.starts_with("~/"))) return home + text.substr(1);
     const fs::path path(text);
@@ -79,7 +86,7 @@ std::string typedSource(const fs::path& folder, const std::string& text) {
 }
 
 fs::path withExtension(fs::path path, std::string_view extension) {
-    if (lowerExtension(path) != extension) path += extension;
+    if (!path.string().ends_with(extension) && lowerExtension(path) != extension) path += extension;
     return path;
 }
 

@@ -14,7 +14,16 @@
 namespace se::view {
 
 /// Purpose of the file browser.
-enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints, Mesh, SaveMesh };
+enum class BrowserTask : std::uint8_t {
+    Open,
+    SaveSession,
+    Volume,
+    SavePoints,
+    Mesh,
+    SaveMesh,
+    SaveResult,
+    SaveLesson,
+};
 
 struct BrowserEntry {
     std::string name;

@@ -191,6 +191,11 @@ KeptState keptStateFromJson(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) return state;
     state.layout = layoutPresetFromName(wordIn(object, "layout")).value_or(state.layout);
+    if (const auto lessons = object.find("lessons");
+        lessons != object.end() && lessons->is_object()) {
+        for (const auto& [source, step] : lessons->items())
+            if (step.is_number_unsigned()) state.lessons[source] = step.get<std::size_t>();
+    }
     const auto recent = object.find("recent");
     if (recent == object.end() || !recent->is_array()) return state;
     for (const json& each : *recent) {
@@ -202,9 +207,10 @@ KeptState keptStateFromJson(std::string_view text) {
 }
 
 std::string keptStateToJson(const KeptState& state) {
-    const json object = {{"version", 1},
-                         {"layout", std::string(rowOf(state.layout).name)},
-                         {"recent", state.recent}};
+    json object = {{"version", 1},
+                   {"layout", std::string(rowOf(state.layout).name)},
+                   {"recent", state.recent}};
+    if (!state.lessons.empty()) object["lessons"] = state.lessons;
     return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -215,6 +221,13 @@ KeptState readKeptState(const fs::path& path) {
 
 Status writeKeptState(const fs::path& path, const KeptState& state) {
     return writeKept(path, keptStateToJson(state));
+}
+
+Status KeptFile::change(const std::function<void(KeptState&)>& change) const {
+    if (!isOpen()) return success();
+    KeptState state = read();
+    change(state);
+    return writeKeptState(path_, state);
 }
 
 }  // namespace se::view

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,7 +60,8 @@ inline constexpr std::size_t kMaxRecent = 10;
 
 struct KeptState {
     LayoutPreset layout = LayoutPreset::Debug;
-    std::vector<std::string> recent;  ///< Absolute paths, the latest first.
+    std::vector<std::string> recent;                  ///< Absolute paths, the latest first.
+    std::map<std::string, std::size_t> lessons = {};  ///< The last step, from 0, by source.
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };
 
@@ -79,5 +82,18 @@ std::string keptStateToJson(const KeptState& state);
 KeptState readKeptState(const std::filesystem::path& path);
 /// Makes the folder if necessary; an empty path has no effect.
 Status writeKeptState(const std::filesystem::path& path, const KeptState& state);
+
+/// The state as a file; without a path nothing is kept.
+class KeptFile {
+  public:
+    void open(const std::filesystem::path& path) { path_ = path; }
+    bool isOpen() const { return !path_.empty(); }
+    KeptState read() const { return isOpen() ? readKeptState(path_) : KeptState{}; }
+    /// Changes the state as it is on disk, where another window may have stored something since.
+    Status change(const std::function<void(KeptState&)>& change) const;
+
+  private:
+    std::filesystem::path path_;
+};
 
 }  // namespace se::view

@@ -21,6 +21,7 @@
 namespace se::view {
 
 // Titles of panels that commands open.
+inline constexpr const char* kLessonTab = "Lesson";
 inline constexpr const char* kDoctorTab = "Doctor";  ///< Opens by itself if it has found a problem.
 inline constexpr const char* kBreakpointsTab = "Breakpoints";
 inline constexpr const char* kWatchTab = "Watch";

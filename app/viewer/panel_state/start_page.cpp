@@ -12,6 +12,8 @@
 #include <span>
 #include <utility>
 
+#include "jobs/open_lesson.h"
+#include "run/model.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
@@ -99,17 +101,19 @@ std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Trian
     return faces;
 }
 
-/// The mesh of a scene that works, half grown, or as it is at the decision of a figure.
-void drawGrown(const PointSet& points, const PictureFrame& frame, SceneTile& tile) {
-    const auto address = addressFromString(addressOfScene(tile.id));
-    const std::uint32_t pivot = address && tile.figure ? address->pivot : 0;
+/// The mesh of a scene that works, as it is at the decision of a figure or of a lesson, otherwise
+/// half grown.
+void drawGrown(const PointSet& points, const PictureFrame& frame, std::string_view at,
+               const Scene& scene, SceneTile& tile) {
+    const auto address = addressFromString(at);
+    const std::uint32_t pivot = address ? address->pivot : 0;
     // A closed surface has two triangles for each point.
     const auto enough = [&](const State& state) {
         return pivot > 0 ? state.counters.pivots >= pivot
                          : state.triangles.size() >= points.position.size();
     };
     Params params;
-    params.start = startOfScene(tile.id);
+    params.start = startOfScene(scene.id);
     tile.faces = facesOf(points, reconstruct(points, params, enough).state.triangles, {}, frame);
 }
 
@@ -135,26 +139,46 @@ Vec3 directionOf(const SceneTile& tile) {
     return tile.figure != nullptr ? tile.figure->view : usualDirection();
 }
 
-void drawMesh(const PointFile& file, const FailureScene* failing, SceneTile& tile) {
+/// Points and mesh of a scene; `at`: the address at which the mesh is shown, or nothing.
+void drawScene(const Scene& scene, std::string_view at, const FailureScene* failing,
+               SceneTile& tile) {
+    const PointFile file = scene.build();
+    tile.dots = thumbnail(file, kDots, directionOf(tile));
+    tile.reach = glm::vec2(0.0F);
+    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
     const Result<Prepared> prepared = prepare(file, PrepareOptions{});
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
     const PictureFrame frame = frameOf(file, kDots, directionOf(tile));
-    if (failing == nullptr) return drawGrown(points, frame, tile);
+    if (failing == nullptr) return drawGrown(points, frame, at, scene, tile);
     drawFailure(points, frame, failing->failure, tile);
 }
 
 SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
-    const PointFile file = scene.build();
     SceneTile tile;
     tile.id = scene.id;
     tile.title = scene.title;
     tile.watch = scene.watch;
     tile.figure = figureOfScene(scene.id);
-    tile.dots = thumbnail(file, kDots, directionOf(tile));
-    tile.reach = glm::vec2(0.0F);
-    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
-    drawMesh(file, failing, tile);
+    drawScene(scene, tile.figure != nullptr ? addressOfScene(scene.id) : std::string_view{},
+              failing, tile);
+    return tile;
+}
+
+/// A lesson begins with a built-in scene, of the gallery or not.
+SceneTile tileOf(const LessonEntry& lesson) {
+    SceneTile tile;
+    tile.id = lesson.source;
+    tile.title = lesson.title;
+    tile.watch = lesson.text;
+    tile.minutes = lesson.minutes;
+    const std::string_view id = std::string_view(lesson.input).substr(kScenePrefix.size());
+    if (const FailureScene* failing = galleryScene(id)) {
+        drawScene(failing->scene, lesson.at, failing, tile);
+    } else if (const Scene* scene = findScene(id)) {
+        tile.figure = nullptr;
+        drawScene(*scene, lesson.at, nullptr, tile);
+    }
     return tile;
 }
 
@@ -181,11 +205,17 @@ std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
     return dots;
 }
 
+std::string sourceOf(const SceneTile& tile) {
+    return tile.minutes > 0.0 ? std::string(tile.id) : sceneSource(tile.id);
+}
+
 void StartPage::prepare() {
     if (!tiles.empty()) return;
-    tiles.reserve(scenes().size() + failureScenes().size());
+    tiles.reserve(lessonEntries().size() + scenes().size() + failureScenes().size());
+    for (const LessonEntry& lesson : lessonEntries()) tiles.push_back(tileOf(lesson));
+    const auto lessons = static_cast<std::ptrdiff_t>(tiles.size());
     for (const Scene& scene : scenes()) tiles.push_back(tileOf(scene, nullptr));
-    std::stable_partition(tiles.begin(), tiles.end(),
+    std::stable_partition(tiles.begin() + lessons, tiles.end(),
                           [](const SceneTile& tile) { return tile.figure != nullptr; });
     for (const FailureScene& each : failureScenes()) tiles.push_back(tileOf(each.scene, &each));
 }

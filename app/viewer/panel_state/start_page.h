@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/vec2.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,11 +32,12 @@ struct ThumbnailMark {
     glm::vec2 to{0.0F};
 };
 
-/// A scene as listed on the page.
+/// A lesson or a scene as listed on the page.
 struct SceneTile {
-    std::string_view id;
+    std::string_view id;  ///< Of a scene; of a lesson its source, "lesson:tour".
     std::string_view title;
     std::string_view watch;
+    double minutes = 0.0;              ///< Length of a lesson; 0: of a scene.
     const Figure* figure = nullptr;    ///< Null if the scene is none.
     std::vector<ThumbnailDot> dots;    ///< Those at the back first.
     std::vector<ThumbnailFace> faces;  ///< Those at the back first.
@@ -47,7 +49,10 @@ struct SceneTile {
 std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
                                     const Vec3& direction);
 
-/// Made on first use: figures of the paper, other scenes that work, and those that fail.
+/// Source of a tile: "scene:figure-8", "lesson:tour".
+std::string sourceOf(const SceneTile& tile);
+
+/// Made on first use: lessons, figures of the paper, other scenes that work, and those that fail.
 struct StartPage {
     std::vector<SceneTile> tiles;
 

@@ -15,6 +15,7 @@
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
+#include "lesson_panel.h"
 #include "move_tool.h"
 #include "picture_look.h"
 #include "piece_tool.h"
@@ -76,6 +77,7 @@ struct UiState {
     PieceTool piece;
     MoveTool move;
     GrowthPage growth;
+    LessonPanel lesson;
     MeshForm mesh;
     ComparePage compare;
     LeaveQuestion leaving;

@@ -19,11 +19,12 @@ namespace se::view {
 template <class State>
 State& PanelContext::state() const {
     UiState& ui = commands.ui;
-    return std::get<State&>(std::tie(
-        ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing, ui.click,
-        ui.compare, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.look, ui.mesh,
-        ui.move, ui.navigation, ui.palette, ui.piece, ui.prepare, ui.query, ui.section,
-        ui.startPage, ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+    return std::get<State&>(std::tie(ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab,
+                                     ui.watch, ui.browsing, ui.click, ui.compare, ui.facts, ui.goTo,
+                                     ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.lesson, ui.look,
+                                     ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
+                                     ui.prepare, ui.query, ui.section, ui.startPage, ui.subjectMenu,
+                                     ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
@@ -43,6 +44,7 @@ template KeyWalk& PanelContext::state() const;
 template Lasso& PanelContext::state() const;
 template LeaveQuestion& PanelContext::state() const;
 template LedgerPanel& PanelContext::state() const;
+template LessonPanel& PanelContext::state() const;
 template LookBack& PanelContext::state() const;
 template MeshForm& PanelContext::state() const;
 template MoveTool& PanelContext::state() const;
@@ -74,6 +76,7 @@ namespace {
 
 constexpr auto kSidePanels = std::to_array<SidePanel>({
     {"Steps", PanelGroup::Steps, drawSteps},
+    {kLessonTab, PanelGroup::Understand, drawLesson},
     {"Dial", PanelGroup::Understand, drawDial},
     {"Inspect", PanelGroup::Understand, drawInspect},
     {"Paper", PanelGroup::Understand, drawPaper},
@@ -92,6 +95,9 @@ constexpr auto kSidePanels = std::to_array<SidePanel>({
     {kWhatIfTab, PanelGroup::Change, drawWhatIf},
     {kPrepareTab, PanelGroup::Change, drawPrepare},
 });
+
+constexpr const char* kHiddenNote =
+    "The other panels are hidden until the question is answered, or its answer shown.";
 
 constexpr std::array kAllGroups = {PanelGroup::Steps, PanelGroup::Understand, PanelGroup::Find,
                                    PanelGroup::Change};
@@ -130,9 +136,21 @@ void drawRightColumn(const PanelContext& context) {
     ImGui::End();
 }
 
+/// While a question is open: the lesson at its usual place, and nothing else that tells of the run.
+void drawColumnsOfQuestion(const PanelContext& context) {
+    const PanelRects& l = context.rects;
+    drawMenuBar(context);
+    const bool right = l.layoutPreset == LayoutPreset::Debug;
+    if (beginRegion(right ? "##right" : "##learn", right ? l.right : l.left)) drawLesson(context);
+    ImGui::End();
+    if (beginRegion("##hidden", l.drawer)) dimText(kHiddenNote);
+    ImGui::End();
+}
+
 /// Panels around the view; Present has none of them.
 void drawColumns(const PanelContext& context) {
     if (context.rects.layoutPreset == LayoutPreset::Present) return;
+    if (context.state<LessonPanel>().hides()) return drawColumnsOfQuestion(context);
     drawMenuBar(context);
     drawTransport(context);
     drawStatusBar(context);
@@ -238,14 +256,15 @@ void drawPanels(const PanelContext& context) {
         drawView(context);
         if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
         drawNarration(context);
-        drawDrawer(context);
+        if (!context.state<LessonPanel>().hides()) drawDrawer(context);
     }
     if (!startPage && !growth) drawSplitters(context);
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
-    if (!growth && !context.state<PieceTool>().on) drawVerdict(context);
+    if (!growth && !context.state<PieceTool>().on && !context.state<LessonPanel>().hides())
+        drawVerdict(context);
     if (!growth && !startPage) drawPieceStrip(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);

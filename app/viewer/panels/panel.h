@@ -98,6 +98,8 @@ void drawNotices(const PanelContext& context);
 // Contents of the side columns.
 void drawSteps(const PanelContext& context);
 void drawRings(const PanelContext& context);
+/// The step of the open lesson, or the list of lessons.
+void drawLesson(const PanelContext& context);
 void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);

@@ -14,8 +14,6 @@ namespace se::view {
 
 namespace {
 
-constexpr float kEmPixels = 16.0F;
-
 void setColors(const Palette& c) {
     ImVec4* to = ImGui::GetStyle().Colors;
     const Color hover = mix(c.panelRaised, c.text, kHoverShare);

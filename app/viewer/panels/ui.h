@@ -18,6 +18,9 @@ struct Fonts {
     ImFont* caption = nullptr;  ///< For the narration line read from a distance.
 };
 
+/// Pixels of an em at scale 1.
+inline constexpr float kEmPixels = 16.0F;
+
 class Ui {
   public:
     /// In the current OpenGL context. The platform side is handled by the window.

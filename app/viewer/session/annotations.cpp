@@ -21,13 +21,14 @@ std::optional<std::size_t> bookmarkAt(const Bookmarks& bookmarks, const Address&
     return static_cast<std::size_t>(found - bookmarks.begin());
 }
 
-bool toggleBookmark(Bookmarks& bookmarks, const Address& address) {
+bool toggleBookmark(Bookmarks& bookmarks, const Address& address,
+                    const std::optional<CameraPose>& camera) {
     const auto place = placeOf(bookmarks, address);
     if (place != bookmarks.end() && place->address == address) {
         bookmarks.erase(place);
         return false;
     }
-    bookmarks.insert(place, {address, {}});
+    bookmarks.insert(place, {address, {}, camera});
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/camera.h"
 #include "spiraling_edge/replay/breakpoint.h"
 #include "spiraling_edge/stepper/event.h"
 
@@ -14,7 +15,8 @@ namespace se::view {
 
 struct Bookmark {
     Address address;
-    std::string note;  ///< One line by the user; may be empty.
+    std::string note;                                 ///< One line by the user; may be empty.
+    std::optional<CameraPose> camera = std::nullopt;  ///< The view when it was set.
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
@@ -24,8 +26,9 @@ using Bookmarks = std::vector<Bookmark>;
 /// Number of bookmarks with a key: Ctrl+1 to Ctrl+9, then Ctrl+0.
 inline constexpr std::size_t kBookmarkKeys = 10;
 
-/// Sets a bookmark, or removes an existing one. True if it is set now.
-bool toggleBookmark(Bookmarks& bookmarks, const Address& address);
+/// Sets a bookmark with that camera, or removes an existing one. True if it is set now.
+bool toggleBookmark(Bookmarks& bookmarks, const Address& address,
+                    const std::optional<CameraPose>& camera = std::nullopt);
 /// The position of the bookmark at an address, if there is one.
 std::optional<std::size_t> bookmarkAt(const Bookmarks& bookmarks, const Address& address);
 /// The nearest one after an address (direction 1) or before it (-1); null if there is none.

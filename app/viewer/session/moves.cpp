@@ -131,7 +131,7 @@ void Moves::toEnd() { goToPivot(kEnd); }
 void Moves::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
 
 void Moves::goToShare(double share) {
-    if (!session_.ready()) return;
+    if (!session_.ready() || stopsAtQuestion()) return;
     cancel();
     awaitedShare_ = share;
     waitingSince_ = Clock::now();
@@ -173,7 +173,7 @@ void Moves::goForward() {
 }
 
 void Moves::goToPoint(Index point) {
-    if (!session_.ready()) return;
+    if (!session_.ready() || stopsAtQuestion()) return;
     if (!busy()) history_.leave(hereText());
     cancel();
     push({Move::Kind::Point, 0, {}, point});
@@ -266,7 +266,18 @@ void Moves::performEvents(int delta) {
     }
 }
 
+/// While there is a horizon, the length of the run and what follows are not searched.
+bool Moves::stopsAtQuestion() {
+    if (!session_.horizon()) return false;
+    session_.messages().say("Answer the question, or show its answer, to go on.");
+    return true;
+}
+
 void Moves::request(std::uint32_t pivot, Landing landing, const Address& target) {
+    const std::optional<Address>& horizon = session_.horizon();
+    const bool beyond = horizon && (pivot > horizon->pivot ||
+                                    (target.pivot == horizon->pivot && isBefore(*horizon, target)));
+    if (beyond && stopsAtQuestion()) return request(horizon->pivot, Landing::AtAddress, *horizon);
     landing_ = landing;
     target_ = target;
     if (session_.ready() && record().pivot == pivot) {
@@ -316,7 +327,7 @@ std::string Moves::nameOf(const Stop& stop) const {
 }
 
 void Moves::continueRun(int direction) {
-    if (!session_.ready()) return;
+    if (!session_.ready() || stopsAtQuestion()) return;
     // From the target of the moves before it, unless that takes too long.
     if (busySeconds() > kLongMove) cancel();
     awaitedShare_.reset();

@@ -126,6 +126,7 @@ class Moves {
     void jump(const std::optional<std::string>& place);
     std::string hereText() const;
     std::string nameOf(const Stop& stop) const;
+    bool stopsAtQuestion();
 
     Session& session_;
     History history_;

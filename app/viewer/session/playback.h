@@ -42,7 +42,10 @@ class Playback {
         playing_ = true;
         owed_ = 1.0;
     }
-    void pause() { playing_ = false; }
+    void pause() {
+        playing_ = false;
+        until.reset();
+    }
     void toggle() { playing_ ? pause() : play(); }
 
     PlayUnit unit() const { return unit_; }
@@ -61,6 +64,7 @@ class Playback {
     int due(double seconds);
 
     PlayLoop loop;
+    std::optional<Address> until;  ///< Where playing ends by itself.
 
   private:
     bool playing_ = false;

@@ -185,6 +185,8 @@ std::span<const Triangle> Session::shownTriangles() const {
 }
 
 void Session::setCursor(std::size_t cursor) {
+    if (horizon_ && record_->pivot == horizon_->pivot)
+        cursor = std::min(cursor, record_->find(*horizon_).value_or(cursor));
     cursor_ = cursor;
     picture_ = before_ ? replay().before(cursor_) : replay().after(cursor_);
     if (showsEarlierMesh()) picture_.repaired = earlier_.triangles;

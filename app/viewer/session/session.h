@@ -84,11 +84,17 @@ class Session {
     std::shared_ptr<const Model> sharedModel() const { return model_; }
     /// The names that points are called by; empty: by their numbers.
     std::span<const PointName> names() const {
+        if (ready() && showsNames_ && !givenNames_.empty()) return givenNames_;
         const bool here = ready() && (model_->namesIn == 0 || model_->namesIn == record_->pivot);
         return here && showsNames_ ? model_->names : std::span<const PointName>{};
     }
     void showNames(bool on) {
         if (std::exchange(showsNames_, on) != on) ++revision_;
+    }
+    /// Names instead of those of the model, which the caller keeps; empty: those of the model.
+    void giveNames(std::span<const PointName> names) {
+        givenNames_ = names;
+        ++revision_;
     }
     const PivotRecord& record() const {
         assert(ready());
@@ -144,6 +150,10 @@ class Session {
     std::span<const LiveFailure> noticedHere() const;
     /// The failures in words, after a space; empty if there are none.
     std::string noticedText() const;
+    /// The last position that may be shown, that of a question; nothing: the whole run. Moves
+    /// beyond it end there.
+    void setHorizon(const std::optional<Address>& horizon) { horizon_ = horizon; }
+    const std::optional<Address>& horizon() const { return horizon_; }
     Moves& moves() { return moves_; }
     const Moves& moves() const { return moves_; }
     /// The point that the user drags; while there is one, record() is the pivot with it moved.
@@ -201,6 +211,8 @@ class Session {
     DecisionState picture_;
     bool before_ = false;
     bool showsNames_ = true;
+    std::span<const PointName> givenNames_;
+    std::optional<Address> horizon_;
     EarlierMesh earlier_;
     std::vector<Triangle> triangles_;
     MeshIndex meshIndex_;

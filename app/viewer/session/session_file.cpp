@@ -164,7 +164,9 @@ Complaint readNotes(const json& object, SessionFile& out) {
         if (!good || !address)
             return expected("bookmarks",
                             "objects with \"address\" and optionally \"note\", both text");
-        insertBookmark(out.annotations.bookmarks, {*address, note});
+        const Result<ViewPosition> view = viewPositionFromText(each.dump());
+        if (!view) return expected("bookmarks", "a \"camera\" as Ctrl+C copies it, or none");
+        insertBookmark(out.annotations.bookmarks, {*address, note, view.value().camera});
     }
     return std::nullopt;
 }
@@ -301,7 +303,9 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     writeField(object, "alert", !session.alert.empty(), session.alert);
     object["bookmarks"] = json::array();
     for (const Bookmark& each : session.annotations.bookmarks) {
-        object["bookmarks"].push_back({{"address", toString(each.address)}, {"note", each.note}});
+        json mark = json::parse(toText(ViewPosition{toString(each.address), each.camera}));
+        mark["note"] = each.note;
+        object["bookmarks"].push_back(std::move(mark));
     }
     object["notes"] = session.annotations.notes;
     writeField(object, "query", !session.query.empty(), session.query);

@@ -153,9 +153,11 @@ TEST_CASE("Sampled points are recorded by their specification, with a readable n
 }
 
 TEST_CASE("Layout and recent files are read back as written") {
-    KeptState state{LayoutPreset::Present, {"/a.ply", "/b \"c\".sesession"}};
+    KeptState state{LayoutPreset::Present,
+                    {"/a.ply", "/b \"c\".sesession"},
+                    {{"lesson:tour", 3}, {"/my.lesson.md", 0}}};
     CHECK(keptStateFromJson(keptStateToJson(state)) == state);
-    for (const char* bad : {"", "[]", "{", R"({"layout": 3, "recent": [1, {}]})"}) {
+    for (const char* bad : {"", "[]", "{", R"({"layout": 3, "recent": [1, {}], "lessons": 3})"}) {
         CAPTURE(bad);
         CHECK(keptStateFromJson(bad) == KeptState{});
     }
@@ -167,7 +169,7 @@ TEST_CASE("The state file is in the XDG folder, which is made with it") {
     setenv("XDG_STATE_HOME", folder.c_str(), 1);
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");
     CHECK(readKeptState(statePath()) == KeptState{});
-    const KeptState state{LayoutPreset::Learn, {"/a.ply"}};
+    const KeptState state{LayoutPreset::Learn, {"/a.ply"}, {}};
     REQUIRE(writeKeptState(statePath(), state).ok());
     CHECK(readKeptState(statePath()) == state);
     CHECK(writeKeptState({}, state).ok());

@@ -5,24 +5,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jobs/open_lesson.h"
+
 using namespace se;
 using namespace se::view;
 
 TEST_CASE("The start page has a tile with a picture for every scene") {
     StartPage page;
     page.prepare();
-    REQUIRE(page.tiles.size() == scenes().size() + failureScenes().size());
+    REQUIRE(page.tiles.size() == lessonEntries().size() + scenes().size() + failureScenes().size());
     for (const SceneTile& tile : page.tiles) {
         CAPTURE(std::string(tile.id));
         CHECK_FALSE(tile.title.empty());
         // Figures of the paper that begin in the middle of a run are a few points.
-        CHECK(tile.dots.size() >= (startOfScene(tile.id).empty() ? 10U : 6U));
+        const bool begins = tile.minutes > 0.0 || !startOfScene(tile.id).empty();
+        CHECK(tile.dots.size() >= (begins ? 6U : 10U));
         float reach = 0.0F;
         for (const ThumbnailDot& dot : tile.dots) {
             reach = std::max({reach, std::abs(dot.at.x), std::abs(dot.at.y)});
         }
         CHECK(reach == doctest::Approx(1.0F));
     }
+}
+
+TEST_CASE("Lessons come first on the start page, with their length, the tour before all others") {
+    StartPage page;
+    page.prepare();
+    CHECK(sourceOf(page.tiles.front()) == "lesson:tour");
+    for (std::size_t i = 0; i < page.tiles.size(); ++i)
+        CHECK((page.tiles[i].minutes > 0.0) == (i < lessonEntries().size()));
+    CHECK(sourceOf(page.tiles[lessonEntries().size()]) == "scene:figure-1");
 }
 
 TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
@@ -32,10 +44,12 @@ TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
         const SceneTile& tile = page.tiles[i];
         CAPTURE(std::string(tile.id));
         CHECK(tile.faces.size() >= 1);
+        // A lesson may show a failure, as that on holes does.
+        if (tile.minutes > 0.0) continue;
         const auto failing = std::count_if(tile.faces.begin(), tile.faces.end(),
                                            [](const ThumbnailFace& each) { return each.failure; });
         const bool shows = failing > 0 || !tile.marks.empty();
-        CHECK(shows == (i >= scenes().size()));
+        CHECK(shows == (i >= lessonEntries().size() + scenes().size()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "input/tab_order.h"
 #include "jobs/questions.h"
 #include "panel_state/compare_page.h"
+#include "panel_state/lesson_panel.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
@@ -348,6 +349,17 @@ void drawContent(const PanelContext& context) {
     drawRegions(context, *found);
 }
 
+/// Tabs of the column while a lesson is open. True: it shows the lesson.
+bool drawLessonTabs(const PanelContext& context) {
+    LessonPanel& panel = context.state<LessonPanel>();
+    if (!panel.walk.isOpen()) return false;
+    const std::array<TabName, 2> names = {
+        {{kLessonTab, "tab", !panel.showsRuns}, {"Compare", "tab", panel.showsRuns}}};
+    if (const auto chosen = drawTabRow(context, {names, std::nullopt, 0.0F}))
+        panel.showsRuns = *chosen == 1;
+    return !panel.showsRuns;
+}
+
 }  // namespace
 
 void drawCompareColumn(const PanelContext& context) {
@@ -356,7 +368,7 @@ void drawCompareColumn(const PanelContext& context) {
                                                                        : context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) {
             if (context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
-            drawContent(context);
+            drawLessonTabs(context) ? drawLesson(context) : drawContent(context);
         }
         ImGui::EndChild();
         ImGui::PopFont();

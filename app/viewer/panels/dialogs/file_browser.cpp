@@ -47,20 +47,38 @@ void saveMeshTo(const PanelContext& context, const std::string& typed) {
     form.ask = MeshAsk::Save;
 }
 
+/// Extension and request of what is saved.
+struct SaveTarget {
+    std::string_view extension;
+    std::string& request;
+};
+SaveTarget saveTarget(const PanelContext& context) {
+    switch (context.ui().browser) {
+        case BrowserTask::SavePoints:
+            return {".ply", context.state<GrowthPage>().savePath};
+        case BrowserTask::SaveResult:
+            return {teach::kResultExtension, context.state<LessonPanel>().saveResult};
+        case BrowserTask::SaveLesson:
+            return {teach::kLessonExtension, context.state<LessonPanel>().saveLesson};
+        default:
+            return {kSessionExtension, context.requests().saveSessionAs};
+    }
+}
+
 /// An existing file is replaced only at the second request.
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
     if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
-    const bool points = context.ui().browser == BrowserTask::SavePoints;
-    const fs::path path = withExtension(typed, points ? ".ply" : kSessionExtension);
+    const SaveTarget target = saveTarget(context);
+    const fs::path path = withExtension(typed, target.extension);
     std::error_code error;
-    const bool own = !points && path == context.ui().sessionPath;
+    const bool session = context.ui().browser == BrowserTask::SaveSession;
+    const bool own = session && path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
         state.overwrite = path;
         state.error = path.filename().string() + " exists already. Save again to replace it.";
         return;
     }
-    (points ? context.state<GrowthPage>().savePath : context.requests().saveSessionAs) =
-        path.string();
+    target.request = path.string();
     context.ui().fileBrowser = false;
 }
 
@@ -81,6 +99,15 @@ fs::path savedMesh(const PanelContext& context) {
                                                                                : "";
 }
 
+/// Name of the open lesson without extension.
+std::string lessonStem(const PanelContext& context) {
+    const LessonWalk& walk = context.state<LessonPanel>().walk;
+    if (!walk.isOpen()) return "lesson";
+    if (walk.source().starts_with(kLessonPrefix)) return walk.source().substr(kLessonPrefix.size());
+    const std::string name = fs::path(walk.source()).filename().string();
+    return name.substr(0, name.size() - teach::kLessonExtension.size());
+}
+
 /// The proposed name: that of the session, otherwise that of the input.
 std::string proposedName(const PanelContext& context) {
     if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
@@ -89,15 +116,17 @@ std::string proposedName(const PanelContext& context) {
         return saved.empty() ? context.state<MeshForm>().withFormat(meshStem(context.session()))
                              : saved.filename().string();
     }
+    if (context.ui().browser == BrowserTask::SaveResult)
+        return lessonStem(context) + std::string(teach::kResultExtension);
+    const bool lesson = context.ui().browser == BrowserTask::SaveLesson;
     const std::string& session = context.ui().sessionPath;
-    if (!session.empty()) return fs::path(session).filename().string();
+    if (!session.empty() && !lesson) return fs::path(session).filename().string();
     if (!context.session().ready()) return {};
-    if (const std::string made = stemOfMade(context); !made.empty()) {
-        return made + std::string(kSessionExtension);
-    }
+    const std::string extension(lesson ? teach::kLessonExtension : kSessionExtension);
+    if (const std::string made = stemOfMade(context); !made.empty()) return made + extension;
     std::string name = context.session().model().name;
     if (isScene(name)) name = name.substr(kScenePrefix.size());
-    return fs::path(name).stem().string() + std::string(kSessionExtension);
+    return fs::path(name).stem().string() + extension;
 }
 
 /// The folder of the open file, otherwise the working directory, otherwise home.
@@ -133,7 +162,8 @@ void drawScenes(const PanelContext& context) {
 bool saving(const PanelContext& context) {
     const BrowserTask task = context.ui().browser;
     return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
-           task == BrowserTask::SaveMesh;
+           task == BrowserTask::SaveMesh || task == BrowserTask::SaveResult ||
+           task == BrowserTask::SaveLesson;
 }
 
 /// Texts in which the tasks differ.
@@ -164,11 +194,16 @@ Words wordsFor(BrowserTask task) {
             return {"Save mesh###browser", "name of the mesh file",
                     "No " + listText(meshFormats(), &MeshFormat::name, "or") +
                         " files in this folder."};
+        case BrowserTask::SaveResult:
+            return {"Save result###browser", "name of the result file",
+                    "No results in this folder."};
+        case BrowserTask::SaveLesson:
+            return {"Save as lesson###browser", "name of the lesson", "No lessons in this folder."};
         case BrowserTask::Open:
             break;
     }
     return {"Open###browser", "path of a file or folder",
-            "No point files or sessions in this folder."};
+            "No point files, sessions or lessons in this folder."};
 }
 
 /// The input line, with its button.

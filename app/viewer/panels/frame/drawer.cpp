@@ -50,6 +50,7 @@ void keepSteps(const PanelContext& context) {
 }
 
 void drawDrawer(const PanelContext& context) {
+    if (context.rects.drawer.size.y <= 0.0F) return;
     if (beginRegion("##drawer", context.rects.drawer,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         drawRunStrip(context, context.rects.runStrip);

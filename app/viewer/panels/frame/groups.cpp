@@ -24,13 +24,17 @@ using ColumnTabs = std::span<const SidePanel* const>;
 
 std::size_t numberOf(PanelGroup group) { return static_cast<std::size_t>(group); }
 
-/// The panels of a group that are tabs. In Learn the rule comes first.
+/// The panels of a group that are tabs. In Learn the lesson and the rule come first; elsewhere the
+/// lesson is there while one is open.
 std::vector<const SidePanel*> tabsOf(const PanelContext& context, PanelGroup group) {
     std::vector<const SidePanel*> tabs;
     const bool learn = context.rects.layoutPreset == LayoutPreset::Learn;
     for (const SidePanel& panel : sidePanels()) {
         if (panel.group != group || placeOf(context.rects, panel) != PanelPlace::Tab) continue;
-        tabs.insert(learn && panel.draw == drawPaper ? tabs.begin() : tabs.end(), &panel);
+        if (panel.draw == drawLesson && !learn && !context.state<LessonPanel>().walk.isOpen())
+            continue;
+        const bool rule = learn && panel.draw == drawPaper;
+        tabs.insert(rule ? tabs.begin() + 1 : tabs.end(), &panel);
     }
     return tabs;
 }
@@ -46,7 +50,10 @@ const SidePanel* openPanel(const PanelContext& context, PanelGroup group, Column
     const std::string& title = openTitle(context, group);
     const auto found = std::find_if(tabs.begin(), tabs.end(),
                                     [&](const SidePanel* each) { return each->title == title; });
-    return found == tabs.end() ? tabs.front() : *found;
+    if (found != tabs.end()) return *found;
+    // Before a tab was chosen: the rule, not the list of lessons.
+    const bool list = tabs.front()->draw == drawLesson && tabs.size() > 1;
+    return tabs[list ? 1 : 0];
 }
 
 /// Opens a tab at the user's request.

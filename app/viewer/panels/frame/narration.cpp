@@ -10,6 +10,7 @@
 #include "scene/palette.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "view_parts.h"
 
 namespace se::view {
 
@@ -107,6 +108,11 @@ void drawNarration(const PanelContext& context, const char* window) {
         list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},
                             toU32(color));
         list->PopClipRect();
+        if (showsLessonCaption(context)) {
+            drawLessonCaption(context, sentence);
+            ImGui::End();
+            return;
+        }
         drawAddressLine(context);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         const float left = ImGui::GetCursorPosX();

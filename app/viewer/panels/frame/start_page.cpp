@@ -9,6 +9,7 @@
 #include "run/model.h"
 #include "session/session.h"
 #include "session/session_file.h"
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr float kLeastTile = 14.5F;       ///< Width in em.
 constexpr float kPicture = 7.4F;          ///< Height of the picture in a tile, in em.
+constexpr float kLessonTile = 4.0F;       ///< Height of the tile of a lesson, in em.
 constexpr std::size_t kEdgesBelow = 500;  ///< Triangles of a picture with edges.
 constexpr float kSide = 19.0F;            ///< Width of the column beside the tiles, in em.
 
@@ -92,11 +94,12 @@ void drawSentence(const PanelContext& context, ImDrawList* list, const SceneTile
     ImGui::PopFont();
 }
 
-/// Height of all tiles, from the longest sentence.
+/// Height of the tiles of scenes, from the longest sentence.
 float sentenceHeight(const PanelContext& context, const StartPage& page, float width) {
     ImGui::PushFont(context.fonts.small);
     std::size_t lines = 1;
     for (const SceneTile& tile : page.tiles) {
+        if (tile.minutes > 0.0) continue;
         lines = std::max(lines, wrapped(std::string(tile.watch), width).size());
     }
     const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight();
@@ -104,35 +107,75 @@ float sentenceHeight(const PanelContext& context, const StartPage& page, float w
     return height;
 }
 
-void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
-    const float em = context.em;
-    const Palette& palette = context.palette;
-    const std::string id = sceneSource(tile.id);
-    if (ImGui::InvisibleButton(id.c_str(), size)) context.requests().open = id;
+/// The item of a tile: a click opens it.
+void offerTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
+    const std::string source = sourceOf(tile);
+    if (ImGui::InvisibleButton(source.c_str(), size)) context.requests().open = source;
     const bool first = &tile == &context.state<StartPage>().tiles.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Scenes)) takeKeyboard();
     const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
-    nameItem(context, name, std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
-    if (!ImGui::IsItemVisible()) return;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
+    nameItem(context, name,
+             std::string(tile.title) + " (" + source + ")\n" + std::string(tile.watch));
+}
+
+/// Background of the picture and, beside or below it, of the text.
+void drawTilePlates(const PanelContext& context, const Rect& tile, const Rect& picture) {
+    const bool beside = picture.size.x < tile.size.x;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const float picture = low.y + kPicture * em;
-    list->AddRectFilled(low, high, toU32(palette.panelRaised), 0.3F * em);
-    list->AddRectFilled(low, {high.x, picture}, toU32(palette.background), 0.3F * em,
-                        ImDrawFlags_RoundCornersTop);
-    drawPicture(context, list, tile, low, {high.x, picture});
+    fill(list, tile, context.palette.panelRaised, 0.3F * context.em);
+    list->AddRectFilled(toVec2(picture.min), toVec2(picture.max()),
+                        toU32(context.palette.background), 0.3F * context.em,
+                        beside ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersTop);
+}
+
+/// A scene: its picture above title and sentence.
+void drawSceneTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
+    const float em = context.em;
+    offerTile(context, tile, size);
+    if (!ImGui::IsItemVisible()) return;
+    const Rect area = lastItem();
+    const Rect picture{area.min, {area.size.x, kPicture * em}};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    drawTilePlates(context, area, picture);
+    drawPicture(context, list, tile, toVec2(picture.min), toVec2(picture.max()));
     frameItem(context, 0.3F);
     const float room = size.x - 1.0F * em;
+    const float y = picture.max().y;
     ImGui::PushFont(context.fonts.strong);
-    list->AddText({low.x + 0.5F * em, picture + 0.35F * em}, toU32(palette.text),
+    list->AddText({area.min.x + 0.5F * em, y + 0.35F * em}, toU32(context.palette.text),
                   fitted(std::string(tile.title), room).c_str());
     ImGui::PopFont();
-    drawSentence(context, list, tile, {low.x + 0.5F * em, picture + 1.65F * em}, room);
+    drawSentence(context, list, tile, {area.min.x + 0.5F * em, y + 1.65F * em}, room);
+}
+
+/// A lesson: its picture beside title and length.
+void drawLessonTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
+    const float em = context.em;
+    offerTile(context, tile, size);
+    if (!ImGui::IsItemVisible()) return;
+    const Rect area = lastItem();
+    const Rect picture{area.min, {1.3F * size.y, size.y}};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    drawTilePlates(context, area, picture);
+    drawPicture(context, list, tile, toVec2(picture.min), toVec2(picture.max()));
+    frameItem(context, 0.3F);
+    glm::vec2 at(picture.max().x + 0.6F * em, area.min.y + 0.45F * em);
+    ImGui::PushFont(context.fonts.strong);
+    std::vector<std::string> lines =
+        wrapped(std::string(tile.title), area.max().x - at.x - 0.4F * em);
+    if (lines.size() > 2) lines.resize(2);
+    for (const std::string& line : lines) {
+        list->AddText(toVec2(at), toU32(context.palette.text), line.c_str());
+        at.y += ImGui::GetTextLineHeight();
+    }
+    ImGui::PopFont();
+    const std::string minutes = sixDigits(std::max(1.0, std::round(tile.minutes))) + " min";
+    list->AddText({at.x, at.y + 0.15F * em}, toU32(context.palette.textDim), minutes.c_str());
 }
 
 /// The heading above a tile and those like it.
 std::string_view partOf(const SceneTile& tile) {
+    if (tile.minutes > 0.0) return "Lessons";
     if (tile.figure != nullptr) return "Figures of the paper";
     return galleryScene(tile.id) != nullptr ? "What goes wrong, and why" : "Scenes";
 }
@@ -141,7 +184,8 @@ void drawTiles(const PanelContext& context) {
     const float em = context.em;
     heading(context, "Start here");
     ImGui::SameLine(0.0F, context.em);
-    ImGui::TextDisabled("A click opens a figure of the paper at its decision, or a scene.");
+    ImGui::TextDisabled(
+        "A click opens a lesson, a figure of the paper at its decision, or a scene.");
     StartPage& page = context.state<StartPage>();
     page.prepare();
     if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
@@ -161,7 +205,11 @@ void drawTiles(const PanelContext& context) {
                 heading(context, std::string(next).c_str());
             }
             if (column++ % columns != 0) ImGui::SameLine();
-            drawTile(context, tile, size);
+            if (tile.minutes > 0.0) {
+                drawLessonTile(context, tile, {size.x, kLessonTile * em});
+            } else {
+                drawSceneTile(context, tile, size);
+            }
         }
         ImGui::PopStyleVar();
     }

@@ -8,6 +8,7 @@
 #include "commands/break_commands.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
+#include "panel_state/lesson_panel.h"
 #include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
@@ -154,6 +155,14 @@ Pick underMouse(const PanelContext& context) {
                         localMouse(view), 0.6F * context.em});
 }
 
+/// While a question for points is open, a click marks a point.
+bool answerByClick(const PanelContext& context, const Selection& picked) {
+    LessonPanel& panel = context.state<LessonPanel>();
+    if (context.beside || !panel.walk.isOpen() || !panel.walk.takesPoints()) return false;
+    if (picked.kind == SelectionKind::Point) panel.walk.toggle(picked.points[0]);
+    return true;
+}
+
 /// A click selects, a double click centers the orbit and selects nothing. So a click
 /// counts only when it can no longer become a double click.
 void handleClicks(const PanelContext& context) {
@@ -172,7 +181,8 @@ void handleClicks(const PanelContext& context) {
             io.MouseClickedTime[ImGuiMouseButton_Left] + double{io.MouseDoubleClickTime};
         click.begin(underMouse(context).what, until);
     }
-    if (const auto picked = click.due(ImGui::GetTime())) context.session().select(*picked);
+    const auto picked = click.due(ImGui::GetTime());
+    if (picked && !answerByClick(context, *picked)) context.session().select(*picked);
 }
 
 /// A right click that was no drag opens the context menu.
@@ -205,7 +215,7 @@ void handleMouse(const PanelContext& context) {
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
     handleClicks(context);
-    handleRightClick(context);
+    if (!context.state<LessonPanel>().hides()) handleRightClick(context);
 }
 
 /// The name of the shown state, while the user looks back.

@@ -81,4 +81,9 @@ class ScreenProjection {
     CameraMatrices camera_;
 };
 
+/// The step of a lesson is the caption.
+bool showsLessonCaption(const PanelContext& context);
+/// Draws it, with the decision at the cursor below it. Requires showsLessonCaption().
+void drawLessonCaption(const PanelContext& context, const std::string& decision);
+
 }  // namespace se::view

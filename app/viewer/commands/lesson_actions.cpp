@@ -1,0 +1,67 @@
+#include "lesson_actions.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "command_actions.h"
+
+namespace se::view {
+
+bool isAllowedDuringQuestion(const Command& command) {
+    constexpr std::array<std::string_view, 3> kGroups = {"View", "Layers", "Help"};
+    constexpr std::array<std::string_view, 13> kOthers = {
+        "file.open",           "file.screenshot", "file.quit",           "step.pivot.next",
+        "step.pivot.previous", "step.event.next", "step.event.previous", "step.pivot.finish",
+        "run.start",           "lesson.next",     "lesson.previous",     "lesson.return",
+        "lesson.close"};
+    const auto among = [](const auto& list, std::string_view word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    return among(kGroups, command.group) || among(kOthers, command.id);
+}
+
+namespace actions {
+
+namespace {
+
+bool requireLesson(CommandContext& c) {
+    if (c.ui.lesson.walk.isOpen()) return true;
+    c.session.messages().say("No lesson is open.");
+    return false;
+}
+
+}  // namespace
+
+void openTour(CommandContext& c) { c.ui.requests.open = embeddedLessonSource("tour"); }
+
+void nextLessonStep(CommandContext& c) { c.ui.lesson.ask = LessonAsk::Next; }
+
+void previousLessonStep(CommandContext& c) { c.ui.lesson.ask = LessonAsk::Previous; }
+
+void returnToLessonStep(CommandContext& c) {
+    if (requireLesson(c)) c.ui.lesson.ask = LessonAsk::Return;
+}
+
+void closeLesson(CommandContext& c) {
+    if (requireLesson(c)) c.ui.lesson.ask = LessonAsk::Close;
+}
+
+void saveResult(CommandContext& c) {
+    if (!requireLesson(c)) return;
+    if (!c.ui.lesson.walk.hasAnswers())
+        return c.session.messages().say("No question of this lesson has been answered yet.");
+    openBrowser(c, BrowserTask::SaveResult);
+}
+
+void saveLesson(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
+    if (c.ui.bookmarks.empty())
+        return c.session.messages().say(
+            "Set bookmarks first (Ctrl+B): each becomes a step of the lesson.");
+    openBrowser(c, BrowserTask::SaveLesson);
+}
+
+}  // namespace actions
+
+}  // namespace se::view

@@ -1,0 +1,28 @@
+/// Commands of the open lesson, and the commands that are off while its question is open.
+#pragma once
+
+#include "commands.h"
+
+namespace se::view {
+
+/// Whether a command shows nothing of what follows the cursor in the run: camera, layers, looks,
+/// moves, which end at the question, and what leaves it.
+bool isAllowedDuringQuestion(const Command& command);
+
+namespace actions {
+
+/// Opens the lesson that shows the six stages on a torus.
+void openTour(CommandContext& c);
+void nextLessonStep(CommandContext& c);
+void previousLessonStep(CommandContext& c);
+/// To the position of the step, with its settings.
+void returnToLessonStep(CommandContext& c);
+void closeLesson(CommandContext& c);
+/// Opens the file dialog for the answers given so far.
+void saveResult(CommandContext& c);
+/// Opens the file dialog for the bookmarks, as the steps of a lesson.
+void saveLesson(CommandContext& c);
+
+}  // namespace actions
+
+}  // namespace se::view

@@ -1,0 +1,118 @@
+#include "open_lesson.h"
+
+#include <utility>
+
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_check.h"
+#include "teach/lesson_read.h"
+#include "teach/lesson_text.h"
+
+namespace se::view {
+
+namespace {
+
+Result<teach::LessonReading> readingOf(const std::string& source) {
+    if (!source.starts_with(kLessonPrefix)) return teach::readLessonFile(source);
+    const std::string id = source.substr(kLessonPrefix.size());
+    const teach::EmbeddedLesson* lesson = teach::findEmbeddedLesson(id);
+    if (lesson == nullptr)
+        return Error{source + ": no such lesson; spiraling-edge lesson list shows all."};
+    return teach::readLesson(lesson->text, id + std::string(teach::kLessonExtension));
+}
+
+/// The first fault, and the number of the others.
+Error faultsError(const std::vector<teach::LessonFault>& faults, const std::string& name) {
+    std::string text = teach::faultText(faults.front(), name);
+    if (faults.size() > 1) text += " (and " + std::to_string(faults.size() - 1) + " more)";
+    return Error{text};
+}
+
+LessonEntry entryOf(const teach::EmbeddedLesson& embedded) {
+    const teach::Lesson lesson = teach::readLesson(embedded.text, std::string(embedded.id)).lesson;
+    LessonEntry entry{
+        embeddedLessonSource(embedded.id), lesson.title, {}, lesson.minutes(), lesson.input, {}};
+    const auto blocks = teach::textBlocks(lesson.text);
+    if (!blocks.empty()) entry.text = teach::plainTextOf({blocks.front()});
+    for (const teach::LessonStep& step : lesson.steps) {
+        if (entry.at.empty() && !step.at.empty()) entry.at = step.at;
+    }
+    return entry;
+}
+
+void takeSettings(const RunSettings& settings, InputSpec& spec) {
+    spec.rules = settings.rules;
+    spec.choices = settings.choices;
+    spec.whatIf = settings.whatIf;
+    spec.neighbors = settings.prepare.neighbors;
+}
+
+}  // namespace
+
+const std::vector<LessonEntry>& lessonEntries() {
+    static const std::vector<LessonEntry> entries = [] {
+        std::vector<LessonEntry> list;
+        for (const teach::EmbeddedLesson& each : teach::embeddedLessons())
+            list.push_back(entryOf(each));
+        return list;
+    }();
+    return entries;
+}
+
+bool isLesson(std::string_view source) {
+    return source.starts_with(kLessonPrefix) || source.ends_with(teach::kLessonExtension);
+}
+
+Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress) {
+    const Error cancelled{"Cancelled."};
+    Result<teach::LessonReading> reading = readingOf(source);
+    if (!reading) return reading.error();
+    teach::Lesson& lesson = reading.value().lesson;
+    const std::string name = lesson.name;
+    if (!reading.value().ok()) return faultsError(reading.value().faults, name);
+    OpenedLesson opened;
+    opened.source = source;
+    if (!source.starts_with(kLessonPrefix))
+        opened.folder = std::filesystem::path(source).parent_path();
+    teach::LessonRuns runs(opened.folder);
+    if (!progress(0.1)) return cancelled;
+    const std::vector<teach::LessonFault> faults = teach::checkLesson(lesson, runs);
+    if (!faults.empty()) return faultsError(faults, name);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        if (!progress(0.5 +
+                      0.5 * static_cast<double>(i) / static_cast<double>(lesson.steps.size())))
+            return cancelled;
+        opened.right.emplace_back();
+        if (!lesson.steps[i].question) continue;
+        Result<teach::RightAnswer> right = teach::rightAnswer(lesson, i, runs);
+        if (!right) return right.error();
+        opened.right.back() = std::move(right.value());
+    }
+    opened.lesson = std::move(lesson);
+    return opened;
+}
+
+Result<InputSpec> inputOfStep(const teach::StepSetting& setting,
+                              const std::filesystem::path& folder) {
+    const Result<std::string> source =
+        teach::pointsSource(teach::lessonSource(setting.input, folder));
+    if (!source) return source.error();
+    const Result<RunSettings> settings = teach::runSettings(setting);
+    if (!settings) return settings.error();
+    InputSpec spec;
+    spec.source = source.value();
+    takeSettings(settings.value(), spec);
+    return spec;
+}
+
+Result<InputSpec> comparedInput(const InputSpec& spec, const teach::StepSetting& setting,
+                                const std::vector<std::string>& words) {
+    const Result<RunSettings> settings = teach::runSettings(setting);
+    if (!settings) return settings.error();
+    const Result<RunSettings> changed = teach::comparedSettings(settings.value(), words);
+    if (!changed) return changed.error();
+    InputSpec other = spec;
+    takeSettings(changed.value(), other);
+    return other;
+}
+
+}  // namespace se::view

@@ -1,0 +1,60 @@
+/// Opening of a lesson: it is read, each of its steps is run, and the answers are found.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/model.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "teach/lesson.h"
+#include "teach/lesson_runs.h"
+#include "teach/lesson_setting.h"
+
+namespace se::view {
+
+/// Source of an embedded lesson: "lesson:tour".
+inline constexpr std::string_view kLessonPrefix = "lesson:";
+inline std::string embeddedLessonSource(std::string_view id) {
+    return std::string(kLessonPrefix) + std::string(id);
+}
+/// True for "lesson:ID" and for paths that end with ".lesson.md".
+bool isLesson(std::string_view source);
+
+/// A lesson of the program, as it is listed.
+struct LessonEntry {
+    std::string source;  ///< "lesson:tour"
+    std::string title;
+    std::string text;  ///< The first paragraph, without marks.
+    double minutes = 0.0;
+    std::string input;  ///< "scene:torus"
+    std::string at;     ///< Position of the first step that has one.
+};
+/// All lessons of the program, in teaching order.
+const std::vector<LessonEntry>& lessonEntries();
+
+/// A lesson without faults.
+struct OpenedLesson {
+    std::string source;            ///< "lesson:ID", or a path.
+    std::filesystem::path folder;  ///< Its inputs are relative to it.
+    teach::Lesson lesson;
+    /// By step, the answer to its question; nothing for a step without one.
+    std::vector<std::optional<teach::RightAnswer>> right;
+};
+
+/// Reads a lesson and runs its steps. Fails with its first fault, with file and line, or once
+/// `progress` returns false.
+Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress);
+
+/// The input and options of a step of a lesson in `folder`. Fails if a rule or a what-if is not
+/// known.
+Result<InputSpec> inputOfStep(const teach::StepSetting& setting,
+                              const std::filesystem::path& folder);
+/// `spec` changed by the words of `compare` in a lesson. Fails with the word that is not known.
+Result<InputSpec> comparedInput(const InputSpec& spec, const teach::StepSetting& setting,
+                                const std::vector<std::string>& words);
+
+}  // namespace se::view

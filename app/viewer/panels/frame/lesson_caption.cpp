@@ -1,0 +1,82 @@
+// In Present the step of a lesson is the caption: title, text and options in the largest type in
+// which all of it fits, and small below them the decision.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "panel_state/lesson_panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/number_format.h"
+#include "session/layout_preset.h"
+#include "teach/lesson_text.h"
+#include "view_parts.h"
+
+namespace se::view {
+
+namespace {
+
+struct Paragraph {
+    std::string text;
+    Color color;
+};
+
+/// Title, text, and of a question the options or the answer.
+std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWalk& walk) {
+    const Palette& palette = context.palette;
+    const teach::LessonStep& step = walk.shownStep();
+    std::vector<Paragraph> all{{step.title, palette.accent}};
+    for (const teach::TextBlock& block : teach::textBlocks(step.text))
+        all.push_back({teach::plainTextOf({block}), palette.text});
+    const teach::Question* question = walk.question();
+    if (question == nullptr) return all;
+    const auto right =
+        walk.asks() ? std::nullopt
+                    : teach::rightOption({*question, walk.setting().names}, walk.right().answer);
+    for (std::size_t i = 0; i < question->options.size(); ++i)
+        all.push_back({teach::optionLetter(i) + "   " + question->options[i],
+                       right == i ? palette.used : palette.text});
+    if (!walk.asks() && !right) all.push_back({"Answer: " + walk.right().text, palette.used});
+    return all;
+}
+
+float heightOf(const std::vector<Paragraph>& paragraphs, float width) {
+    std::size_t lines = 0;
+    for (const Paragraph& each : paragraphs) lines += wrapped(each.text, width).size();
+    return static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
+}
+
+}  // namespace
+
+bool showsLessonCaption(const PanelContext& context) {
+    return context.rects.layoutPreset == LayoutPreset::Present &&
+           context.state<LessonPanel>().walk.isOpen();
+}
+
+void drawLessonCaption(const PanelContext& context, const std::string& decision) {
+    const LessonWalk& walk = context.state<LessonPanel>().walk;
+    const std::vector<Paragraph> paragraphs = paragraphsOf(context, walk);
+    const float indent = 0.8F * context.em;
+    const float left = ImGui::GetCursorPosX() + indent;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float below = ImGui::GetTextLineHeightWithSpacing();
+    const float width = room.x - 2.0F * indent;
+    const Fonts& fonts = context.fonts;
+    ImFont* chosen = fonts.small;
+    for (ImFont* font : {fonts.caption, fonts.large, fonts.text}) {
+        ImGui::PushFont(font);
+        const bool fits = heightOf(paragraphs, width) <= room.y - below;
+        ImGui::PopFont();
+        if (fits) chosen = font;
+        if (fits) break;
+    }
+    ImGui::SetCursorPosX(left);
+    ImGui::BeginGroup();
+    ImGui::PushFont(chosen);
+    for (const Paragraph& each : paragraphs) wrappedText(each.text, each.color);
+    ImGui::PopFont();
+    dimText(fitted(decision, width));
+    ImGui::EndGroup();
+    nameItem(context, "lesson caption");
+}
+
+}  // namespace se::view

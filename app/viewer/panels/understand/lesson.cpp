@@ -1,0 +1,170 @@
+// The panel Lesson: the step that is shown, with its text and question, and the way to the others;
+// without a lesson the list of those that the program has.
+#include <algorithm>
+#include <cmath>
+
+#include "lesson_parts.h"
+#include "panel_state/lesson_panel.h"
+#include "panel_state/ui_requests.h"
+#include "panels/widgets/text_blocks.h"
+#include "panels/widgets/widgets.h"
+#include "scene/palette.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "spiraling_edge/base/number_text.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::string_view kDecisionLink = "se:";
+
+std::string minutesText(double minutes) {
+    if (minutes < 1.0) return "1 minute";
+    return sixDigits(std::round(2.0 * minutes) / 2.0) + " minutes";
+}
+
+/// The lessons of the program.
+void drawList(const PanelContext& context) {
+    const LessonPanel& panel = context.state<LessonPanel>();
+    wrappedText("A lesson walks through a run step by step, and asks before it shows.");
+    ImGui::Spacing();
+    if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
+    for (const LessonEntry& each : lessonEntries()) {
+        if (selectable(context, each.title, false, "open " + each.source, each.text))
+            context.requests().open = each.source;
+        dimAtRight(minutesText(each.minutes));
+    }
+    ImGui::Spacing();
+    dimText("Your own are opened by File > Open; docs/lessons.md says how to write one.");
+}
+
+/// One piece of a bar for each step: those before, the one that is shown, those after. A click
+/// goes there.
+void drawStepBar(const PanelContext& context, const LessonWalk& walk) {
+    const float em = context.em;
+    const std::size_t count = walk.lesson().steps.size();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float gap = std::min(0.15F * em, 0.2F * width / static_cast<float>(count));
+    const float piece = (width + gap) / static_cast<float>(count) - gap;
+    const float height = 0.35F * em;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = at.x + static_cast<float>(i) * (piece + gap);
+        ImGui::SetCursorScreenPos({x, at.y - 0.3F * em});
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("##step", {piece, height + 0.6F * em}))
+            context.state<LessonPanel>().toStep = i;
+        nameItem(context, "lesson step " + std::to_string(i + 1), walk.lesson().steps[i].title);
+        ImGui::PopID();
+        const Palette& palette = context.palette;
+        const Color rest = mix(palette.panel, palette.text, 0.25F);
+        const Color& color = i == walk.step()         ? palette.accent
+                             : ImGui::IsItemHovered() ? palette.text
+                             : i < walk.step()        ? palette.textDim
+                                                      : rest;
+        fill(ImGui::GetWindowDrawList(), {{x, at.y}, {piece, height}}, color, 0.15F * em);
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + height + 0.5F * em});
+}
+
+void drawHead(const PanelContext& context, const LessonWalk& walk) {
+    const std::string place =
+        std::to_string(walk.step() + 1) + " of " + std::to_string(walk.lesson().steps.size());
+    const float room = ImGui::GetContentRegionAvail().x - textWidth(place) - context.em;
+    ImGui::TextDisabled("%s", fitted(walk.lesson().title, room).c_str());
+    nameItem(context, "lesson title",
+             walk.lesson().title + ", " + minutesText(walk.lesson().minutes()));
+    dimAtRight(place);
+    drawStepBar(context, walk);
+    ImGui::PushFont(context.fonts.large);
+    wrappedText(walk.shownStep().title);
+    ImGui::PopFont();
+    ImGui::Spacing();
+}
+
+/// A link leads to a decision, or its address is copied.
+void followLink(const PanelContext& context, const std::string& link) {
+    if (link.empty()) return;
+    if (link.starts_with(kDecisionLink)) {
+        context.state<LessonPanel>().follow = link.substr(kDecisionLink.size());
+    } else {
+        context.requests().copyText = link;
+        context.session().messages().say("Copied: " + link);
+    }
+}
+
+void drawText(const PanelContext& context, const LessonWalk& walk) {
+    // The text before the first step belongs to it.
+    if (walk.step() == 0) {
+        const auto blocks = teach::textBlocks(walk.lesson().text);
+        followLink(context, drawTextBlocks(context, blocks));
+    }
+    followLink(context, drawTextBlocks(context, teach::textBlocks(walk.shownStep().text)));
+}
+
+/// A button that requests something, as wide as the share of the line that it has.
+void askButton(const PanelContext& context, const char* label, const char* name, LessonAsk ask,
+               const std::string& tip, float width) {
+    if (textButton(context, label, name, tip, width)) context.state<LessonPanel>().ask = ask;
+}
+
+/// The way on, at the lower end of the panel.
+void drawFoot(const PanelContext& context, const LessonWalk& walk) {
+    const LessonPanel& panel = context.state<LessonPanel>();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    const bool plays = context.playback().playing();
+    const bool hasPlay = walk.question() == nullptr && !walk.shownStep().until.empty();
+    if (panel.away && !plays) {
+        askButton(context, "Back to the step", "lesson return", LessonAsk::Return,
+                  "Position, rules and view of this step", -1.0F);
+    } else if (hasPlay) {
+        askButton(context, "Play", "lesson play", LessonAsk::Play,
+                  "Play to " + walk.setting().answerPlace, -1.0F);
+    } else {
+        ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+    }
+    const bool last = walk.step() + 1 == walk.lesson().steps.size();
+    ImGui::BeginDisabled(walk.step() == 0);
+    askButton(context, "Back", "lesson previous", LessonAsk::Previous,
+              "The step before (" + context.key("lesson.previous") + ")", half);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (last) {
+        askButton(context, "Close", "lesson close", LessonAsk::Close,
+                  "Close the lesson; the run stays open", half);
+    } else {
+        const bool primary = !walk.asks();
+        if (primary) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        if (primary) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
+        askButton(context, "Next", "lesson next", LessonAsk::Next,
+                  "The next step (" + context.key("lesson.next") + ")", half);
+        if (primary) ImGui::PopStyleColor(2);
+    }
+}
+
+}  // namespace
+
+void drawLesson(const PanelContext& context) {
+    const LessonPanel& panel = context.state<LessonPanel>();
+    if (panel.opening) {
+        ImGui::ProgressBar(static_cast<float>(panel.share), {-1.0F, 0.0F}, "Opening the lesson");
+    }
+    const LessonWalk& walk = panel.walk;
+    if (!walk.isOpen()) return drawList(context);
+    if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
+    drawHead(context, walk);
+    const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();
+    ImGui::PushID(static_cast<int>(walk.step()));
+    if (ImGui::BeginChild("##text", {0.0F, std::max(4.0F * context.em,
+                                                    ImGui::GetContentRegionAvail().y - foot)})) {
+        drawText(context, walk);
+        if (walk.question() != nullptr) drawQuestion(context);
+    }
+    ImGui::EndChild();
+    ImGui::PopID();
+    drawFoot(context, walk);
+}
+
+}  // namespace se::view

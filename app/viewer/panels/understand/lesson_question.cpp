@@ -1,0 +1,195 @@
+// A question of a lesson: points to mark, options to choose among, or a number; then the right
+// answer with the decisions that led to it.
+#include <algorithm>
+#include <numeric>
+
+#include "lesson_parts.h"
+#include "panel_state/lesson_panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/number_format.h"
+#include "scene/palette.h"
+#include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/reading.h"
+
+namespace se::view {
+
+namespace {
+
+/// Maximum number of decisions listed with an answer.
+constexpr std::size_t kMaxListed = 40;
+
+bool isChoice(const LessonWalk& walk) { return walk.question()->kind == "choice"; }
+
+/// What the user can do.
+std::string taskOf(const LessonWalk& walk) {
+    const std::string& kind = walk.question()->kind;
+    if (kind == "points") return "Click the points in the view, or type them:";
+    if (kind == "point") return "Click the point in the view, or type it:";
+    return kind == "number" ? "Your number:" : "Your choice:";
+}
+
+/// Options as rows that can be chosen, by letter.
+void drawOptions(const PanelContext& context, LessonWalk& walk) {
+    const std::vector<std::string>& options = walk.question()->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const std::string letter = teach::optionLetter(i);
+        if (selectable(context, letter + "   " + options[i], walk.state().given.choice == i,
+                       "option " + letter))
+            walk.type(letter);
+    }
+}
+
+/// How many of a room chose each option.
+void drawHands(const PanelContext& context, LessonWalk& walk) {
+    const std::vector<std::string>& options = walk.question()->options;
+    std::vector<int> hands = walk.state().hands;
+    hands.resize(options.size());
+    bool changed = false;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const std::string letter = teach::optionLetter(i);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::SetNextItemWidth(3.5F * context.em);
+        if (ImGui::InputInt("##hands", &hands[i], 0)) changed = true;
+        nameItem(context, "hands " + letter, "How many of the room chose " + letter);
+        ImGui::SameLine();
+        wrappedText(letter + "   " + options[i]);
+        hands[i] = std::clamp(hands[i], 0, 9999);
+        ImGui::PopID();
+    }
+    if (changed) walk.setHands(std::move(hands));
+}
+
+void drawField(const PanelContext& context, LessonWalk& walk) {
+    std::string typed = walk.state().typed;
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool points = walk.takesPoints();
+    const bool entered = textField("##answer", points ? "for example 3, 4, 5" : "a number", typed,
+                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    nameItem(context, "lesson answer field");
+    if (typed != walk.state().typed) walk.type(std::move(typed));
+    if (entered) context.state<LessonPanel>().ask = LessonAsk::Answer;
+    if (!walk.state().complaint.empty())
+        wrappedText("! " + walk.state().complaint, context.palette.rejected);
+}
+
+/// After a wrong try, without saying what was wrong.
+void drawTry(const PanelContext& context, const LessonWalk& walk) {
+    const auto& grade = walk.state().grade;
+    if (!grade || grade->right) return;
+    wrappedText("Not right yet. Try again, or show the answer.", context.palette.last);
+}
+
+void drawOpen(const PanelContext& context, LessonWalk& walk) {
+    LessonPanel& panel = context.state<LessonPanel>();
+    const bool room = panel.countsHands && !walk.question()->options.empty();
+    dimText(room ? "Hands for each option:" : taskOf(walk));
+    if (room) {
+        drawHands(context, walk);
+    } else if (isChoice(walk)) {
+        drawOptions(context, walk);
+    } else {
+        drawField(context, walk);
+    }
+    drawTry(context, walk);
+    ImGui::Spacing();
+    if (!room) {
+        ImGui::BeginDisabled(walk.state().given == teach::Answer{});
+        if (textButton(context, "Answer", "lesson answer")) panel.ask = LessonAsk::Answer;
+        ImGui::EndDisabled();
+        ImGui::SameLine();
+    }
+    if (textButton(context, "Show answer", "lesson show",
+                   "Go through the decisions up to the answer"))
+        panel.ask = LessonAsk::Show;
+    if (walk.question()->options.empty()) return;
+    ImGui::Checkbox("Count hands of a room", &panel.countsHands);
+    nameItem(context, "lesson hands");
+}
+
+/// The share of a room that chose each option.
+void drawRoom(const PanelContext& context, const LessonWalk& walk,
+              const teach::GivenAnswer& answer) {
+    const int all = static_cast<int>(
+        std::accumulate(answer.counts.begin(), answer.counts.end(), std::size_t{0}));
+    for (std::size_t i = 0; i < answer.counts.size(); ++i) {
+        const bool right = i == answer.rightOption;
+        const float share =
+            all == 0 ? 0.0F : static_cast<float>(answer.counts[i]) / static_cast<float>(all);
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
+                              toVec4(right ? context.palette.used : context.palette.textDim));
+        const std::string label = teach::optionLetter(i) + "   " +
+                                  std::to_string(answer.counts[i]) + (right ? "   right" : "");
+        ImGui::ProgressBar(share, {-1.0F, 0.0F}, label.c_str());
+        ImGui::PopStyleColor();
+        tooltip(walk.question()->options[i]);
+    }
+}
+
+const teach::GivenAnswer* answerOf(const LessonWalk& walk) {
+    for (const teach::GivenAnswer& each : walk.result().answers) {
+        if (each.step == walk.step() + 1) return &each;
+    }
+    return nullptr;
+}
+
+/// What was given, beside what is right.
+void drawResult(const PanelContext& context, const LessonWalk& walk) {
+    const auto& grade = walk.state().grade;
+    const Palette& palette = context.palette;
+    if (const teach::GivenAnswer* answer = answerOf(walk); answer != nullptr && answer->isOfRoom())
+        drawRoom(context, walk, *answer);
+    if (grade && grade->right) wrappedText("Right.", palette.used);
+    const bool wrong = grade && !grade->right;
+    if (wrong) wrappedText("Yours: " + walk.state().typed, palette.rejected);
+    wrappedText((grade && grade->right ? "" : "Answer: ") + walk.right().text, palette.text);
+    if (!walk.right().reason.empty()) {
+        ImGui::Spacing();
+        wrappedText(withShortNumbers(walk.right().reason));
+        if (smallButton(context, walk.question()->why, "lesson why", "Go to this decision"))
+            context.state<LessonPanel>().follow = walk.question()->why;
+    }
+}
+
+/// The decisions on the points of the answer and on those that were given, each a way there.
+void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
+    const std::vector<Index>& right = walk.right().answer.points;
+    const std::vector<Index>& given = walk.state().given.points;
+    const auto among = [](const std::vector<Index>& points, Index point) {
+        return std::find(points.begin(), points.end(), point) != points.end();
+    };
+    std::size_t listed = 0;
+    for (const Event& event : walk.right().shown) {
+        const Index point = subjectOf(event);
+        const bool isRight = among(right, point);
+        if (!isRight && !among(given, point)) continue;
+        if (++listed > kMaxListed) return;
+        if (listed == 1) ImGui::Spacing();
+        const std::string address = toString(event.address);
+        const bool agrees = !walk.state().grade || isRight == among(given, point);
+        ImGui::PushID(static_cast<int>(listed));
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              toVec4(agrees ? context.palette.used : context.palette.rejected));
+        const std::string label = (agrees ? "\xE2\x9C\x93 " : "\xE2\x9C\x97 ") +
+                                  withShortNumbers(describe(event, walk.names()));
+        const std::string shown = fittedWords(label, ImGui::GetContentRegionAvail().x);
+        if (selectable(context, shown, false, "decision " + address, describe(event, walk.names())))
+            context.state<LessonPanel>().follow = address;
+        ImGui::PopStyleColor();
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+void drawQuestion(const PanelContext& context) {
+    LessonWalk& walk = context.state<LessonPanel>().walk;
+    separator();
+    if (walk.asks()) return drawOpen(context, walk);
+    drawResult(context, walk);
+    drawDecisions(context, walk);
+    if (walk.hasAnswers() && smallButton(context, "Save result...", "lesson save result"))
+        context.run("file.saveresult");
+}
+
+}  // namespace se::view

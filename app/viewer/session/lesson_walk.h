@@ -1,0 +1,89 @@
+/// The open lesson: the step that is shown, and the answers to its questions. Independent of the
+/// run; controllers/lesson.h shows the steps in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jobs/open_lesson.h"
+#include "spiraling_edge/points/point_name.h"
+#include "teach/question.h"
+#include "teach/result.h"
+
+namespace se::view {
+
+/// The user's work on one question.
+struct QuestionState {
+    std::string typed;       ///< Points by name, an option by letter, or a number.
+    teach::Answer given;     ///< What `typed` says.
+    std::string complaint;   ///< Why `typed` cannot be read; empty: it can.
+    std::vector<int> hands;  ///< Of a room: how many chose each option.
+    std::size_t tries = 0;
+    double seconds = 0.0;               ///< For which the question was open, until the last try.
+    std::optional<teach::Grade> grade;  ///< Of the last try; nothing before the first.
+    bool shown = false;                 ///< The right answer is shown.
+};
+
+class LessonWalk {
+  public:
+    /// Opens a lesson at a step, from 0, or at its last one.
+    void open(OpenedLesson lesson, std::size_t step);
+    void close() { *this = {}; }
+    bool isOpen() const { return opened_ != nullptr; }
+
+    // Everything below requires isOpen().
+    const std::string& source() const { return opened_->source; }
+    const std::filesystem::path& folder() const { return opened_->folder; }
+    const teach::Lesson& lesson() const { return opened_->lesson; }
+    std::size_t step() const { return step_; }
+    const teach::LessonStep& shownStep() const { return lesson().steps[step_]; }
+    /// Input, rules, names and position of the step.
+    const teach::StepSetting& setting() const { return setting_; }
+    /// Names of points; they refer to setting().
+    const std::vector<PointName>& names() const { return names_; }
+    /// To a step, from 0, or to the last one.
+    void goTo(std::size_t step);
+
+    // The question of the step.
+    const teach::Question* question() const {
+        return shownStep().question ? &*shownStep().question : nullptr;
+    }
+    /// There is a question whose answer is not shown.
+    bool asks() const { return question() != nullptr && !state().shown; }
+    /// The question takes points, and its answer is not shown.
+    bool takesPoints() const;
+    const QuestionState& state() const { return states_[step_]; }
+    const teach::RightAnswer& right() const { return *opened_->right[step_]; }
+    /// Reads what the user has typed.
+    void type(std::string text);
+    /// Marks a point, or unmarks it; of one point at most. Requires takesPoints().
+    void toggle(Index point);
+    void setHands(std::vector<int> hands) { states_[step_].hands = std::move(hands); }
+    /// Counts time during which the question is open.
+    void addSeconds(double seconds) { open_ += seconds; }
+    /// Grades what is given; a right answer is shown. No effect if nothing can be read.
+    void answer();
+    /// Shows the right answer. Hands that were counted become the answer of a room.
+    void showAnswer();
+
+    /// All answers so far, in the order of the steps.
+    const teach::LessonResult& result() const { return result_; }
+    bool hasAnswers() const { return !result_.answers.empty(); }
+
+  private:
+    teach::QuestionContext context() const { return {*question(), setting_.names}; }
+    void record(teach::GivenAnswer answer);
+
+    std::shared_ptr<const OpenedLesson> opened_;
+    std::size_t step_ = 0;
+    teach::StepSetting setting_;
+    std::vector<PointName> names_;
+    std::vector<QuestionState> states_;  ///< By step.
+    double open_ = 0.0;                  ///< Seconds for which the question has been open.
+    teach::LessonResult result_;
+};
+
+}  // namespace se::view

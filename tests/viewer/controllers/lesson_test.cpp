@@ -1,0 +1,221 @@
+#include "controllers/lesson.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "commands/lesson_actions.h"
+#include "headless_app.h"
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_check.h"
+#include "teach/lesson_read.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+struct LessonApp : test::HeadlessApp {
+    LessonController lesson{context, document};
+
+    LessonApp() : test::HeadlessApp("lesson-test") {}
+    void settle() {
+        lesson.waitUntilDone();
+        waitUntilDone();
+        lesson.poll();
+        waitUntilDone();
+    }
+    void open(const std::string& source) {
+        document.open(source);
+        lesson.carryOut();
+        settle();
+    }
+    void ask(LessonAsk what) {
+        ui.lesson.ask = what;
+        lesson.carryOut();
+        settle();
+    }
+    void goTo(std::size_t step) {
+        ui.lesson.toStep = step;
+        lesson.carryOut();
+        settle();
+    }
+    std::string place() { return session.event() ? toString(session.address()) : "0"; }
+    LessonWalk& walk() { return ui.lesson.walk; }
+};
+
+/// A share, such as 100%, is no address.
+bool isAddress(const std::string& place) { return addressFromString(place).has_value(); }
+
+}  // namespace
+
+TEST_CASE("Every step of every lesson is shown at its position, with its question open") {
+    LessonApp app;
+    for (const teach::EmbeddedLesson& each : teach::embeddedLessons()) {
+        app.open(embeddedLessonSource(each.id));
+        REQUIRE(app.walk().isOpen());
+        for (std::size_t i = 0; i < app.walk().lesson().steps.size(); ++i) {
+            CAPTURE(std::string(each.id));
+            CAPTURE(i + 1);
+            app.goTo(i);
+            REQUIRE(app.walk().step() == i);
+            const std::string& at = app.walk().setting().at;
+            if (isAddress(at) && at != "0") CHECK(app.session.reached(*addressFromString(at)));
+            CHECK(app.session.horizon().has_value() == app.walk().asks());
+            CHECK_FALSE(app.session.messages().missed());
+        }
+    }
+}
+
+TEST_CASE("While a question is open no move passes it, until it is answered") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    CHECK(app.place() == "1.sort.12");
+    app.session.moves().stepEvent(1);
+    app.session.moves().toEnd();
+    app.session.moves().stepPivot(5);
+    app.session.moves().goToShare(0.5);
+    app.session.moves().goToPoint(30);
+    app.session.moves().finishPivot();
+    app.waitUntilDone();
+    CHECK(app.place() == "1.sort.12");
+    app.session.moves().stepEvent(-3);
+    CHECK(app.place() == "1.sort.9");
+    app.session.moves().toEnd();
+    app.waitUntilDone();
+    CHECK(app.place() == "1.sort.12");
+
+    app.walk().type("3, 4, 5, 6, 7");
+    app.ask(LessonAsk::Answer);
+    CHECK_FALSE(app.walk().asks());
+    CHECK(app.playback.playing());
+    REQUIRE(app.playback.until.has_value());
+    CHECK(toString(*app.playback.until) == "1.sphere.11");
+    app.session.moves().toEnd();
+    app.waitUntilDone();
+    CHECK(app.session.atEnd());
+}
+
+TEST_CASE("A way off the step is noticed, and leads back to position, rules and question") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(2);
+    CHECK_FALSE(app.ui.lesson.away);
+    app.session.moves().toEnd();
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    app.ask(LessonAsk::Return);
+    CHECK(app.place() == "1.ring.6");
+    app.session.rerun(withRule(app.session.input().rules(), "sphere", 0.0));
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    app.ask(LessonAsk::Return);
+    CHECK(app.session.input().rules().choices.empty());
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("Names of the lesson are those of its points, and end with it") {
+    LessonApp app;
+    app.open("lesson:removal");
+    REQUIRE_FALSE(app.session.names().empty());
+    app.ask(LessonAsk::Close);
+    CHECK_FALSE(app.walk().isOpen());
+    app.document.open("scene:torus");
+    app.settle();
+    CHECK(app.session.names().empty());
+}
+
+TEST_CASE("Opening something else closes the lesson, a step with another input does not") {
+    LessonApp app;
+    app.open("lesson:neighbor-ring");
+    for (std::size_t i = 0; i < app.walk().lesson().steps.size(); ++i) app.goTo(i);
+    CHECK(app.walk().isOpen());
+    app.document.open("scene:torus");
+    app.settle();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK_FALSE(app.session.horizon().has_value());
+    CHECK(app.session.model().name == "scene:torus");
+}
+
+TEST_CASE("A faulty lesson is refused with file and line, and the one before stays") {
+    LessonApp app;
+    app.open("lesson:tour");
+    const std::filesystem::path path = app.folder / "bad.lesson.md";
+    std::ofstream(path) << "# Bad\n```se lesson\nversion = 1\ninput = \"scene:torus\"\n```\n"
+                           "## Step\n```se step\nat = \"1.sphere.99\"\n```\n";
+    app.open(path.string());
+    CHECK(app.ui.lesson.complaint.find("bad.lesson.md:8: at: pivot 1 has") != std::string::npos);
+    CHECK(app.walk().source() == "lesson:tour");
+}
+
+TEST_CASE("Bookmarks are saved as a lesson that passes its check, with notes and cameras") {
+    LessonApp app;
+    app.document.open("scene:figure-8");
+    app.waitUntilDone();
+    app.session.rerun(withRule(app.session.input().rules(), "maxgap", 100.0));
+    app.waitUntilDone();
+    for (const char* at : {"9.sphere.2", "9.emit.1"}) {
+        REQUIRE(app.session.moves().goToText(at).ok());
+        app.waitUntilDone();
+        toggleBookmark(app.ui.bookmarks, app.session.address(), app.camera.pose());
+    }
+    app.ui.bookmarks[0].note = "# q \"goes\"";
+    app.ui.notes = "Why q goes.";
+    const std::string path = (app.folder / "mine.lesson.md").string();
+    app.ui.lesson.saveLesson = path;
+    app.lesson.carryOut();
+    const Result<teach::LessonReading> reading = teach::readLessonFile(path);
+    REQUIRE(reading.ok());
+    REQUIRE(reading.value().ok());
+    const teach::Lesson& lesson = reading.value().lesson;
+    REQUIRE(lesson.steps.size() == 2);
+    CHECK(lesson.steps[0].title == "q \"goes\"");
+    CHECK(lesson.steps[1].title == "9.emit.1");
+    CHECK(lesson.rules.rule == std::vector<std::string>{"maxgap=100"});
+    CHECK(lesson.text.find("Why q goes.") != std::string::npos);
+    CHECK(viewPositionFromText(lesson.steps[0].camera).value().camera == app.camera.pose());
+    teach::LessonRuns runs(app.folder);
+    CHECK(teach::checkLesson(lesson, runs).empty());
+}
+
+TEST_CASE("While a question is open only commands work that tell nothing of what follows") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    for (const char* id : {"file.savemesh", "ask.charts", "step.alert.next", "run.compare",
+                           "step.mark.next", "run.play", "edit.rules.reset", "file.copycommand"}) {
+        CAPTURE(id);
+        CHECK_FALSE(isAllowedDuringQuestion(*findCommand(id)));
+        app.session.messages().clear();
+        runCommand(*findCommand(id), app.context);
+        CHECK(app.session.messages().last().find("Answer the question") != std::string::npos);
+    }
+    for (const char* id : {"view.frame", "layer.labels", "lesson.next", "file.quit", "help.keys"})
+        CHECK(isAllowedDuringQuestion(*findCommand(id)));
+}
+
+TEST_CASE("In Present the key for the next step shows the answer first") {
+    LessonApp app;
+    app.ui.layoutPreset = LayoutPreset::Present;
+    app.open("lesson:spiral");
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    app.goTo(1);
+    app.ask(LessonAsk::Next);
+    CHECK(app.walk().step() == 1);
+    CHECK_FALSE(app.walk().asks());
+    app.ask(LessonAsk::Next);
+    CHECK(app.walk().step() == 2);
+}
+
+TEST_CASE("A step that compares opens the layout Compare, and the next one returns") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
+    REQUIRE(app.ui.compare.begin.has_value());
+    CHECK(differenceText(app.session.input().spec(), app.ui.compare.begin->run) == "sphere off");
+    app.ask(LessonAsk::Previous);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Learn);
+    CHECK(app.ui.compare.ask == CompareAsk::Stop);
+}
