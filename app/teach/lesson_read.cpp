@@ -5,11 +5,9 @@
 #include <cmark.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <memory>
 
+#include "file_bytes.h"
 #include "lesson_keys.h"
 #include "lesson_syntax.h"
 #include "run_answers.h"
@@ -19,45 +17,6 @@ namespace se::teach {
 namespace {
 
 using MarkdownTree = std::unique_ptr<cmark_node, decltype(&cmark_node_free)>;
-
-/// "fnv1a64:" and 16 hexadecimal digits, as in session files.
-std::string hashOfText(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : text)
-        hash = (hash ^ static_cast<unsigned char>(c)) * std::uint64_t{0x100000001b3U};
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-    return std::string("fnv1a64:") + digits.data();
-}
-
-/// Number of bytes of the UTF-8 character at the start of `text`; 0 if it is none.
-std::size_t characterLength(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xc0U) != 0x80U) return 0;
-    }
-    // Longer than needed, a surrogate, or beyond the last character.
-    const unsigned second = byte(1);
-    const bool wrong = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-                       (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-    return wrong ? 0 : length;
-}
-
-/// Line of the first byte that is no UTF-8; 0 if there is none.
-std::size_t lineOfBadByte(std::string_view text) {
-    std::size_t line = 1;
-    while (!text.empty()) {
-        const std::size_t length = characterLength(text);
-        if (length == 0) return line;
-        if (text.front() == '\n') ++line;
-        text.remove_prefix(length);
-    }
-    return 0;
-}
 
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;
