@@ -29,6 +29,7 @@ constexpr std::array kVerbs{
     Verb{"check", "find the faults of a mesh from any program", checkVerb},
     Verb{"compare", "compare two runs, or a run and a mesh, down to the first differing decision",
          compareVerb},
+    Verb{"diff", "compare the trace of another implementation with a run", diffVerb},
     Verb{"reduce", "reduce an input to a minimal failing case", reduceVerb},
     Verb{"sample", "sample points evenly on a shape or an isosurface of a volume", sampleVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},

@@ -21,6 +21,8 @@ ExitCode doctorVerb(const Arguments& arguments);
 ExitCode checkVerb(const Arguments& arguments);
 /// Compares two runs, or a run and a mesh.
 ExitCode compareVerb(const Arguments& arguments);
+/// Compares the trace of another implementation with a run.
+ExitCode diffVerb(const Arguments& arguments);
 /// Reduces an input to a minimal failing case.
 ExitCode reduceVerb(const Arguments& arguments);
 /// Samples an isosurface.

@@ -85,11 +85,11 @@ cases_are_listed() {
 
 help_and_version() {
     expect 0 --help
-    for verb in run info doctor why check compare reduce sample table1 scenes view render; do says out "  $verb "; done
+    for verb in run info doctor why check compare diff reduce sample table1 scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info doctor why check compare reduce sample table1 scenes render; do
+    for verb in run info doctor why check compare diff reduce sample table1 scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -1549,6 +1549,62 @@ figures_hold() {
     expect 2 figures 26
     expect 2 figures --check --volumes nowhere
     says err "no such folder"
+}
+
+traces_are_compared() {
+    expect 0 run scene:figure-8 -q --trace mine.setrace --rule limits=off
+    is "$(wc -l <mine.setrace)" 84 "a header and 83 pivots"
+    is "$(sed -n 9p mine.setrace)" '{"p":11,"first":1,"last":3,"fan":[1,18,20,3]}' "pivot 8"
+    expect 1 diff mine.setrace scene:figure-8
+    says out "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the fans differ"
+    says out "  yours has no 17: ours moved start to it, 8.limits.1 (6.1)"
+    says out "your whole trace, 83 pivots, is what --rule limits=off gives"
+    expect 1 diff mine.setrace scene:figure-8 --json
+    says out '"rules": ['
+    is "$(number alike out)" 7 "pivots alike"
+    expect 1 diff mine.setrace scene:figure-8 -q
+    empty out
+    expect 0 diff mine.setrace scene:figure-8 --rule limits=off
+    says out "all 83 pivots alike"
+    head -5 mine.setrace >part.setrace
+    expect 1 diff part.setrace scene:figure-8 --rule limits=off
+    expect 0 diff part.setrace scene:figure-8 --rule limits=off --upto emit
+    expect 0 run scene:figure-8 -q --trace stages.setrace --trace-stages
+    "$program" diff - scene:figure-8 --upto ring <stages.setrace | grep -q "all 76 pivots" ||
+        fail "a trace from standard input"
+    expect 0 run scene:sphere -q --rules robust --trace robust.setrace
+    expect 0 diff robust.setrace scene:sphere --rules robust
+    expect 2 run scene:figure-8 --trace-stages
+    expect 2 run scene:figure-8 --trace x.txt --trace-stages
+    expect 2 diff stages.setrace scene:figure-8 --upto guard
+    expect 2 diff - -
+    expect 2 diff stages.setrace
+}
+
+bad_traces_are_malformed_input() {
+    expect 0 run scene:figure-8 -q --trace good.setrace
+    expect 3 diff missing.setrace scene:figure-8
+    says err "missing.setrace"
+    expect 3 diff good.setrace scene:torus
+    says err 'good.setrace: line 1: "points": the input has 1000 points, the trace is of 50'
+    expect 3 diff good.setrace scene:figure-10 --upto sort
+    says err 'good.setrace: line 2: "sort"'
+    sed '5s/"fan":\[[0-9]*/"fan":[50/' good.setrace >range.setrace
+    expect 3 diff range.setrace scene:figure-8
+    says err 'range.setrace: line 5: "fan": expected the number of a point, from 0 to 49, got "50"'
+    sed 's/fnv1a64:./fnv1a64:x/' good.setrace >hash.setrace
+    expect 3 diff hash.setrace scene:figure-8
+    says err 'hash.setrace: line 1: "hash"'
+    head -c 3000 good.setrace >cut.setrace
+    expect 3 diff cut.setrace scene:figure-8
+    says err "the last line may be cut off"
+    printf '\377' | cat good.setrace - >latin.setrace
+    expect 3 diff latin.setrace scene:figure-8
+    says err "latin.setrace: line 78: not UTF-8"
+    truncate -s 300M huge.setrace
+    expect 3 diff huge.setrace scene:figure-8
+    says err "huge.setrace: over 256 MiB"
+    empty out
 }
 
 lessons_are_listed_and_shown() {

@@ -58,7 +58,7 @@ lines() {
     ' "$1"
 }
 
-# run COMMAND: in the present folder. `doctor`, `check` and `compare` end with 1 if they find something.
+# run COMMAND: in the present folder. `doctor`, `check`, `compare` and `diff` end with 1 if they find something.
 run() {
     local command=$1 code=0
     case $command in
@@ -72,7 +72,7 @@ run() {
     esac
     ran=$((ran + 1))
     timeout 100 bash -o pipefail -c "$command" >out 2>err </dev/null || code=$?
-    [ "$code" != 1 ] || ! grep -qE '^spiraling-edge (doctor|check|compare) ' <<<"$command" || code=0
+    [ "$code" != 1 ] || ! grep -qE '^spiraling-edge (doctor|check|compare|diff) ' <<<"$command" || code=0
     [ "$code" = 0 ] || fail "$page: \`$1\` ended with $code: $(head -c 1000 err)"
 }
 

@@ -40,6 +40,7 @@ struct RunArguments {
     bool lists = false;
     std::string report;
     std::string trace;
+    bool stages = false;
     std::optional<std::uint32_t> maxPivots;
     bool best = false;
     bool check = false;
@@ -93,8 +94,12 @@ struct RunArguments {
         addOutputOption(app, "--report", report,
                         "Write counts and times as JSON to this file, or -")
             ->type_name("FILE");
-        addOutputOption(app, "--trace", trace, "Write one line per decision to this file, or -")
+        addOutputOption(app, "--trace", trace,
+                        "Write one line per decision to this file, or -; to a file .setrace one "
+                        "per pivot, for diff")
             ->type_name("FILE");
+        app.add_flag("--trace-stages", stages,
+                     "With --trace FILE.setrace: also candidates after each stage, and edge rings");
         app.add_flag(
             "--check", check,
             "Search for faults, crossing triangles included; exit with 1 if there are any");
@@ -112,6 +117,12 @@ struct RunArguments {
         if (writing.normals) requireNormals();
         if (faultFields) requireColumns();
         if (lists) requireLists();
+        if (stages && !isPivotTrace(trace)) {
+            throw Failure(ExitCode::Usage,
+                          fmt::format("--trace-stages: {} has a line per decision already; name "
+                                      "a file .setrace with --trace",
+                                      trace));
+        }
         // A mesh contains the points of the input, so it may replace it.
         requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
@@ -185,30 +196,22 @@ Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressL
     return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
 }
 
-/// The run with a limit or a trace; every pivot's events are written as soon as it is complete.
+/// The run with a limit or a trace; the lines of a pivot are written as soon as it is complete.
 Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
                    ProgressLine& line) {
-    EventLog log;
-    if (trace.active()) stepper.setLog(&log);
-    const auto flush = [&] {
-        if (!trace.active()) return;
-        trace.write(log.events());
-        log.clear();
-    };
-    Ending ending = Ending::Finished;
+    if (trace.active()) trace.begin(stepper.points());
     const State& state = stepper.state();
     if (maxPivots == 0U) return Ending::MaxPivots;
-    const StopReason reason = stepper.runUntil([&](const State&) {
-        flush();
+    Ending ending = Ending::Finished;
+    while (ending == Ending::Finished &&
+           (trace.active() ? trace.step(stepper) : stepper.stepPivot())) {
         if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
         if (reportProgress(state, line)) ending = Ending::Interrupted;
-        return ending != Ending::Finished;
-    });
-    flush();
+    }
     line.clear();
     // A run that ended just before Ctrl+C writes nothing either.
     if (interrupted()) return Ending::Interrupted;
-    return reason == StopReason::Capped ? Ending::Capped : ending;
+    return ending == Ending::Finished && state.capped() ? Ending::Capped : ending;
 }
 
 void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh,
@@ -317,7 +320,8 @@ ExitCode runVerb(const Arguments& words) {
 
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
-    TraceWriter trace(arguments.trace);
+    TraceWriter trace(arguments.trace,
+                      arguments.stages ? teach::TraceDetail::Stages : teach::TraceDetail::Fans);
     StopWatch watch;
     InputPiece read = readPiece(arguments.input, piece);
     PointFile& file = read.file;

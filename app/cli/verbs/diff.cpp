@@ -1,0 +1,131 @@
+// spiraling-edge diff: the trace of another implementation beside the run of this one.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "options.h"
+#include "output/output.h"
+#include "prepared_input.h"
+#include "progress.h"
+#include "teach/trace/rule_guess.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+using teach::Trace;
+using teach::TraceComparison;
+using teach::TraceDifference;
+using teach::TracePivot;
+using teach::TraceStage;
+using DiffJson = nlohmann::ordered_json;
+
+struct DiffArguments {
+    std::string trace;
+    InputArguments input;
+    std::string stage;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("TRACE", trace, "Trace, .setrace, or -")->required();
+        input.addTo(app);
+        std::string names;
+        for (const teach::TraceStageRow& row : teach::traceStages())
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
+        app.add_option("--upto", stage, "Only the pivots of the trace, up to this stage: " + names)
+            ->type_name("STAGE");
+        app.add_flag("--json", json, "As JSON");
+        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the runs differ");
+    }
+
+    /// Throws Failure(Usage) if there is no stage of that name.
+    std::optional<TraceStage> upto() const {
+        const auto found = teach::traceStageFromName(stage);
+        if (stage.empty() || found) return found;
+        throw Failure(ExitCode::Usage, fmt::format("--upto {}: no such stage; see "
+                                                   "spiraling-edge diff --help",
+                                                   stage));
+    }
+};
+
+Trace readTraceArgument(const std::string& path, std::optional<TraceStage> upto) {
+    const std::string file = path == kStandardInput ? "/dev/stdin" : path;
+    Result<Trace> trace = teach::readTraceFile(file, upto.value_or(TraceStage::Emit));
+    if (!trace) throw Failure(ExitCode::Input, trace.error().message);
+    return std::move(trace.value());
+}
+
+DiffJson reasonJson(const teach::TraceReason& reason) {
+    DiffJson json = DiffJson::object();
+    if (reason.point != kNone)
+        json = {{"point", reason.point}, {"in", reason.inTrace ? "yours" : "ours"}};
+    json["ours"] = reason.decision;
+    if (!reason.address) return json;
+    json["address"] = toString(*reason.address);
+    json["section"] = stageSection(reason.address->stage);
+    return json;
+}
+
+DiffJson pivotJson(const std::optional<TracePivot>& pivot) {
+    return pivot ? DiffJson::parse(teach::traceLine(*pivot)) : DiffJson();
+}
+
+std::string diffJson(const TraceComparison& comparison, const teach::RuleGuess& guess) {
+    DiffJson json{{"same", !comparison.difference}, {"alike", comparison.alike}};
+    if (comparison.difference) {
+        const TraceDifference& found = *comparison.difference;
+        json["pivot"] = found.pivot;
+        json["line"] = found.trace ? DiffJson(found.trace->line) : DiffJson();
+        json["what"] = found.what;
+        json["stage"] = found.stage ? DiffJson(teach::rowOf(*found.stage).name) : DiffJson();
+        json["yours"] = pivotJson(found.trace);
+        json["ours"] = pivotJson(found.run);
+        json["reasons"] = DiffJson::array();
+        for (const teach::TraceReason& each : found.reasons)
+            json["reasons"].push_back(reasonJson(each));
+        json["rules"] = DiffJson::array();
+        for (const RuleValue& each : guess.whole) json["rules"].push_back(lineOf(each));
+    }
+    return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+ExitCode diffVerb(const Arguments& words) {
+    DiffArguments arguments;
+    CLI::App app(
+        "Compares the trace of another implementation (docs/file-formats.md) with a run: the first "
+        "difference, the decisions that account for it, and the rule that, changed alone, gives "
+        "the whole trace.",
+        "spiraling-edge diff");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    const std::optional<TraceStage> upto = arguments.upto();
+    const std::string& input = arguments.input.input();
+    if (arguments.trace == kStandardInput && input == kStandardInput)
+        throw Failure(ExitCode::Usage, "-: standard input is TRACE already; name a file");
+    const Trace trace = readTraceArgument(arguments.trace, upto);
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    PreparedInput prepared = arguments.input.prepare(line);
+    const Status same = teach::requireTraceOf(trace, prepared.points, arguments.trace);
+    if (!same) throw Failure(ExitCode::Input, same.error().message);
+    const SharedPoints points(std::move(prepared.points));
+    const TraceComparison found =
+        runWithProgress("comparing", input, line, [&](const Progress& progress) {
+            return teach::compareTrace(trace, points, prepared.params, upto, progress);
+        });
+    teach::RuleGuess guess;
+    if (found.difference && !arguments.quiet) {
+        guess = runWithProgress("trying rules", input, line, [&](const Progress& progress) {
+            return teach::guessRules(trace, points, prepared.params, upto, progress);
+        });
+    }
+    std::string text = teach::differenceText(found);
+    if (found.difference) text += teach::guessText(guess, trace);
+    if (!arguments.quiet) writeOutput("-", arguments.json ? diffJson(found, guess) : text);
+    return found.difference ? ExitCode::CheckFailed : ExitCode::Good;
+}
+
+}  // namespace se::cli

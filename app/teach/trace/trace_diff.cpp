@@ -1,0 +1,324 @@
+// Both runs go side by side until the first pivot that differs; only that pivot's events are kept.
+// A point of one fan that the other has not is explained by the last decision about it.
+#include "trace_diff.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/reading.h"
+
+namespace se::teach {
+namespace {
+
+/// The run of this program under the trace.
+class TracedRun {
+  public:
+    TracedRun(const SharedPoints& points, const Params& params, TraceDetail detail, bool logged)
+        : detail_(detail), stepper_(points, params, logged ? &log_ : nullptr) {}
+
+    /// The next pivot; nothing at the end of the run.
+    std::optional<TracePivot> next() {
+        log_.clear();
+        while (true) {
+            TraceStep step = stepTraced(stepper_, detail_);
+            if (step.pivot || !step.ran) return std::move(step.pivot);
+        }
+    }
+    const std::vector<Event>& events() const { return log_.events(); }
+
+  private:
+    TraceDetail detail_;
+    EventLog log_;
+    Stepper stepper_;
+};
+
+/// What of the run has to be known to compare it with the trace.
+TraceDetail detailOf(const Trace& trace) {
+    const auto hasStages = [](const TracePivot& pivot) {
+        return pivot.next || pivot.start || pivot.end ||
+               std::any_of(traceStages().begin(), traceStages().end(),
+                           [&](const TraceStageRow& row) {
+                               return row.id != TraceStage::Emit && pivot.*row.points;
+                           });
+    };
+    return std::any_of(trace.pivots.begin(), trace.pivots.end(), hasStages) ? TraceDetail::Stages
+                                                                            : TraceDetail::Fans;
+}
+
+bool isSamePivot(const TracePivot& a, const TracePivot& b) {
+    return a.p == b.p && a.first == b.first && a.last == b.last;
+}
+
+/// True if a stage differs, as far as the trace has it. A pivot that was passed over has no
+/// candidates after any stage, and no limits.
+bool stageDiffers(const TraceStageRow& row, const TracePivot& trace, const TracePivot& run) {
+    const TracedPoints& theirs = trace.*row.points;
+    if (theirs && *theirs != (run.*row.points).value_or(std::vector<Index>{})) return true;
+    if (row.id == TraceStage::Limits && run.start)
+        return (trace.start && trace.start != run.start) || (trace.end && trace.end != run.end);
+    return row.id == TraceStage::Ring && trace.next && trace.next != run.next;
+}
+
+/// The first stage that differs; nothing if none does.
+std::optional<TraceStage> firstDifference(const TracePivot& trace, const TracePivot& run,
+                                          TraceStage upto) {
+    for (const TraceStageRow& row : traceStages()) {
+        if (row.id > upto) break;
+        if (stageDiffers(row, trace, run)) return row.id;
+    }
+    return std::nullopt;
+}
+
+// ---- reasons ------------------------------------------------------------------------------------
+
+std::string_view sideText(Side side) { return side == Side::Start ? "start" : "end"; }
+
+/// What a decision did to its point: "moved start to it", "kept it: inside sphere".
+std::string decisionText(const Event& event) {
+    if (const auto* e = as<LimitEvidence>(event); e && e->moves())
+        return "moved " + std::string(sideText(e->side)) + " to it";
+    if (const auto* e = as<DropEvidence>(event); e && e->isLimit())
+        return "moved " + std::string(sideText(e->side)) + " to it";
+    const std::string why = ": " + std::string(endingText(event));
+    if (isA<LimitEvidence>(event)) return "did not move to it" + why;
+    if (isAgainst(outcomeOf(event))) return "left it out" + why;
+    return verdictOf(event) == Verdict::Kept ? "kept it" : "kept it" + why;
+}
+
+/// True for the tests that decide about a candidate.
+bool decidesCandidate(const Event& event, Index point) {
+    if (testedPoint(event) != point) return false;
+    if (const auto* e = as<LimitEvidence>(event)) return e->moves();
+    if (const auto* e = as<DropEvidence>(event); e && e->isLimit()) return false;
+    return verdictOf(event).has_value();
+}
+
+/// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
+/// test was made, one that kept it, if any did. Null if there is none.
+const Event* decisionAbout(const std::vector<Event>& events, Index point) {
+    const Event* found = nullptr;
+    for (const Event& event : events) {
+        if (event.address.stage >= Stage::Emit) break;
+        if (!decidesCandidate(event, point)) continue;
+        const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
+                                  isA<ReciprocalEvidence>(*found) &&
+                                  verdictOf(*found) == Verdict::Kept;
+        if (!isOtherEntry) found = &event;
+    }
+    return found;
+}
+
+TraceReason reasonFor(const std::vector<Event>& events, const PointSet& points, Index pivot,
+                      Index point, bool inTrace) {
+    const Event* event = decisionAbout(events, point);
+    if (event != nullptr) return {point, inTrace, decisionText(*event), event->address};
+    const auto list = points.neighbors[pivot];
+    const bool isListed = std::find(list.begin(), list.end(), point) != list.end();
+    return {point, inTrace, isListed ? "had it before" : "has it not in the list of the pivot", {}};
+}
+
+/// The reasons for the points that only one of two lists has, in the order of the lists.
+std::vector<TraceReason> reasonsFor(const std::vector<Event>& events, const PointSet& points,
+                                    Index pivot, const std::vector<Index>& trace,
+                                    const std::vector<Index>& run) {
+    const auto has = [](const std::vector<Index>& list, Index point) {
+        return std::find(list.begin(), list.end(), point) != list.end();
+    };
+    std::vector<TraceReason> reasons;
+    for (const Index point : run) {
+        if (!has(trace, point)) reasons.push_back(reasonFor(events, points, pivot, point, false));
+    }
+    for (const Index point : trace) {
+        if (!has(run, point)) reasons.push_back(reasonFor(events, points, pivot, point, true));
+    }
+    return reasons;
+}
+
+/// The last event of a stage; null if there is none.
+const Event* lastOf(const std::vector<Event>& events, Stage stage) {
+    const auto found = std::find_if(events.rbegin(), events.rend(), [&](const Event& event) {
+        return event.address.stage == stage;
+    });
+    return found == events.rend() ? nullptr : &*found;
+}
+
+/// A decision of ours as a sentence.
+TraceReason sentenceReason(const Event& event) {
+    std::string text = describe(event);
+    if (text.ends_with('.')) text.pop_back();
+    return {kNone, false, std::move(text), event.address};
+}
+
+/// The decisions that led to the pivot: third points, seeds, and the advance of the pivot before.
+std::vector<TraceReason> pivotReasons(const std::vector<Event>& before,
+                                      const std::vector<Event>& events) {
+    std::vector<TraceReason> reasons;
+    if (const Event* advance = lastOf(before, Stage::Advance))
+        reasons.push_back(sentenceReason(*advance));
+    for (const Stage stage : {Stage::Seed, Stage::Insert}) {
+        if (const Event* event = lastOf(events, stage)) reasons.push_back(sentenceReason(*event));
+    }
+    return reasons;
+}
+
+/// The decision for or against a fan as a whole; nothing if there was none.
+std::vector<TraceReason> fanReasons(const std::vector<Event>& events) {
+    for (const Stage stage : {Stage::Guard, Stage::TwoPoint, Stage::Skip}) {
+        if (const Event* event = lastOf(events, stage)) return {sentenceReason(*event)};
+    }
+    return {};
+}
+
+/// The changes of the rings at the pivot.
+std::vector<TraceReason> ringReasons(const std::vector<Event>& events) {
+    std::vector<TraceReason> reasons;
+    for (const Event& event : events) {
+        const Stage stage = event.address.stage;
+        if (stage == Stage::Ring || stage == Stage::Split || stage == Stage::Join ||
+            stage == Stage::Advance)
+            reasons.push_back(sentenceReason(event));
+    }
+    return reasons;
+}
+
+std::string stageWhat(TraceStage stage) {
+    if (stage == TraceStage::Emit) return "the fans differ";
+    if (stage == TraceStage::Ring) return "the edge rings differ";
+    return "the candidates after " + std::string(rowOf(stage).name) + " differ";
+}
+
+/// The candidates of a stage, of the fan those between first and last; of the limits with start and
+/// end.
+std::vector<Index> pointsOf(const TracePivot& pivot, const TracePivot& both, TraceStage stage) {
+    const TracedPoints& points = pivot.*rowOf(stage).points;
+    std::vector<Index> list = points.value_or(std::vector<Index>{});
+    if (stage == TraceStage::Emit && !list.empty()) return {list.begin() + 1, list.end() - 1};
+    if (stage != TraceStage::Limits) return list;
+    for (const auto limit : {&TracePivot::start, &TracePivot::end}) {
+        if (both.*limit && pivot.*limit) list.push_back(*(pivot.*limit));
+    }
+    return list;
+}
+
+TraceDifference differenceAt(std::optional<TracePivot> trace, std::optional<TracePivot> run,
+                             std::optional<TraceStage> stage, const std::vector<Event>& before,
+                             const std::vector<Event>& events, const PointSet& points) {
+    TraceDifference found;
+    found.stage = stage;
+    found.trace = std::move(trace);
+    found.run = std::move(run);
+    if (!found.trace) {
+        found.what = "the trace ends, our run goes on (with --upto a trace may end early)";
+    } else if (!found.run) {
+        found.what = "our run has ended, the trace goes on";
+    } else if (!stage) {
+        found.what = "the pivots differ";
+        found.reasons = pivotReasons(before, events);
+    } else if (*stage == TraceStage::Ring) {
+        found.what = stageWhat(*stage);
+        found.reasons = ringReasons(events);
+    } else {
+        found.what = stageWhat(*stage);
+        found.reasons =
+            reasonsFor(events, points, found.run->p, pointsOf(*found.trace, *found.trace, *stage),
+                       pointsOf(*found.run, *found.trace, *stage));
+        const bool noFan =
+            *stage == TraceStage::Emit && found.trace->fan->empty() != found.run->fan->empty();
+        if (noFan) {
+            for (TraceReason& each : fanReasons(events)) found.reasons.push_back(std::move(each));
+            found.what += found.run->fan->empty() ? ": ours has none" : ": yours has none";
+        } else if (found.reasons.empty()) {
+            found.what += ": the same points in another order";
+        }
+    }
+    return found;
+}
+
+std::string pivotText(const TracePivot& pivot) {
+    return "point " + std::to_string(pivot.p) + " between " + std::to_string(pivot.first) +
+           " and " + std::to_string(pivot.last);
+}
+
+std::string whereText(const TraceReason& reason) {
+    if (!reason.address) return {};
+    const std::string_view section = stageSection(reason.address->stage);
+    return ", " + toString(*reason.address) +
+           (section.empty() ? std::string() : " (" + std::string(section) + ")");
+}
+
+std::string countedPivots(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " pivot" : " pivots");
+}
+
+}  // namespace
+
+Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
+                                     const Params& params, std::optional<TraceStage> upto,
+                                     const Progress& progress) {
+    assert(trace.points == points->size());
+    TracedRun run(points, params, detailOf(trace), true);
+    TraceComparison comparison;
+    std::vector<Event> before;
+    while (true) {
+        const bool ended = comparison.alike == trace.pivots.size();
+        if (ended && upto) return comparison;
+        if (progress && !progress(static_cast<double>(comparison.alike) /
+                                  static_cast<double>(trace.pivots.size() + 1)))
+            return Error{"cancelled"};
+        before = run.events();
+        std::optional<TracePivot> ours = run.next();
+        if (ended && !ours) return comparison;
+        std::optional<TracePivot> theirs;
+        if (!ended) theirs = trace.pivots[comparison.alike];
+        std::optional<TraceStage> stage;
+        if (ours && theirs && isSamePivot(*theirs, *ours)) {
+            stage = firstDifference(*theirs, *ours, upto.value_or(TraceStage::Ring));
+            if (!stage) {
+                ++comparison.alike;
+                continue;
+            }
+        }
+        comparison.difference =
+            differenceAt(std::move(theirs), std::move(ours), stage, before, run.events(), *points);
+        comparison.difference->pivot = comparison.alike + 1;
+        return comparison;
+    }
+}
+
+TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Params& params,
+                      std::optional<TraceStage> upto) {
+    assert(trace.points == points->size());
+    TracedRun run(points, params, detailOf(trace), false);
+    TraceMatch match;
+    for (const TracePivot& theirs : trace.pivots) {
+        const std::optional<TracePivot> ours = run.next();
+        if (!ours || !isSamePivot(theirs, *ours) ||
+            firstDifference(theirs, *ours, upto.value_or(TraceStage::Ring)))
+            return match;
+        ++match.alike;
+    }
+    match.whole = upto.has_value() || !run.next();
+    return match;
+}
+
+std::string differenceText(const TraceComparison& comparison) {
+    const std::string alike = countedPivots(comparison.alike) + " alike";
+    if (!comparison.difference) return "all " + alike + "\n";
+    const TraceDifference& found = *comparison.difference;
+    std::string text = "after " + alike + ", pivot " + std::to_string(found.pivot) + " (";
+    const bool otherPivot = !found.stage && found.trace && found.run;
+    text += otherPivot ? "yours: " + pivotText(*found.trace) + "; ours: " + pivotText(*found.run)
+                       : pivotText(found.run ? *found.run : *found.trace);
+    text += "): " + found.what + "\n";
+    for (const TraceReason& each : found.reasons) {
+        const std::string yours = each.inTrace ? "yours has " : "yours has no ";
+        text += each.point != kNone
+                    ? "  " + yours + std::to_string(each.point) + ": ours " + each.decision
+                    : "  ours: " + each.decision;
+        text += whereText(each) + "\n";
+    }
+    return text;
+}
+
+}  // namespace se::teach

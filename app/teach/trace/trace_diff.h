@@ -1,0 +1,62 @@
+/// Comparison of a trace with the run of this program: the first pivot that differs, and the
+/// decisions that account for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/points/shared_points.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
+#include "trace_run.h"
+
+namespace se::teach {
+
+/// A point that only one of the two has, and our decision about it; or a decision of ours that led
+/// to the pivot, its rings or its lack of triangles.
+struct TraceReason {
+    Index point = kNone;   ///< kNone: `decision` is a sentence.
+    bool inTrace = false;  ///< The trace has the point; else only our run.
+    std::string decision;  ///< "moved start to it", "left it out: beyond last"
+    std::optional<Address> address;
+};
+
+/// The first pivot that differs.
+struct TraceDifference {
+    std::size_t pivot = 0;            ///< From 1.
+    std::string what;                 ///< "the fans differ"
+    std::optional<TraceStage> stage;  ///< That differs; nothing if it is the pivot itself.
+    std::optional<TracePivot> trace;  ///< Nothing: the trace has ended.
+    std::optional<TracePivot> run;    ///< Nothing: the run has ended.
+    std::vector<TraceReason> reasons;
+};
+
+/// The outcome of a comparison.
+struct TraceComparison {
+    std::size_t alike = 0;  ///< Pivots before the difference, or all.
+    std::optional<TraceDifference> difference;
+};
+
+/// Compares pivot by pivot: p, first and last, then of the stages those that the trace has.
+/// `upto`: no stage after this one; then the trace may also end before the run. Fails if cancelled.
+/// Requires requireTraceOf().
+Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
+                                     const Params& params, std::optional<TraceStage> upto,
+                                     const Progress& progress = {});
+
+/// The number of pivots of the trace that a run under `params` repeats, and whether it is the whole
+/// trace: the cheap part of compareTrace().
+struct TraceMatch {
+    std::size_t alike = 0;
+    bool whole = false;
+};
+TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Params& params,
+                      std::optional<TraceStage> upto);
+
+/// The difference in lines of text: "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the
+/// fans differ", then a line for each reason.
+std::string differenceText(const TraceComparison& comparison);
+
+}  // namespace se::teach

@@ -1,0 +1,26 @@
+/// A run as the lines of its trace, pivot by pivot.
+#pragma once
+
+#include <optional>
+
+#include "setrace.h"
+#include "spiraling_edge/stepper/stepper.h"
+
+namespace se::teach {
+
+/// What is recorded of a pivot.
+enum class TraceDetail : std::uint8_t {
+    Fans,    ///< Pivot, first, last and fan.
+    Stages,  ///< Also the candidates after each stage, the rings, and what became DONE.
+};
+
+/// One step of a run.
+struct TraceStep {
+    bool ran = false;                 ///< False at the end of the run, as Stepper::stepPivot().
+    std::optional<TracePivot> pivot;  ///< Nothing for a step after the last pivot.
+};
+
+/// Runs `stepper` to the end of its next pivot. Requires that it stands between two pivots.
+TraceStep stepTraced(Stepper& stepper, TraceDetail detail);
+
+}  // namespace se::teach

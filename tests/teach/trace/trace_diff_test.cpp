@@ -1,0 +1,110 @@
+#include "teach/trace/trace_diff.h"
+
+#include <doctest/doctest.h>
+
+#include "traced_scenes.h"
+
+namespace se::teach {
+namespace {
+
+Trace traceOf(const TracedScene& scene, std::string_view rule,
+              TraceDetail detail = TraceDetail::Fans) {
+    const Params params = rule.empty() ? scene.params : withRule(scene.params, rule);
+    return readTrace(traceText(scene.points, params, detail), "x").value();
+}
+
+std::string textOfDifference(const TracedScene& scene, const Trace& trace,
+                             std::optional<TraceStage> upto = {}) {
+    return differenceText(compareTrace(trace, scene.points, scene.params, upto).value());
+}
+
+}  // namespace
+
+TEST_CASE("the own trace has no difference") {
+    const TracedScene scene = tracedScene("figure-12");
+    const Trace trace = traceOf(scene, "", TraceDetail::Stages);
+    CHECK(textOfDifference(scene, trace) == "all 122 pivots alike\n");
+}
+
+TEST_CASE("the first difference names each point of the fans with our decision") {
+    const TracedScene scene = tracedScene("figure-8");
+    CHECK(textOfDifference(scene, traceOf(scene, "limits=off")) ==
+          "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the fans differ\n"
+          "  yours has no 17: ours moved start to it, 8.limits.1 (6.1)\n"
+          "  yours has no 8: ours kept it: inside sphere, 8.sphere.1 (6.3)\n"
+          "  yours has no 15: ours moved end to it, 8.limits.3 (6.1)\n");
+    Trace more = traceOf(scene, "");
+    more.pivots[8].fan = {20, 9, 46, 31, 35, 39};
+    CHECK(textOfDifference(scene, more) ==
+          "after 8 pivots alike, pivot 9 (point 15 between 20 and 39): the fans differ\n"
+          "  yours has 46: ours left it out: removed, 9.sphere.2 (6.3)\n");
+    more.pivots[8].fan = {20, 31, 9, 35, 39};
+    CHECK(textOfDifference(scene, more) ==
+          "after 8 pivots alike, pivot 9 (point 15 between 20 and 39): the fans differ: the same "
+          "points in another order\n");
+    more.pivots[8].fan = {20, 9, 31, 49, 35, 39};
+    CHECK(textOfDifference(scene, more).find("yours has 49: ours has it not in the list") !=
+          std::string::npos);
+}
+
+TEST_CASE("another pivot is named with the decision that led to ours") {
+    const TracedScene scene = tracedScene("torus");
+    CHECK(textOfDifference(scene, traceOf(scene, "next=start")) ==
+          "after 2 pivots alike, pivot 3 (yours: point 605 between 3 and 277; ours: point 559 "
+          "between 534 and 578): the pivots differ\n"
+          "  ours: The next pivot is 559, 2.advance.1 (6.5)\n");
+}
+
+TEST_CASE("a trace that ends early differs, unless it is compared up to a stage") {
+    const TracedScene scene = tracedScene("figure-8");
+    Trace trace = traceOf(scene, "");
+    trace.pivots.resize(10);
+    CHECK(textOfDifference(scene, trace).starts_with("after 10 pivots alike, pivot 11 (point "));
+    CHECK(textOfDifference(scene, trace, TraceStage::Emit) == "all 10 pivots alike\n");
+    Trace longer = traceOf(scene, "");
+    longer.pivots.push_back(longer.pivots.back());
+    CHECK(textOfDifference(scene, longer).find("our run has ended") != std::string::npos);
+}
+
+TEST_CASE("stages are compared in their order, up to the last one asked for") {
+    const TracedScene scene = tracedScene("figure-8");
+    Trace trace = traceOf(scene, "sphere=off", TraceDetail::Stages);
+    CHECK(textOfDifference(scene, trace, TraceStage::Hole).starts_with("after 1 pivot alike"));
+    trace.pivots.resize(1);
+    CHECK(textOfDifference(scene, trace, TraceStage::Hole) == "all 1 pivot alike\n");
+    CHECK(textOfDifference(scene, trace, TraceStage::Sphere)
+              .find("the candidates after sphere differ\n  yours has 3: ours left it out: removed, "
+                    "1.sphere.") != std::string::npos);
+}
+
+TEST_CASE("moved limits are compared where a trace has them") {
+    const TracedScene scene = tracedScene("figure-4");
+    Trace trace = traceOf(scene, "", TraceDetail::Stages);
+    trace.pivots[0].start = trace.pivots[0].first;
+    const std::string text = textOfDifference(scene, trace, TraceStage::Limits);
+    CHECK(text.find("the candidates after limits differ\n  yours has no 5: ours moved start to it, "
+                    "1.limits.1 (6.1)") != std::string::npos);
+}
+
+TEST_CASE("another edge ring is named with the changes of ours") {
+    const TracedScene scene = tracedScene("figure-12");
+    Trace trace = traceOf(scene, "", TraceDetail::Stages);
+    trace.pivots[34].ring->pop_back();
+    const std::string text = textOfDifference(scene, trace);
+    CHECK(text.find("after 34 pivots alike, pivot 35") == 0);
+    CHECK(text.find("the edge rings differ") != std::string::npos);
+    CHECK(text.find("35.split.1 (6.5)") != std::string::npos);
+}
+
+TEST_CASE("given starts are where a comparison begins") {
+    const TracedScene scene = tracedScene("figure-6");
+    const std::string text = textOfDifference(scene, traceOf(scene, "reciprocal=off"));
+    CHECK(
+        text ==
+        "after 0 pivots alike, pivot 1 (point 0 between 1 and 2): the fans differ: ours has none\n"
+        "  yours has 5: ours left it out: not reciprocal, 1.reciprocal.1 (6.1)\n"
+        "  ours: Only first and last are left, 191.4 deg apart: over 180, the ring is "
+        "discarded, 1.twopoint.1 (6.4)\n");
+}
+
+}  // namespace se::teach
