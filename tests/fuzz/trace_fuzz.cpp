@@ -1,0 +1,68 @@
+/// Feeds arbitrary bytes to the reader of traces: no crash, each fault has a message, and what is
+/// complete has valid points, reads back the same, and can be compared with a run. As
+/// readers_fuzz.cpp a plain program unless SPIRALING_EDGE_LIBFUZZER is defined.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "teach/trace/trace_diff.h"
+
+namespace {
+
+void demandTrace(bool good, const char* what) {
+    if (good) return;
+    std::fprintf(stderr, "broken: %s\n", what);
+    std::abort();
+}
+
+/// The points of Figure 4 and their run.
+struct FuzzedRun {
+    se::SharedPoints points{se::prepare(se::findScene("figure-4")->build(), {}).value().points};
+    se::Params params;
+    FuzzedRun() { params.start = se::startOfScene("figure-4"); }
+};
+
+void compareWithRun(se::teach::Trace trace) {
+    static const FuzzedRun run;
+    if (!se::teach::requireTraceOf(trace, *run.points, "input")) return;
+    for (const auto& row : se::teach::traceStages()) {
+        const auto found = se::teach::compareTrace(trace, run.points, run.params, row.id);
+        demandTrace(found.ok() && !se::teach::differenceText(found.value()).empty(), "no text");
+    }
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    for (const auto& row : se::teach::traceStages()) {
+        const auto trace = se::teach::readTrace(bytes, "input", row.id);
+        demandTrace(trace.ok() || !trace.error().message.empty(), "an error without a message");
+        if (!trace.ok()) continue;
+        std::string text =
+            "{\"setrace\":1,\"points\":" + std::to_string(trace.value().points) + "}\n";
+        for (const se::teach::TracePivot& pivot : trace.value().pivots)
+            text += se::teach::traceLine(pivot);
+        demandTrace(se::teach::readTrace(text, "written", row.id).ok(), "another trace");
+        compareWithRun(trace.value());
+    }
+    return 0;
+}
+
+#ifndef SPIRALING_EDGE_LIBFUZZER
+int main(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        std::ifstream file(argv[i], std::ios::binary);
+        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    }
+    return 0;
+}
+#endif
