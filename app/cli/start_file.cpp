@@ -111,6 +111,15 @@ GivenStart readStartFile(const std::string& path) {
     return start;
 }
 
+std::string startJson(const GivenStart& start) {
+    StartJson json = StartJson::object();
+    for (const Triangle& t : start.triangles) json["triangles"].push_back({t.a, t.b, t.c});
+    if (!start.rings.empty()) json["rings"] = start.rings;
+    if (!start.done.empty()) json["done"] = start.done;
+    for (const RingStep& step : start.open) json["open"].push_back({step.from, step.to});
+    return json.dump() + "\n";
+}
+
 void StartArguments::addTo(CLI::App& app) {
     app.add_option("--start", path_,
                    "Begin with the triangles and edge rings of this JSON file "

@@ -13,6 +13,9 @@ namespace se::cli {
 /// wrong and what was expected there.
 GivenStart readStartFile(const std::string& path);
 
+/// JSON of a start, which readStartFile() reads.
+std::string startJson(const GivenStart& start);
+
 /// The option --start.
 class StartArguments {
   public:

@@ -1607,6 +1607,21 @@ bad_traces_are_malformed_input() {
     empty out
 }
 
+conformance_is_written() {
+    local trace input start
+    expect 0 figures --conformance made
+    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "25 25" "inputs and traces"
+    for trace in made/*.setrace; do
+        input=${trace%.setrace}
+        start=()
+        [ ! -f "$input.start.json" ] || start=(--start "$input.start.json")
+        expect 0 diff "$trace" "$input.ply" --upto ring ${start[@]+"${start[@]}"}
+    done
+    expect 2 figures --conformance missing/folder
+    says err "cannot be made"
+    expect 2 figures 8 --conformance made
+}
+
 lessons_are_listed_and_shown() {
     expect 0 lesson list
     says out "tour               1.5 min"

@@ -9,9 +9,12 @@
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/scenes/figures.h"
+#include "start_file.h"
 #include "surface_input.h"
+#include "teach/trace/conformance.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -20,6 +23,7 @@ namespace {
 struct FigureArguments {
     std::vector<int> numbers;
     std::string volumes;
+    std::string conformance;
     bool check = false;
 
     void addTo(CLI::App& app) {
@@ -31,6 +35,10 @@ struct FigureArguments {
         app.add_option(
                "--volumes", volumes,
                "With --check: folder with the volumes of Figures 22 and 25 (docs/table1.md)")
+            ->type_name("DIR");
+        app.add_option("--conformance", conformance,
+                       "Write inputs that show all of the paper's rules, the figures among them, "
+                       "to this folder: points with lists, starts and traces")
             ->type_name("DIR");
     }
     bool isWanted(const Figure& figure) const {
@@ -134,6 +142,26 @@ FigureText checkedResult(const Figure& figure, const std::string& volumes, Progr
             holds};
 }
 
+ExitCode writeConformance(const std::filesystem::path& folder) {
+    std::error_code problem;
+    std::filesystem::create_directory(folder, problem);
+    if (!std::filesystem::is_directory(folder)) {
+        throw Failure(ExitCode::Usage, fmt::format("--conformance {}: no folder, and it cannot be "
+                                                   "made",
+                                                   folder.string()));
+    }
+    for (const teach::ConformanceInput& input : teach::conformanceInputs()) {
+        const teach::ConformanceCase made = teach::conformanceCase(input);
+        const std::string path = (folder / input.name).string();
+        writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
+        if (!made.start.empty()) writeOutput(path + ".start.json", startJson(made.start));
+        writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
+        writeOutput("-", fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
+                                     input.shows));
+    }
+    return ExitCode::Good;
+}
+
 }  // namespace
 
 ExitCode figuresVerb(const Arguments& words) {
@@ -147,6 +175,11 @@ ExitCode figuresVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     if (!arguments.volumes.empty() && !std::filesystem::is_directory(arguments.volumes))
         throw Failure(ExitCode::Usage, "--volumes " + arguments.volumes + ": no such folder");
+    if (!arguments.conformance.empty()) {
+        if (arguments.check || !arguments.numbers.empty())
+            throw Failure(ExitCode::Usage, "--conformance: takes neither numbers nor --check");
+        return writeConformance(arguments.conformance);
+    }
     catchInterrupts();
     ProgressLine line(arguments.check);
     std::size_t failed = 0;
