@@ -1622,6 +1622,46 @@ conformance_is_written() {
     expect 2 figures 8 --conformance made
 }
 
+other_programs_write_traces() {
+    local share=$here/../../app/teach/share
+    expect 0 run scene:figure-4 -q --with-lists -o points.ply --trace ours.setrace
+    cat >copy.c <<'C'
+#include "setrace.h"
+int main(void) {
+    const double xyz[6] = {0.5, -1.0, 2.0, 1e-300, 0.1, -0.0};
+    const uint32_t fan[3] = {1, 0, 2};
+    setrace trace;
+    setrace_begin(&trace, stdout, 2, xyz);
+    setrace_pivot(&trace, 3, 1, 2);
+    setrace_list(&trace, "fan", fan, 3);
+    setrace_point(&trace, "start", 1);
+    setrace_next(&trace, 2);
+    setrace_pivot(&trace, 2, 1, 1);
+    setrace_list(&trace, "fan", fan, 0);
+    setrace_next(&trace, SETRACE_NONE);
+    return setrace_end(&trace);
+}
+C
+    cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -I "$share" copy.c -o copy || fail "setrace.h as C99"
+    c++ -std=c++11 -Wall -Wextra -Werror -x c++ -I "$share" -fsyntax-only copy.c || fail "setrace.h as C++"
+    ./copy >c.setrace
+    is "$(tail -2 c.setrace | paste -sd ' ')" \
+        '{"p":3,"first":1,"last":2,"fan":[1,0,2],"start":1,"next":2} {"p":2,"first":1,"last":1,"fan":[],"next":null}' \
+        "lines of C"
+    command -v python3 >/dev/null || return 0
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$share python3 - <<'PYTHON' || fail "setrace.py"
+import setrace
+header, _ = setrace.read("c.setrace")
+assert header["hash"] == setrace.points_hash([(0.5, -1.0, 2.0), (1e-300, 0.1, -0.0)]), header
+points = setrace.read_points("points.ply")
+assert points.lists[0] == sorted(points.lists[0], key=lambda q: sum((a - b) ** 2 for a, b in zip(points.position[0], points.position[q]))), points.lists[0]
+with setrace.Writer("python.setrace", points.position) as trace:
+    for pivot in setrace.read("ours.setrace")[1]:
+        trace.pivot(**pivot)
+PYTHON
+    cmp ours.setrace python.setrace || fail "setrace.py writes other bytes"
+}
+
 lessons_are_listed_and_shown() {
     expect 0 lesson list
     says out "tour               1.5 min"
