@@ -129,6 +129,19 @@ class StepCheck {
         return makeMesh({cursor.timeline().points(), cursor.timeline().params()});
     }
 
+    /// The words of a typed answer that name points.
+    std::vector<std::string> pointWords(const Question& question) const {
+        if (question.kind == "points" || question.kind == "point") return question.typed;
+        std::vector<std::string> words;
+        if (question.kind != "play") return words;
+        for (const std::string& each : question.typed) {
+            const Result<PlayMove> move = moveFromText(each, setting_.names);
+            if (!move) continue;  // Reported with the answer as a whole.
+            for (const Index point : move.value().points) words.push_back(std::to_string(point));
+        }
+        return words;
+    }
+
     void checkQuestion() {
         const Question& question = *step_.question;
         const KeyLines& lines = question.lines;
@@ -136,8 +149,7 @@ class StepCheck {
                                checkPlace(lines.of("until"), "until", question.until) &&
                                checkPlace(lines.of("why"), "why", question.why);
         if (!hasPlaces) return;
-        const bool namesPoints = question.kind == "points" || question.kind == "point";
-        if (namesPoints && !checkWords(lines, "answer", question.typed)) return;
+        if (!checkWords(lines, "answer", pointWords(question))) return;
         const Result<RunRange> range = rangeOf(*cursor_, setting_, question);
         if (!range) {
             malformed(lines, "until", range.error().message);

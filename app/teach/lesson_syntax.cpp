@@ -86,7 +86,7 @@ void checkQuestion(const Question& question, std::vector<LessonFault>& all) {
     std::vector<std::string_view> names;
     for (const QuestionKind& each : questionKinds()) names.push_back(each.name);
     if (question.kind.empty()) {
-        faults.add("kind", "missing: points, point, choice or number");
+        faults.add("kind", "missing: points, point, choice, number or play");
         return;
     }
     faults.oneOf("kind", question.kind, names);

@@ -142,6 +142,56 @@ std::string textOfNumber(const Answer& answer, const QuestionContext&) {
     return text.empty() ? "none" : text;
 }
 
+// ---- play ----
+
+Result<Answer> readPlay(const Words& words, const QuestionContext& context) {
+    Answer answer;
+    for (const std::string& word : words) {
+        Result<PlayMove> move = moveFromText(word, context.names);
+        if (!move) return move.error();
+        answer.moves.push_back(std::move(move.value()));
+    }
+    return answer;
+}
+
+Result<Answer> playOfRun(const RunValue& value, const QuestionContext&) {
+    if (value.moves.empty()) {
+        return Error{
+            "no pivot is played there; `at` has to be where an interior pivot begins, "
+            "such as 9.pivot.1"};
+    }
+    Answer answer;
+    answer.moves = value.moves;
+    return answer;
+}
+
+Grade gradePlay(const Answer& given, const Answer& right, const Question&) {
+    const std::size_t alike = movesAlike(given.moves, right.moves);
+    Grade grade;
+    grade.right = given.moves == right.moves;
+    grade.score = right.moves.empty()
+                      ? 0.0
+                      : static_cast<double>(alike) / static_cast<double>(right.moves.size());
+    if (grade.right) return grade;
+    // The points of a fan that belong to it are not wrong.
+    const std::vector<Index> none;
+    const auto& wrong = alike < given.moves.size() ? given.moves[alike].points : none;
+    const auto& wanted = alike < right.moves.size() ? right.moves[alike].points : none;
+    const bool isFan = alike < right.moves.size() && right.moves[alike].kind == MoveKind::Fan;
+    for (const Index point : wrong) {
+        const bool belongs = std::find(wanted.begin(), wanted.end(), point) != wanted.end();
+        if (!(isFan && belongs)) grade.wrong.push_back(point);
+    }
+    return grade;
+}
+
+std::string textOfPlay(const Answer& answer, const QuestionContext& context) {
+    std::string text;
+    for (const PlayMove& each : answer.moves)
+        text += (text.empty() ? "" : "; ") + moveText(each, context.names);
+    return text.empty() ? "none" : text;
+}
+
 constexpr std::array kQuestionKinds{
     QuestionKind{"points", "Mark a set of points.",
                  "a list of points, or \"refused\", \"kept\" or \"fan\"", readPoints, pointsOfRun,
@@ -152,6 +202,9 @@ constexpr std::array kQuestionKinds{
                  choiceOfRun, gradeChoice, textOfChoice},
     QuestionKind{"number", "Give a number.", "a number, or \"count:triangles\" and the like",
                  readNumberAnswer, numberOfRun, gradeNumber, textOfNumber},
+    QuestionKind{"play", "Play the whole pivot: start, end, keep, remove, fan, next.",
+                 "a list of moves such as \"keep q\", or \"moves\"", readPlay, playOfRun, gradePlay,
+                 textOfPlay},
 };
 
 /// Words of an option of a question that is no choice: "8, 9" names two points.

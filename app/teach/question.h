@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lesson.h"
+#include "play_moves.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/result.h"
 
@@ -19,14 +20,16 @@ struct Answer {
     std::vector<Index> points;          ///< Of `points`, in any order; of `point`, one.
     std::optional<std::size_t> choice;  ///< From 0, A.
     std::optional<double> number;
+    std::vector<PlayMove> moves;  ///< Of `play`, in order.
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// The result of comparing an answer with the right one.
 struct Grade {
     bool right = false;
-    double score = 0.0;          ///< From 0 to 1; of `points`, the share of the two sets in common.
-    std::vector<Index> wrong;    ///< Points that do not belong to the answer.
+    double score = 0.0;  ///< From 0 to 1; of `points`, the share of the two sets in common.
+    std::vector<Index>
+        wrong;  ///< Points that do not belong to the answer; of the first wrong move.
     std::vector<Index> missing;  ///< Points of the answer that were not given.
 };
 

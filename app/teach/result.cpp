@@ -26,6 +26,9 @@ std::vector<std::string> namesOf(const std::vector<Index>& points,
 /// An answer in words that its kind reads back.
 std::vector<std::string> answerWords(const Answer& answer, const std::vector<NamedPoint>& names) {
     if (answer.choice) return {optionLetter(*answer.choice)};
+    std::vector<std::string> moves;
+    for (const PlayMove& each : answer.moves) moves.push_back(moveText(each, names));
+    if (!moves.empty()) return moves;
     if (!answer.number) return namesOf(answer.points, names);
     std::string text;
     appendPlainNumber(text, *answer.number);
@@ -155,7 +158,8 @@ GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& g
     const Grade grade = gradeAnswer(*lesson.steps[step].question, given, right.answer);
     answer.given = answerWords(given, names);
     answer.wrong = namesOf(grade.wrong, names);
-    if (!grade.right && grade.wrong.empty() && given.points.empty()) answer.wrong = answer.given;
+    const bool hasPoints = !given.points.empty() || !given.moves.empty();
+    if (!grade.right && grade.wrong.empty() && !hasPoints) answer.wrong = answer.given;
     answer.right = grade.right;
     answer.score = grade.score;
     return answer;

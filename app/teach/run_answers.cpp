@@ -69,6 +69,14 @@ RunValue verdictThere(const RunRange& range) {
     return value;
 }
 
+RunValue playedMoves(const RunRange& range) {
+    RunValue value;
+    // Within a pivot its first decisions are known already.
+    if (range.before.candidates.empty() || range.before.complete)
+        value.moves = movesOf(movesOfRun(range.events));
+    return value;
+}
+
 RunValue numberOf(std::size_t count) {
     RunValue value;
     value.number = static_cast<double>(count);
@@ -124,6 +132,7 @@ constexpr std::array kRunAnswers{
     RunAnswer{"start", "point", "the point at start of the neighbor ring at `until`", startPoint},
     RunAnswer{"end", "point", "the point at end of the neighbor ring at `until`", endPoint},
     RunAnswer{"verdict", "choice", "the outcome of the decision at `until`", verdictThere},
+    RunAnswer{"moves", "play", "the moves of the pivot that begins at `at`", playedMoves},
     RunAnswer{"count:triangles", "number", "the triangles made after `at`, up to `until`",
               triangleCount},
     RunAnswer{"count:enter", "number", "the points that enter the edge ring", enteringCount},

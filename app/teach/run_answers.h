@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "play_moves.h"
 #include "spiraling_edge/replay/run_cursor.h"
 
 namespace se::teach {
@@ -24,7 +25,8 @@ struct RunRange {
 struct RunValue {
     std::vector<Index> points;  ///< Ascending; of the fan, in its order.
     std::optional<double> number;
-    std::string outcome;  ///< Words of outcomeText() in explain/figure_check.h.
+    std::vector<PlayMove> moves;  ///< Of the pivot, if the range begins with it.
+    std::string outcome;          ///< Words of outcomeText() in explain/figure_check.h.
 };
 
 /// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".

@@ -49,6 +49,21 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
+TEST_CASE("a question to play is answered by the moves of the run") {
+    const std::string play = "kind = \"play\"\nat = \"9.pivot.1\"\nanswer = ";
+    CHECK(askCheck(play + "\"moves\"") == "good");
+    CHECK(askCheck(play + "[\"keep t\", \"remove q\", \"keep s\", \"keep r\", \"fan first t s r "
+                          "last\", \"next last\"]") == "good");
+    CHECK(
+        askCheck(play + "[\"keep t\", \"keep q\"]")
+            .starts_with("disagrees x:15: answer: keep t; keep q is not what the run gives (moves: "
+                         "keep t; remove q; keep s; keep r; fan first t s r last; next last)"));
+    CHECK(has(askCheck(play + "[\"keep 99\"]"), "answer: 99: there are 50 points, from 0"));
+    CHECK(has(askCheck(play + "[\"drop q\"]"), "answer: \"drop\": expected start, end,"));
+    CHECK(has(askCheck("kind = \"play\"\nat = \"9.limits.2\"\nanswer = \"moves\""),
+              "`at` has to be where an interior pivot begins"));
+}
+
 TEST_CASE("every embedded lesson agrees with its runs, and has a length") {
     CHECK(embeddedLessons().size() == 8);
     for (const EmbeddedLesson& each : embeddedLessons()) {

@@ -56,6 +56,29 @@ TEST_CASE("one point, a choice and a number are right or wrong") {
     CHECK_FALSE(gradeAnswer(number, {}, numberAnswer(118)).right);
 }
 
+TEST_CASE("played moves are graded up to the first that differs") {
+    const Question play = questionOf("play");
+    const QuestionContext context{play, {{"q", 46}, {"t", 9}}};
+    const QuestionKind& kind = *findQuestionKind("play");
+    const Answer right =
+        kind.read({"keep t", "remove q", "fan 20 t 39", "next 39"}, context).value();
+    CHECK(gradeAnswer(play, right, right).score == 1.0);
+    Answer given = right;
+    given.moves[1].kind = MoveKind::Keep;
+    CHECK_FALSE(gradeAnswer(play, given, right).right);
+    CHECK(gradeAnswer(play, given, right).score == doctest::Approx(0.25));
+    CHECK(gradeAnswer(play, given, right).wrong == std::vector<Index>{46});
+    given = right;
+    given.moves[2].points = {20, 9, 46, 39};
+    CHECK(gradeAnswer(play, given, right).wrong == std::vector<Index>{46});
+    given = right;
+    given.moves.pop_back();
+    CHECK_FALSE(gradeAnswer(play, given, right).right);
+    CHECK(kind.text(right, context) == "keep t; remove q; fan 20 t 39; next 39");
+    CHECK(kind.read({"keep x"}, context).error().message ==
+          "keep: \"x\" is no name and no number of a point");
+}
+
 TEST_CASE("the option of a room is that whose text is the answer") {
     Question question = questionOf("points");
     question.options = {"q", "t, s", "t s r"};
