@@ -36,6 +36,7 @@ constexpr std::array kVerbs{
     Verb{"figures", "list the figures of the paper with their scenes, and check them", figuresVerb},
     Verb{"lesson", "list, show, check and begin lessons; sum up the results of a class",
          lessonVerb},
+    Verb{"practice", "print a pivot to play by hand, and grade a try", practiceVerb},
     Verb{"table1", "reproduce the paper's Table 1", table1Verb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},

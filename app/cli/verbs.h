@@ -35,6 +35,8 @@ ExitCode whyVerb(const Arguments& arguments);
 ExitCode figuresVerb(const Arguments& arguments);
 /// Lists, shows, checks and begins lessons, and sums up results.
 ExitCode lessonVerb(const Arguments& arguments);
+/// Prints a pivot to play by hand, and grades a try.
+ExitCode practiceVerb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Starts the viewer. Returns only by throwing.

@@ -85,11 +85,11 @@ cases_are_listed() {
 
 help_and_version() {
     expect 0 --help
-    for verb in run info doctor why check compare diff reduce sample table1 scenes view render; do says out "  $verb "; done
+    for verb in run info doctor why check compare diff practice reduce sample table1 scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info doctor why check compare diff reduce sample table1 scenes render; do
+    for verb in run info doctor why check compare diff practice reduce sample table1 scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -1727,6 +1727,46 @@ lesson_result() {
     printf '{"format": "spiraling-edge lesson result", "version": 1, "lesson": "L", "hash": "h", "answers": [
         {"step": 2, "title": "Q", "kind": "points", "given": [%s], "wrong": [%s], "right": %s, "score": 0.5,
          "seconds": 10, "tries": 1}]}' "$2" "$3" "$4" >"$1"
+}
+
+pivots_are_played() {
+    local seed
+    expect 0 practice --seed 7
+    says out "Pivot p = 22 between first = 27 and last = 29"
+    says out " 20   0.355  0.651  UNUSED"
+    says out "--seed 7 --answer FILE"
+    expect 0 practice --seed 7 --json
+    says out '"p":22,"first":27,"last":29,"neighbors":[29,34,27,'
+    expect 0 practice --seed 7 --solution
+    says out "remove 17                 # 24.sphere.1 (6.3)"
+    cp out right.txt
+    expect 0 practice --seed 7 --answer right.txt
+    says out "right: all 5 moves"
+    sed 's/remove 17/keep 17/' right.txt >wrong.txt
+    expect 1 practice --seed 7 --answer wrong.txt
+    says out "move 2, keep 17: wrong"
+    says out "(24.sphere.1, 6.3)"
+    head -3 right.txt >part.txt
+    expect 1 practice --seed 7 --answer part.txt
+    says out "move 4, missing"
+    expect 1 practice --seed 7 --answer wrong.txt --json
+    says out '"section": "6.3"'
+    "$program" practice --seed 7 --answer - <right.txt | grep -q right || fail "standard input"
+    echo "keep 99" >range.txt
+    expect 3 practice --seed 7 --answer range.txt
+    says err "range.txt: line 1: 99: there are 35 points, from 0"
+    expect 3 practice --answer missing.txt
+    expect 2 practice --seed x
+    expect 2 practice --result a.result.json
+    expect 2 practice --answer right.txt --result right.txt
+    for seed in $(seq 30); do
+        "$program" practice --seed "$seed" --solution >moves.txt
+        [ $((seed % 3)) != 0 ] || sed -i 's/^remove/keep/' moves.txt
+        "$program" practice --seed "$seed" --answer moves.txt --result "$seed.result.json" >>log
+    done
+    expect 0 lesson results [0-9]*.result.json -o class.csv
+    says out "  1     30       67 %   6.3 sphere (10)   Play a pivot"
+    says class.csv "Practice,practice 1,1,Play a pivot,play,30,20,0.667,"
 }
 
 results_are_summed_up() {

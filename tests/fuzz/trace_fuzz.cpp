@@ -1,5 +1,5 @@
-/// Feeds arbitrary bytes to the reader of traces: no crash, each fault has a message, and what is
-/// complete has valid points, reads back the same, and can be compared with a run. As
+/// Feeds arbitrary bytes to the readers of traces and of moves: no crash, each fault has a message,
+/// and what is complete has valid points, reads back, and can be compared with a run. As
 /// readers_fuzz.cpp a plain program unless SPIRALING_EDGE_LIBFUZZER is defined.
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/practice.h"
 #include "teach/trace/trace_diff.h"
 
 namespace {
@@ -37,11 +38,25 @@ void compareWithRun(se::teach::Trace trace) {
     }
 }
 
+void readAndGradeMoves(std::string_view bytes) {
+    static const se::teach::PracticeTask task = se::teach::practiceTask(7);
+    const auto moves = se::teach::readMoves(bytes, "input", task.points->size());
+    demandTrace(moves.ok() || !moves.error().message.empty(), "an error without a message");
+    if (!moves.ok()) return;
+    const se::teach::PracticeGrade grade = se::teach::gradePractice(task, moves.value());
+    demandTrace(grade.right || !grade.sentence.empty(), "a wrong move without a sentence");
+    for (const se::teach::PlayMove& each : moves.value()) {
+        const auto again = se::teach::moveFromText(se::teach::moveText(each));
+        demandTrace(again.ok() && again.value() == each, "another move");
+    }
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    readAndGradeMoves(bytes);
     for (const auto& row : se::teach::traceStages()) {
         const auto trace = se::teach::readTrace(bytes, "input", row.id);
         demandTrace(trace.ok() || !trace.error().message.empty(), "an error without a message");

@@ -1,0 +1,184 @@
+// spiraling-edge practice: a pivot to play by hand, drawn from a seed, and the grade of a try.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "input.h"
+#include "options.h"
+#include "output/output.h"
+#include "spiraling_edge/base/files.h"
+#include "teach/practice.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+using teach::PlayMove;
+using teach::PracticeGrade;
+using teach::PracticeTask;
+using PracticeJson = nlohmann::ordered_json;
+
+struct PracticeArguments {
+    std::uint64_t seed = 1;
+    std::string answer;
+    std::string result;
+    bool solution = false;
+    bool json = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("--seed", seed, "Number of the task")->type_name("N")->capture_default_str();
+        auto* answered = app.add_option("--answer", answer,
+                                        "Grade the moves of this file, or -: exit with 1 if one "
+                                        "is wrong")
+                             ->type_name("FILE");
+        addOutputOption(app, "--result", result,
+                        "With --answer: write the result to this file, for lesson results")
+            ->needs(answered);
+        app.add_flag("--solution", solution, "Print the moves of the run with their decisions")
+            ->excludes(answered);
+        app.add_flag("--json", json, "As JSON");
+    }
+};
+
+std::string_view statusText(const PracticeTask& task, Index point) {
+    const auto has = [&](const std::vector<Index>& points) {
+        return std::find(points.begin(), points.end(), point) != points.end();
+    };
+    if (has(task.done)) return "DONE";
+    const bool isUsed = has(task.ring) || std::any_of(task.stack.begin(), task.stack.end(), has);
+    return isUsed ? "USED" : "UNUSED";
+}
+
+std::string taskText(const PracticeTask& task) {
+    const PointSet& points = *task.points;
+    std::string text = fmt::format(
+        "Task {}: play pivot {} of a run under the set paper.\n\n"
+        "Pivot p = {} between first = {} and last = {}\n"
+        "Neighbors of {}, nearest first: {}\n"
+        "Edge ring from p on: {}\n",
+        task.seed, task.address.pivot, task.p, task.first, task.last, task.p,
+        fmt::join(points.neighbors[task.p], " "), fmt::join(task.ring, " "));
+    for (const std::vector<Index>& ring : task.stack)
+        text += fmt::format("Stacked edge ring: {}\n", fmt::join(ring, " "));
+    text +=
+        "All steps of the rings are edges of the mesh. All normals are (0, 0, 1), and z = 0.\n\n";
+    for (Index i = 0; i < points.size(); ++i) {
+        const Vec3& x = points.position[i];
+        text += fmt::format("{:>3}  {:>6.3f} {:>6.3f}  {}\n", i, x.x, x.y, statusText(task, i));
+    }
+    text += "\nWrite the moves into a file, one a line, in this order:\n";
+    for (const teach::MoveRow& row : teach::moveTable())
+        text += fmt::format("  {:<6}  {}\n", row.name, row.help);
+    text += fmt::format(
+        "One `keep` or `remove` for each neighbor between first and last that is not DONE, by\n"
+        "increasing angle from first; none for points that start or end move to. For example\n"
+        "  start 4\n  keep 7\n  remove 2\n  fan {} 4 7 {}\n  next 4\n"
+        "  spiraling-edge practice --seed {} --answer FILE\n",
+        task.first, task.last, task.seed);
+    return text;
+}
+
+PracticeJson taskJson(const PracticeTask& task) {
+    const PointSet& points = *task.points;
+    PracticeJson json{{"seed", task.seed},
+                      {"rules", "paper"},
+                      {"address", toString(task.address)},
+                      {"p", task.p},
+                      {"first", task.first},
+                      {"last", task.last},
+                      {"neighbors", std::vector<Index>(points.neighbors[task.p].begin(),
+                                                       points.neighbors[task.p].end())},
+                      {"ring", task.ring},
+                      {"stack", task.stack},
+                      {"done", task.done}};
+    json["points"] = PracticeJson::array();
+    for (const Vec3& x : points.position) json["points"].push_back({x.x, x.y, x.z});
+    json["normals"] = PracticeJson::array();
+    for (const Vec3& n : points.normal) json["normals"].push_back({n.x, n.y, n.z});
+    return json;
+}
+
+PracticeJson solutionJson(const PracticeTask& task) {
+    PracticeJson json = PracticeJson::array();
+    for (const teach::RunMove& each : task.solution) {
+        json.push_back({{"move", teach::moveText(each.move)},
+                        {"address", toString(each.event.address)},
+                        {"section", stageSection(each.event.address.stage)}});
+    }
+    return json;
+}
+
+std::string solutionText(const PracticeTask& task) {
+    std::string text;
+    for (const teach::RunMove& each : task.solution) {
+        text += fmt::format("{:<24}  # {} ({})\n", teach::moveText(each.move),
+                            toString(each.event.address), stageSection(each.event.address.stage));
+    }
+    return text;
+}
+
+std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& task) {
+    const bool piped = path == kStandardInput;
+    const Result<std::string> bytes = readBytes(piped ? "/dev/stdin" : path);
+    if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
+    Result<std::vector<PlayMove>> moves =
+        teach::readMoves(bytes.value(), piped ? "standard input" : path, task.points->size());
+    if (!moves) throw Failure(ExitCode::Input, moves.error().message);
+    return std::move(moves.value());
+}
+
+std::string gradeText(const PracticeGrade& grade, const std::vector<PlayMove>& moves) {
+    if (grade.right) return fmt::format("right: all {} moves\n", moves.size());
+    const std::size_t wrong = grade.rightMoves;
+    const std::string given =
+        wrong < moves.size() ? teach::moveText(moves[wrong]) + ": wrong" : "missing";
+    return fmt::format("move {}, {}\n  {} ({}, {})\n", wrong + 1, given, grade.sentence,
+                       grade.address, grade.section);
+}
+
+std::string gradeJson(const PracticeGrade& grade) {
+    PracticeJson json{{"right", grade.right}, {"right_moves", grade.rightMoves}};
+    if (!grade.right) {
+        json["section"] = grade.section;
+        json["stage"] = grade.stage;
+        json["address"] = grade.address;
+        json["sentence"] = grade.sentence;
+    }
+    return json.dump(2) + "\n";
+}
+
+ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask& task) {
+    if (!arguments.result.empty()) requireWritable({{"--result", arguments.result}});
+    requireOtherThan(arguments.answer, {{"--result", arguments.result}});
+    const std::vector<PlayMove> moves = readAnswer(arguments.answer, task);
+    const PracticeGrade grade = teach::gradePractice(task, moves);
+    if (!arguments.result.empty()) {
+        writeOutput(arguments.result, teach::resultJson(teach::practiceResult(moves, grade, task)));
+    }
+    writeOutput("-", arguments.json ? gradeJson(grade) : gradeText(grade, moves));
+    return grade.right ? ExitCode::Good : ExitCode::CheckFailed;
+}
+
+}  // namespace
+
+ExitCode practiceVerb(const Arguments& words) {
+    PracticeArguments arguments;
+    CLI::App app(
+        "Prints a pivot to play by hand, drawn from a seed: coordinates, neighbors, edge ring, "
+        "and the form of the answer; with --answer, names the first wrong decision.",
+        "spiraling-edge practice");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    const PracticeTask task = teach::practiceTask(arguments.seed);
+    if (!arguments.answer.empty()) return gradeAnswerFile(arguments, task);
+    if (!arguments.json) {
+        writeOutput("-", arguments.solution ? solutionText(task) : taskText(task));
+        return ExitCode::Good;
+    }
+    const PracticeJson json = arguments.solution ? solutionJson(task) : taskJson(task);
+    writeOutput("-", json.dump() + "\n");
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,188 @@
+// The points of a seed are an even sample of a flat square, of which some are taken away, rounded
+// to thousandths; of its run those pivots are tasks at which start or end moves, a candidate is
+// kept, another removed, and no decision is near. A sample without such a pivot is passed over.
+#include "practice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spiraling_edge/base/random.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
+
+namespace se::teach {
+namespace {
+
+constexpr std::size_t kPracticePerSide = 3;
+constexpr std::size_t kPracticeInterior = 22;
+constexpr std::size_t kPracticeNeighbors = 9;
+constexpr double kPracticeTaken = 0.12;  ///< Share of the interior points taken away.
+
+/// A copy of the points of a file that `keeps` is true for.
+template <typename Keeps>
+PointFile somePoints(const PointFile& file, Keeps&& keeps) {
+    PointFile some;
+    for (std::size_t i = 0; i < file.position.size(); ++i) {
+        if (!keeps(i)) continue;
+        some.position.push_back(file.position[i]);
+        some.normal.push_back(file.normal[i]);
+        some.type.push_back(file.type[i]);
+    }
+    return some;
+}
+
+PointSet practicePoints(SplitMix& random) {
+    const PointFile sheet =
+        sampleSheet(flatSheet(), kPracticePerSide, kPracticeInterior, random.bits());
+    PointFile file = somePoints(sheet, [&](std::size_t i) {
+        return isBoundary(sheet.type[i]) || random.unit() >= kPracticeTaken;
+    });
+    for (Vec3& x : file.position) {
+        // Thousandths, and no -0.
+        for (int i = 0; i < 3; ++i) x[i] = std::round(1000.0 * x[i]) / 1000.0 + 0.0;
+    }
+    PrepareOptions options;
+    options.neighbors.reach = KNearest{kPracticeNeighbors};
+    return prepare(file, options).value().points;
+}
+
+/// True if every decision of a pivot is clear, so that rounded numbers decide the same.
+bool isClear(std::span<const Event> events, const ReadingContext& context) {
+    return std::all_of(events.begin(), events.end(), [&](const Event& event) {
+        const std::optional<Reading> reading = readingOf(event, context);
+        return !reading || std::abs(reading->margin) > kPracticeMargin;
+    });
+}
+
+/// True if the moves are worth playing.
+bool isTask(const std::vector<RunMove>& moves) {
+    const auto count = [&](MoveKind kind) {
+        return std::count_if(moves.begin(), moves.end(),
+                             [&](const RunMove& each) { return each.move.kind == kind; });
+    };
+    return count(MoveKind::MoveStart) + count(MoveKind::MoveEnd) > 0 && count(MoveKind::Keep) > 0 &&
+           count(MoveKind::Remove) > 0 && !moves.back().move.points.empty();
+}
+
+std::vector<Index> pointsOfRing(const EdgeRings& rings, Index ring, Index entry) {
+    std::vector<Index> points;
+    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry))
+        points.push_back(rings.point(entry));
+    return points;
+}
+
+bool hasOpenStep(const EdgeRings& rings) {
+    for (const Index entry : rings.entriesOf(rings.active())) {
+        if (rings.open(entry)) return true;
+    }
+    return false;
+}
+
+/// What stands before a pivot: the rings and the DONE points.
+void recordBefore(const State& state, PracticeTask& task) {
+    const EdgeRings& rings = state.rings;
+    task.ring = pointsOfRing(rings, rings.active(), state.pivot.pivot);
+    for (const Index ring : rings.stack())
+        task.stack.push_back(pointsOfRing(rings, ring, rings.head(ring)));
+    task.done = state.done;
+    std::sort(task.done.begin(), task.done.end());
+}
+
+/// All tasks of a run.
+std::vector<PracticeTask> tasksOf(std::uint64_t seed, const SharedPoints& points) {
+    std::vector<PracticeTask> tasks;
+    EventLog log;
+    Stepper stepper(points, {}, &log);
+    while (true) {
+        const State before = stepper.state();
+        log.clear();
+        if (!stepper.stepPivot()) return tasks;
+        const std::vector<Event>& events = log.events();
+        const auto begins = std::find_if(events.begin(), events.end(), isA<PivotEvidence>);
+        // No seeds and third points: all that counts is on the ring.
+        if (begins != events.begin() || events.empty() || hasOpenStep(before.rings)) continue;
+        const auto& pivot = *as<PivotEvidence>(*begins);
+        if (isBoundary(points->type[pivot.pivot])) continue;
+        PracticeTask task{seed, points};
+        task.address = begins->address;
+        task.p = pivot.pivot;
+        task.first = pivot.first;
+        task.last = pivot.last;
+        task.solution = movesOfRun(events);
+        task.events = events;
+        if (task.solution.empty() || !isTask(task.solution)) continue;
+        if (!isClear(events, {*points, task.params, pivot.pivot})) continue;
+        recordBefore(before, task);
+        tasks.push_back(std::move(task));
+    }
+}
+
+}  // namespace
+
+PracticeTask practiceTask(std::uint64_t seed) {
+    SplitMix random(seed);
+    while (true) {
+        const SharedPoints points(practicePoints(random));
+        std::vector<PracticeTask> tasks = tasksOf(seed, points);
+        if (!tasks.empty()) return std::move(tasks[random.bits() % tasks.size()]);
+    }
+}
+
+PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove>& moves) {
+    PracticeGrade grade;
+    grade.rightMoves = movesAlike(moves, movesOf(task.solution));
+    grade.right = grade.rightMoves == task.solution.size() && moves.size() == grade.rightMoves;
+    if (grade.right) return grade;
+    const RunMove* expected =
+        grade.rightMoves < task.solution.size() ? &task.solution[grade.rightMoves] : nullptr;
+    const Event* event = expected != nullptr ? &expected->event : nullptr;
+    if (grade.rightMoves < moves.size())
+        event = decisionAgainst(task.events, moves[grade.rightMoves], expected);
+    if (event == nullptr) event = &task.solution.back().event;
+    grade.section = stageSection(event->address.stage);
+    grade.stage = stageName(event->address.stage);
+    grade.address = toString(event->address);
+    grade.sentence = describe(*event);
+    return grade;
+}
+
+LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGrade& grade,
+                            const PracticeTask& task) {
+    GivenAnswer answer;
+    answer.step = 1;
+    answer.title = "Play a pivot";
+    answer.kind = "play";
+    for (const PlayMove& each : moves) answer.given.push_back(moveText(each));
+    if (!grade.right) answer.wrong = {grade.section + ' ' + grade.stage};
+    answer.right = grade.right;
+    answer.score =
+        static_cast<double>(grade.rightMoves) / static_cast<double>(task.solution.size());
+    return {"Practice", "practice 1", {}, {std::move(answer)}};
+}
+
+Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& name,
+                                        std::size_t pointCount) {
+    std::vector<PlayMove> moves;
+    io::LineReader lines(text);
+    while (lines.nextContent('#')) {
+        Result<PlayMove> move = moveFromText(lines.line());
+        const auto fail = [&](const std::string& what) {
+            return io::errorAt(name, io::lineText(lines.number()), what);
+        };
+        if (!move) return fail(move.error().message);
+        for (const Index point : move.value().points) {
+            if (point >= pointCount)
+                return fail(std::to_string(point) + ": there are " + std::to_string(pointCount) +
+                            " points, from 0");
+        }
+        moves.push_back(std::move(move.value()));
+    }
+    if (moves.empty()) return Error{name + ": expected moves, one a line, such as \"keep 12\""};
+    return moves;
+}
+
+}  // namespace se::teach

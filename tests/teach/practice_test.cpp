@@ -1,0 +1,180 @@
+#include "teach/practice.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
+#include "teach/result_table.h"
+#include "teach/trace/setrace.h"
+#include "trace/traced_scenes.h"
+
+namespace se::teach {
+namespace {
+
+PlayMove moveOf(std::string_view text) { return moveFromText(text).value(); }
+
+/// The moves of a pivot of a scene, one a line.
+std::string playedText(std::string_view id, std::uint32_t pivot) {
+    const TracedScene scene = tracedScene(id);
+    EventLog log;
+    Stepper stepper(scene.points, scene.params, &log);
+    for (std::uint32_t i = 0; i < pivot; ++i) {
+        log.clear();
+        stepper.stepPivot();
+    }
+    std::string text;
+    for (const RunMove& each : movesOfRun(log.events())) text += moveText(each.move) + "\n";
+    return text;
+}
+
+/// Task 7: end 24, remove 17, keep 20, fan 27 20 24 29, next 24.
+const PracticeTask& taskSeven() {
+    static const PracticeTask task = practiceTask(7);
+    return task;
+}
+
+std::vector<PlayMove> solutionWith(std::size_t place, std::string_view move) {
+    std::vector<PlayMove> moves = movesOf(taskSeven().solution);
+    moves[place] = moveOf(move);
+    return moves;
+}
+
+}  // namespace
+
+TEST_CASE("the moves of a pivot are those of start and end, candidates by angle, fan and next") {
+    CHECK(playedText("figure-8", 9) ==
+          "keep 9\nremove 46\nkeep 31\nkeep 35\nfan 20 9 31 35 39\nnext 39\n");
+    CHECK(playedText("figure-4", 1) ==
+          "start 5\nend 6\nremove 8\nkeep 7\nremove 9\n"
+          "fan 1 5 7 6 2\nnext 6\n");
+}
+
+TEST_CASE("a refused fan has no points, and a pivot that is passed over no moves") {
+    CHECK(playedText("figure-9", 1) == "fan none\nnext 2\n");
+    CHECK(playedText("figure-13", 1).empty());
+}
+
+TEST_CASE("a candidate stays if one of its ring entries passes the reciprocal test") {
+    // At the pivot 74 of the torus 39 stands on a stacked ring.
+    CHECK(playedText("figure-12", 74).find("keep 39\n") != std::string::npos);
+}
+
+TEST_CASE("moves read back as they are written, by names too") {
+    const std::vector<NamedPoint> names{{"q", 46}, {"t", 9}};
+    for (const std::string_view text :
+         {"start 5", "end 0", "keep q", "remove t", "fan 1 t q 2", "fan none", "next none"})
+        CHECK(moveText(moveFromText(text, names).value(), names) == text);
+    CHECK(moveFromText("keep").error().message == "keep: expected one point");
+    CHECK(moveFromText("keep none").error().message == "keep: expected one point");
+    CHECK(moveFromText("fan 1").error().message == "fan: expected two points or more, or none");
+    CHECK(moveFromText("next 1 2").error().message == "next: expected one point, or none");
+    CHECK(moveFromText("keep x").error().message ==
+          "keep: \"x\" is no name and no number of a point");
+    CHECK(moveFromText("drop 4").error().message.starts_with("\"drop\": expected start, end,"));
+}
+
+TEST_CASE("a hundred seeds give distinct tasks with clear decisions") {
+    std::set<std::string> seen;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const PracticeTask task = practiceTask(seed);
+        CAPTURE(seed);
+        seen.insert(pointsHash(*task.points));
+        CHECK(gradePractice(task, movesOf(task.solution)).right);
+        CHECK(task.points->size() <= 40);
+        CHECK(task.ring.front() == task.p);
+        CHECK(task.ring[1] == task.last);
+        CHECK(task.ring.back() == task.first);
+        for (const Event& event : task.events) {
+            const auto reading = readingOf(event, {*task.points, task.params, task.p});
+            if (reading) CHECK(std::abs(reading->margin) > kPracticeMargin);
+        }
+        const auto has = [&](MoveKind kind) {
+            return std::any_of(task.solution.begin(), task.solution.end(),
+                               [&](const RunMove& each) { return each.move.kind == kind; });
+        };
+        CHECK((has(MoveKind::MoveStart) || has(MoveKind::MoveEnd)));
+        CHECK((has(MoveKind::Keep) && has(MoveKind::Remove)));
+    }
+    CHECK(seen.size() == 100);
+}
+
+TEST_CASE("the same seed gives the same task, at the address that it names") {
+    const PracticeTask task = practiceTask(7);
+    CHECK(toString(task.address) == "24.pivot.1");
+    CHECK(movesOf(task.solution) == movesOf(taskSeven().solution));
+    CHECK(pointsHash(*task.points) == pointsHash(*taskSeven().points));
+    Stepper stepper(task.points, task.params);
+    for (int i = 0; i < 23; ++i) stepper.stepPivot();
+    CHECK(stepper.state().rings.point(stepper.state().pivot.pivot) == task.p);
+    CHECK(stepper.state().done.size() == task.done.size());
+}
+
+TEST_CASE("the first wrong decision is named with its section and sentence") {
+    const PracticeGrade kept = gradePractice(taskSeven(), solutionWith(1, "keep 17"));
+    CHECK_FALSE(kept.right);
+    CHECK(kept.rightMoves == 1);
+    CHECK(kept.section == "6.3");
+    CHECK(kept.address == "24.sphere.1");
+    CHECK(kept.sentence.starts_with("q = 17 lies "));
+    CHECK(gradePractice(taskSeven(), solutionWith(0, "end 20")).address == "24.limits.2");
+    CHECK(gradePractice(taskSeven(), solutionWith(3, "fan 27 20 29")).address == "24.emit.1");
+    CHECK(gradePractice(taskSeven(), solutionWith(4, "next 27")).section == "6.5");
+    // A move of start that the run does not make, and a point that is no candidate.
+    const PracticeGrade start = gradePractice(taskSeven(), solutionWith(0, "start 9"));
+    CHECK(start.address == "24.limits.1");
+    CHECK(start.sentence.find("start stays") != std::string::npos);
+    CHECK(gradePractice(taskSeven(), solutionWith(1, "keep 21")).section == "6.1");
+}
+
+TEST_CASE("missing and surplus moves are wrong") {
+    std::vector<PlayMove> moves = movesOf(taskSeven().solution);
+    moves.push_back(moveOf("keep 20"));
+    CHECK_FALSE(gradePractice(taskSeven(), moves).right);
+    CHECK(gradePractice(taskSeven(), moves).rightMoves == 5);
+    moves.resize(2);
+    const PracticeGrade grade = gradePractice(taskSeven(), moves);
+    CHECK(grade.rightMoves == 2);
+    CHECK(grade.address == "24.sphere.2");
+    CHECK_FALSE(gradePractice(taskSeven(), {}).right);
+    // Left out: the decision about the point that is due.
+    moves = {moveOf("end 24"), moveOf("keep 20")};
+    CHECK(gradePractice(taskSeven(), moves).address == "24.sphere.1");
+}
+
+TEST_CASE("an answer file has a move a line, and faults have their line") {
+    const auto fault = [](std::string_view text) {
+        return readMoves(text, "a.txt", 35).error().message;
+    };
+    CHECK(readMoves("# mine\n\nend 24  # why\nkeep 34\n", "a.txt", 35).value() ==
+          std::vector<PlayMove>{moveOf("end 24"), moveOf("keep 34")});
+    CHECK(fault("end 24\n\nkeep 35\n") == "a.txt: line 3: 35: there are 35 points, from 0");
+    CHECK(fault("end 24\nkeep\n") == "a.txt: line 2: keep: expected one point");
+    CHECK(fault("# nothing\n") == "a.txt: expected moves, one a line, such as \"keep 12\"");
+}
+
+TEST_CASE("thirty results of practice make one row, with the section most often wrong") {
+    std::vector<LessonResult> results;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        const PracticeTask task = practiceTask(seed);
+        std::vector<PlayMove> moves = movesOf(task.solution);
+        if (seed % 3 == 0) std::swap(moves.back().points.front(), moves.front().points.front());
+        if (seed % 3 == 1) moves.resize(moves.size() - 1);
+        const PracticeGrade grade = gradePractice(task, moves);
+        const std::string json = resultJson(practiceResult(moves, grade, task));
+        results.push_back(resultFromJson(json, "x").value());
+    }
+    const std::vector<QuestionSummary> rows = summarize(results);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].people == 30);
+    CHECK(rows[0].right >= 10);
+    CHECK(rows[0].kind == "play");
+    CHECK(rows[0].mostFrequentWrong() == "6.5 advance");
+    CHECK(rows[0].wrong.at("6.5 advance") >= 10);
+}
+
+}  // namespace se::teach
