@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron lesson_result sphere_points square | sort >helpers
+    printf '%s\n' ball expect fail fields icosahedron lab_with_solution lesson_result sphere_points square | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -1767,6 +1767,62 @@ pivots_are_played() {
     expect 0 lesson results [0-9]*.result.json -o class.csv
     says out "  1     30       67 %   6.3 sphere (10)   Play a pivot"
     says class.csv "Practice,practice 1,1,Play a pivot,play,30,20,0.667,"
+}
+
+# lab_with_solution: a copy of the lab with its data and the solution, in the present folder.
+lab_with_solution() {
+    local root=$here/../..
+    cp -r "$root/docs/lab" lab && cp "$root/app/teach/share/setrace.py" lab && cd lab || exit 1
+    mkdir bin && ln -s "$program" bin/spiraling-edge
+    export PATH=$PWD/bin:$PATH PYTHONDONTWRITEBYTECODE=1
+    ./lab.py data --seed 4711 >out || fail "data: $(cat out)"
+    says out "26 inputs with traces are in data/"
+    cp -r stages stubs
+    cp "$root"/tests/lab/reference/*.py stages
+}
+
+lab_is_solved() {
+    command -v python3 >/dev/null || return 0
+    lab_with_solution
+    ./lab.py hand-in >out || fail "the solution is wrong"
+    is "$(grep -c ': right at 970 pivots' out)" 6 "stages that are right"
+    is "$(grep -c '"right": true' hand-in.json)" 6 "stages handed in"
+    says hand-in.json '"seed": 4711'
+    ./lab.py run data/mine.ply >out || fail "run"
+    says out "pivot 30 meets a point of the ring again"
+    expect 0 diff mine.setrace data/mine.ply --upto ring
+    says out "all 29 pivots alike"
+    cp data/mine.ply first.ply
+    ./lab.py data --seed 4712 >out || fail "data of another student"
+    ! cmp -s data/mine.ply first.ply || fail "two students have the same points"
+    ./lab.py check >out || fail "the solution is wrong on other points: $(cat out)"
+    ./lab.py check sorted 2>err
+    is $? 2 "exit code for an unknown stage"
+}
+
+lab_names_the_wrong_stage() {
+    command -v python3 >/dev/null || return 0
+    local stage wrong
+    lab_with_solution
+    while read -r stage wrong; do
+        cp "stubs/$stage.py" stages
+        ./lab.py check >out && fail "$stage: a stub passes"
+        is "$(tail -1 out)" "$stage: not written yet" "last line for a stub"
+        sed "$wrong" "$here/../lab/reference/$stage.py" >"stages/$stage.py"
+        ! cmp -s "stages/$stage.py" "$here/../lab/reference/$stage.py" || fail "$stage: no variant"
+        ./lab.py check >out && fail "$stage: a wrong variant passes"
+        grep -q "^$stage: wrong at " out || fail "$stage: another fault: $(cat out)"
+        is "$(grep -c ': wrong at ' out)" 1 "stages that are wrong"
+        grep -q "see: spiraling-edge-viewer data/.* --goto [0-9]*\.$stage" out || fail "no address"
+        cp "$here/../lab/reference/$stage.py" stages
+    done <<'VARIANTS'
+sort s/ < end - SAME_ANGLE:/:/
+limits s/dot(cross(a, b), at.normal\[s\]) > 0.0/True/
+reciprocal s/at.position\[before\], at.position\[x\]/at.position[after], at.position[x]/
+hole s/\* side(at.p) > 0.0/* side(at.p) < 0.0/
+sphere s/ or gap > 120.0//
+emit s/at.ring\[end:start + 1\] + candidates/candidates + at.ring[end:start + 1]/
+VARIANTS
 }
 
 results_are_summed_up() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the command lines of README.md and docs/*.md, so that none mentions an option that is gone.
+# Runs the command lines of README.md, docs/*.md and docs/lab/README.md, so that none mentions an option that is gone.
 #   docs_commands.sh PROGRAM [PAGE...]   PAGE: a path below the checkout; without it, all pages
 # Command lines stand in blocks that begin with ```sh. Each page gets an empty folder, with stand-ins
 # for the inputs that pages name. Lines of spiraling-edge run as they stand; lines of
@@ -92,7 +92,7 @@ options_exist() {
 
 inputs
 pages=("$@")
-[ $# -gt 0 ] || mapfile -t pages < <(cd "$root" && printf '%s\n' README.md docs/*.md)
+[ $# -gt 0 ] || mapfile -t pages < <(cd "$root" && printf '%s\n' README.md docs/*.md docs/lab/README.md)
 for page in "${pages[@]}"; do
     mkdir -p "$work/$page"
     cp "$work/inputs/"* "$work/$page"

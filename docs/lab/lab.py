@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+"""The lab: makes the data of a student, tests the six stages one by one, and runs them together.
+
+    ./lab.py data --seed 4711                 figures, their traces, and points of your own
+    ./lab.py check [STAGE...]                 tests stages, by default until one is wrong
+    ./lab.py run data/mine.ply                runs all stages, writes mine.setrace
+    ./lab.py hand-in                          tests all stages, writes hand-in.json
+
+Exit code: 0 all right, 1 a stage is wrong or not written, 2 wrong usage.
+"""
+import argparse
+import hashlib
+import importlib
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAM = shutil.which("spiraling-edge")
+SHARES = [HERE, HERE / "../../app/teach/share"]
+if PROGRAM:
+    SHARES.append(pathlib.Path(PROGRAM).resolve().parent / "../share/spiraling-edge")
+sys.path[:0] = [str(HERE), str(HERE / "stages")]
+sys.path += [str(folder) for folder in SHARES]
+try:
+    import setrace
+except ModuleNotFoundError:
+    sys.exit("lab.py: setrace.py is missing; copy it from share/spiraling-edge/ of the program to "
+             "this folder")
+from geometry import Pivot  # noqa: E402
+
+DATA = pathlib.Path("data")
+STAGES = ["sort", "limits", "reciprocal", "hole", "sphere", "emit"]
+MINE = {"shape": "torus", "points": 120, "neighbors": 10}
+
+
+def call(stage, function, *arguments):
+    return getattr(importlib.import_module(stage), function)(*arguments)
+
+
+# ---- the stages, each with the results of our run before it --------------------------------------
+
+def place(at, point, begin, step):
+    """The place of a limit on the ring, from where it began."""
+    while at.ring[begin] != point:
+        begin += step
+    return begin
+
+
+def limits_of(at, line):
+    return place(at, line["start"], len(at.ring) - 1, -1), place(at, line["end"], 1, 1)
+
+
+def try_sort(at, line):
+    return call("sort", "sort", at), line["sort"]
+
+
+def try_limits(at, line):
+    start, end, candidates = call("limits", "limits", at, list(line["sort"]))
+    return ((at.ring[start], at.ring[end], candidates),
+            (line["start"], line["end"], line["limits"]))
+
+
+def try_reciprocal(at, line):
+    return call("reciprocal", "reciprocal", at, list(line["limits"])), line["reciprocal"]
+
+
+def try_hole(at, line):
+    return call("hole", "hole", at, *limits_of(at, line), list(line["reciprocal"])), line["hole"]
+
+
+def try_sphere(at, line):
+    return call("sphere", "sphere", at, *limits_of(at, line), list(line["hole"])), line["sphere"]
+
+
+def is_plain(at, line, candidates):
+    """No point is met again, and no finished edge is closed: neither split nor join."""
+    return not any(x in at.entries for x in candidates) and \
+        len(line["ring"]) > 3 and len(at.entries) == len(at.ring)
+
+
+def try_emit(at, line):
+    arguments = (*limits_of(at, line), list(line["sphere"]))
+    fan = call("emit", "fan", at, *arguments)
+    if fan != line["fan"] or not is_plain(at, line, line["sphere"]):
+        return fan, line["fan"]
+    ring = call("emit", "ring", at, *arguments, list(line["fan"]))
+    return (fan, ring), (line["fan"], line["ring"])
+
+
+# ---- the data ------------------------------------------------------------------------------------
+
+def inputs():
+    """The inputs of the data folder: name, points, start, pivots."""
+    if not (DATA / "mine.json").exists():
+        sys.exit("lab.py: there is no data; make it with: ./lab.py data --seed N")
+    for path in sorted(DATA.glob("*.setrace")):
+        start = path.with_suffix(".start.json")
+        yield (path.stem, setrace.read_points(path.with_suffix(".ply")),
+               json.loads(start.read_text()) if start.exists() else {}, setrace.read(path)[1])
+
+
+def cases(points, start, pivots):
+    """(number, pivot, line of the trace) of each pivot that needs none of section 7."""
+    *stack, ring = start.get("rings", [[]])
+    open_steps = {tuple(step) for step in start.get("open", [])}
+    done = set(start.get("done", []))
+    for number, line in enumerate(pivots, 1):
+        if not ring:  # A new ring of two.
+            ring, open_steps = [line["p"], line["first"]], open_steps | {
+                (line["p"], line["first"]), (line["first"], line["p"])}
+        known = ring[0] == line["p"] and ring[1] == line["last"] and ring[-1] == line["first"]
+        if known and "sort" in line:
+            yield number, Pivot(points, line["p"], ring, stack, open_steps, done), line
+        done = done | set(line.get("done", []))
+        ring, stack = line["ring"], line.get("stack", [])
+        open_steps = {tuple(step) for step in line.get("open", [])}
+
+
+def test(stage):
+    """Tests one stage on all inputs. Returns the number of pivots, and the first fault or None."""
+    count = 0
+    for name, points, start, pivots in inputs():
+        for number, at, line in cases(points, start, pivots):
+            where = f"{name}, pivot {number} (point {at.p} between {at.first} and {at.last})"
+            try:
+                yours, ours = globals()["try_" + stage](at, line)
+            except NotImplementedError:
+                return count, "not written yet"
+            except Exception as problem:  # Whatever the student's code does.
+                return count, f"{where}: {type(problem).__name__}: {problem}"
+            if yours != ours:
+                source = "data/mine.ply" if name == "mine" else f"data/{name}.ply"
+                return count, (f"wrong at {where}\n  yours: {yours}\n  ours:  {ours}\n"
+                               f"  see: spiraling-edge-viewer {source} --goto {number}.{stage}")
+            count += 1
+    return count, None
+
+
+# ---- commands ------------------------------------------------------------------------------------
+
+def make_data(arguments):
+    if not PROGRAM:
+        sys.exit("lab.py: there is no spiraling-edge in the PATH")
+    mine = str(DATA / "mine.ply")
+    subprocess.run([PROGRAM, "figures", "--conformance", str(DATA)], check=True,
+                   stdout=subprocess.DEVNULL)
+    subprocess.run([PROGRAM, "sample", MINE["shape"], "-n", str(MINE["points"]), "--seed",
+                    str(arguments.seed), "-k", str(MINE["neighbors"]), "-q", "-o", mine], check=True)
+    subprocess.run([PROGRAM, "run", mine, "-q", "--with-lists", "-o", mine, "--trace",
+                    str(DATA / "mine.setrace"), "--trace-stages"], check=True)
+    (DATA / "mine.json").write_text(json.dumps({"seed": arguments.seed, **MINE}) + "\n")
+    print(f"{len(list(DATA.glob('*.setrace')))} inputs with traces are in {DATA}/")
+    return 0
+
+
+def check(arguments):
+    for stage in arguments.stages or STAGES:
+        count, fault = test(stage)
+        print(f"{stage}: {fault}" if fault else f"{stage}: right at {count} pivots")
+        if fault:
+            return 1
+    return 0
+
+
+def hand_in(_):
+    results = {stage: test(stage) for stage in STAGES}
+    for stage, (count, fault) in results.items():
+        print(f"{stage}: {fault}" if fault else f"{stage}: right at {count} pivots")
+    files = {stage: hashlib.sha256((HERE / "stages" / f"{stage}.py").read_bytes()).hexdigest()
+             for stage in STAGES}
+    report = {"data": json.loads((DATA / "mine.json").read_text()),
+              "stages": {stage: {"right": fault is None, "pivots": count, "sha256": files[stage]}
+                         for stage, (count, fault) in results.items()}}
+    pathlib.Path("hand-in.json").write_text(json.dumps(report, indent=2) + "\n")
+    return 0 if all(fault is None for _, fault in results.values()) else 1
+
+
+def run(arguments):
+    points = setrace.read_points(arguments.points)
+    p = 0
+    ring = [p, points.lists[p][0]]
+    open_steps, done = {(ring[0], ring[1]), (ring[1], ring[0])}, set()
+    with setrace.Writer(arguments.output, points.position) as trace:
+        for number in range(1, 10 * len(points.position)):
+            at = Pivot(points, ring[0], ring, [], open_steps, done)
+            start, end, candidates = call("limits", "limits", at, call("sort", "sort", at))
+            candidates = call("reciprocal", "reciprocal", at, candidates)
+            candidates = call("hole", "hole", at, start, end, candidates)
+            candidates = call("sphere", "sphere", at, start, end, candidates)
+            fan = call("emit", "fan", at, start, end, candidates)
+            if any(x in at.entries for x in candidates):
+                print(f"pivot {number} meets a point of the ring again: split and join are not part "
+                      f"of the lab; {number - 1} pivots are in {arguments.output}")
+                return 0
+            ring = call("emit", "ring", at, start, end, candidates, fan)
+            trace.pivot(at.p, at.first, at.last, fan, ring=ring, next=ring[0])
+            done = done | (set(at.ring) - set(ring))
+            if fan:
+                open_steps = {step for step in open_steps
+                              if at.p not in step and set(step) <= set(ring)}
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    command = commands.add_parser("data", help="make the data of a student")
+    command.add_argument("--seed", type=int, required=True, help="your number")
+    command.set_defaults(work=make_data)
+    command = commands.add_parser("check", help="test stages")
+    command.add_argument("stages", nargs="*", metavar="STAGE", help=", ".join(STAGES))
+    command.set_defaults(work=check)
+    command = commands.add_parser("run", help="run all stages together")
+    command.add_argument("points", help="a PLY file of the data")
+    command.add_argument("-o", "--output", default="mine.setrace", help="the trace (mine.setrace)")
+    command.set_defaults(work=run)
+    commands.add_parser("hand-in", help="write hand-in.json").set_defaults(work=hand_in)
+    arguments = parser.parse_args()
+    unknown = [each for each in getattr(arguments, "stages", []) if each not in STAGES]
+    if unknown:
+        parser.error(f"{unknown[0]}: no such stage; the stages are {', '.join(STAGES)}")
+    return arguments.work(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
