@@ -111,7 +111,7 @@ GivenStart readStartFile(const std::string& path) {
     return start;
 }
 
-std::string startJson(const GivenStart& start) {
+std::string startFileText(const GivenStart& start) {
     StartJson json = StartJson::object();
     for (const Triangle& t : start.triangles) json["triangles"].push_back({t.a, t.b, t.c});
     if (!start.rings.empty()) json["rings"] = start.rings;

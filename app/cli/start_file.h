@@ -14,7 +14,7 @@ namespace se::cli {
 GivenStart readStartFile(const std::string& path);
 
 /// JSON of a start, which readStartFile() reads.
-std::string startJson(const GivenStart& start);
+std::string startFileText(const GivenStart& start);
 
 /// The option --start.
 class StartArguments {

@@ -50,12 +50,28 @@ PointSet practicePoints(SplitMix& random) {
     return prepare(file, options).value().points;
 }
 
+/// True if no two candidates of the angle sort are at nearly the same angle, so that their order is
+/// clear.
+bool hasClearOrder(std::span<const Event> events) {
+    constexpr double kDegrees = 57.295779513082320877;
+    std::vector<double> angles;
+    for (const Event& event : events) {
+        const auto* sort = as<SortEvidence>(event);
+        if (sort != nullptr && sort->verdict == Verdict::Kept) angles.push_back(sort->degrees);
+    }
+    std::sort(angles.begin(), angles.end());
+    return std::adjacent_find(angles.begin(), angles.end(), [](double a, double b) {
+               return b - a <= kPracticeMargin * kDegrees;
+           }) == angles.end();
+}
+
 /// True if every decision of a pivot is clear, so that rounded numbers decide the same.
 bool isClear(std::span<const Event> events, const ReadingContext& context) {
-    return std::all_of(events.begin(), events.end(), [&](const Event& event) {
-        const std::optional<Reading> reading = readingOf(event, context);
-        return !reading || std::abs(reading->margin) > kPracticeMargin;
-    });
+    return hasClearOrder(events) &&
+           std::all_of(events.begin(), events.end(), [&](const Event& event) {
+               const std::optional<Reading> reading = readingOf(event, context);
+               return !reading || std::abs(reading->margin) > kPracticeMargin;
+           });
 }
 
 /// True if the moves are worth playing.

@@ -27,6 +27,7 @@ std::vector<std::string> namesOf(const std::vector<Index>& points,
 std::vector<std::string> answerWords(const Answer& answer, const std::vector<NamedPoint>& names) {
     if (answer.choice) return {optionLetter(*answer.choice)};
     std::vector<std::string> moves;
+    moves.reserve(answer.moves.size());
     for (const PlayMove& each : answer.moves) moves.push_back(moveText(each, names));
     if (!moves.empty()) return moves;
     if (!answer.number) return namesOf(answer.points, names);

@@ -60,8 +60,35 @@ TEST_CASE("a refused fan has no points, and a pivot that is passed over no moves
 }
 
 TEST_CASE("a candidate stays if one of its ring entries passes the reciprocal test") {
-    // At the pivot 74 of the torus 39 stands on a stacked ring.
-    CHECK(playedText("figure-12", 74).find("keep 39\n") != std::string::npos);
+    EventLog log;
+    log.add(1, Stage::Sort, SortEvidence{4, 0.0, false, 90.0, 180.0, Verdict::Kept, kNone});
+    log.add(1, Stage::Reciprocal, ReciprocalEvidence{4, 1, 2, 9.0, 8.0, Verdict::NotReciprocal});
+    log.add(1, Stage::Reciprocal, ReciprocalEvidence{4, 5, 6, 7.0, 8.0, Verdict::Kept});
+    log.add(1, Stage::Reciprocal, ReciprocalEvidence{4, 7, 8, 9.0, 8.0, Verdict::NotReciprocal});
+    log.add(1, Stage::Emit, EmitEvidence{0, {0, 1, 4}});
+    log.add(1, Stage::Emit, EmitEvidence{1, {0, 4, 2}});
+    log.add(1, Stage::Advance, AdvanceEvidence{2, 0, false});
+    const std::vector<RunMove> moves = movesOfRun(log.events());
+    REQUIRE(moves.size() == 3);
+    CHECK(moveText(moves[0].move) == "keep 4");
+    CHECK(toString(moves[0].event.address) == "1.reciprocal.2");
+    CHECK(moveText(moves[1].move) == "fan 1 4 2");
+}
+
+TEST_CASE("points that start has passed are neither kept nor removed") {
+    EventLog log;
+    for (const Index x : {4U, 5U, 6U}) {
+        const double cosine = 1.0 - 0.1 * x;
+        log.add(1, Stage::Sort, SortEvidence{x, cosine, false, 0.0, 180.0, Verdict::Kept, kNone});
+    }
+    log.add(1, Stage::Limits, LimitEvidence{Side::Start, 1, 4, 1.0, 0.0, 0.0, Verdict::Moved});
+    log.add(1, Stage::Limits, LimitEvidence{Side::Start, 4, 5, 1.0, 0.0, 0.0, Verdict::Moved});
+    log.add(1, Stage::Limits, DropEvidence{4, Side::Start, 0.0, Verdict::Outside});
+    log.add(1, Stage::Limits, DropEvidence{5, Side::Start, 0.0, Verdict::NowStart});
+    log.add(1, Stage::Advance, AdvanceEvidence{2, 0, false});
+    std::string text;
+    for (const RunMove& each : movesOfRun(log.events())) text += moveText(each.move) + "; ";
+    CHECK(text == "start 4; start 5; keep 6; fan none; next 2; ");
 }
 
 TEST_CASE("moves read back as they are written, by names too") {
@@ -101,6 +128,29 @@ TEST_CASE("a hundred seeds give distinct tasks with clear decisions") {
         CHECK((has(MoveKind::Keep) && has(MoveKind::Remove)));
     }
     CHECK(seen.size() == 100);
+}
+
+TEST_CASE("pivots with a near decision, or two candidates at nearly one angle, are no tasks") {
+    // Without either test these seeds draw such a pivot.
+    for (const std::uint64_t seed : {583U, 719U, 1842U, 2744U}) {
+        const PracticeTask task = practiceTask(seed);
+        CAPTURE(seed);
+        double before = -1.0;
+        for (const RunMove& each : task.solution) {
+            const auto reading = readingOf(each.event, {*task.points, task.params, task.p});
+            if (reading) CHECK(std::abs(reading->margin) > kPracticeMargin);
+            const bool isCandidate =
+                each.move.kind == MoveKind::Keep || each.move.kind == MoveKind::Remove;
+            if (!isCandidate) continue;
+            const Index point = each.move.points.front();
+            const auto sort =
+                std::find_if(task.events.begin(), task.events.end(), [&](const Event& event) {
+                    return isA<SortEvidence>(event) && testedPoint(event) == point;
+                });
+            CHECK(as<SortEvidence>(*sort)->degrees > before + 0.05);
+            before = as<SortEvidence>(*sort)->degrees;
+        }
+    }
 }
 
 TEST_CASE("the same seed gives the same task, at the address that it names") {

@@ -154,7 +154,7 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
         const std::string path = (folder / input.name).string();
         writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
-        if (!made.start.empty()) writeOutput(path + ".start.json", startJson(made.start));
+        if (!made.start.empty()) writeOutput(path + ".start.json", startFileText(made.start));
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
         writeOutput("-", fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
                                      input.shows));
