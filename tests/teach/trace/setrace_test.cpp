@@ -50,6 +50,14 @@ TEST_CASE("a trace with stages reads back and is written the same") {
     CHECK(traceLine(again.pivots[0]) == traceLine(pivot));
 }
 
+TEST_CASE("the candidates after the limits are those that the convexity test leaves") {
+    const TracedScene scene = tracedScene("figure-5");
+    Stepper stepper(scene.points, scene.params);
+    const TracePivot pivot = stepTraced(stepper, TraceDetail::Stages).pivot.value();
+    CHECK(pivot.sort == std::vector<Index>{2, 3});
+    CHECK(pivot.limits == std::vector<Index>{3});
+}
+
 TEST_CASE("a malformed trace is refused with line and field") {
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3,2]}\n") == "none");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,6,2]}\n") ==
