@@ -8,7 +8,6 @@
 
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/stepper/event.h"
 #include "teach/file_bytes.h"
 
 namespace se::teach {
@@ -17,14 +16,16 @@ namespace {
 using TraceJson = nlohmann::ordered_json;
 
 constexpr std::array kTraceStages{
-    TraceStageRow{TraceStage::Sort, "sort", "sort", "6.1", &TracePivot::sort},
-    TraceStageRow{TraceStage::Limits, "limits", "limits", "6.1", &TracePivot::limits},
-    TraceStageRow{TraceStage::Reciprocal, "reciprocal", "reciprocal", "6.1",
+    TraceStageRow{TraceStage::Sort, "sort", "sort", "6.1", Stage::Sort, &TracePivot::sort},
+    TraceStageRow{TraceStage::Limits, "limits", "limits", "6.1", Stage::Convex,
+                  &TracePivot::limits},
+    TraceStageRow{TraceStage::Reciprocal, "reciprocal", "reciprocal", "6.1", Stage::Reciprocal,
                   &TracePivot::reciprocal},
-    TraceStageRow{TraceStage::Hole, "hole", "hole", "6.2", &TracePivot::hole},
-    TraceStageRow{TraceStage::Sphere, "sphere", "sphere", "6.3", &TracePivot::sphere},
-    TraceStageRow{TraceStage::Emit, "emit", "fan", "6.4", &TracePivot::fan},
-    TraceStageRow{TraceStage::Ring, "ring", "ring", "6.5", &TracePivot::ring},
+    TraceStageRow{TraceStage::Hole, "hole", "hole", "6.2", Stage::Hole, &TracePivot::hole},
+    TraceStageRow{TraceStage::Sphere, "sphere", "sphere", "6.3", Stage::Sphere,
+                  &TracePivot::sphere},
+    TraceStageRow{TraceStage::Emit, "emit", "fan", "6.4", Stage::Guard, &TracePivot::fan},
+    TraceStageRow{TraceStage::Ring, "ring", "ring", "6.5", Stage::Advance, &TracePivot::ring},
 };
 static_assert(isInOrder(kTraceStages) && kTraceStages.size() == kTraceStageCount);
 

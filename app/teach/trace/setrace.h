@@ -12,6 +12,7 @@
 
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/given_start.h"
 
 namespace se::teach {
@@ -57,6 +58,7 @@ struct TraceStageRow {
     std::string_view name;             ///< "sort", as on the command line.
     std::string_view field;            ///< "sort"; of emit, "fan".
     std::string_view section;          ///< "6.1"
+    Stage last;                        ///< Of the decisions that lead to its result.
     TracedPoints TracePivot::*points;  ///< What the stage leaves.
 };
 /// All stages, in the order of the enum.

@@ -96,10 +96,10 @@ bool decidesCandidate(const Event& event, Index point) {
 
 /// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
 /// test was made, one that kept it, if any did. Null if there is none.
-const Event* decisionAbout(const std::vector<Event>& events, Index point) {
+const Event* decisionAbout(const std::vector<Event>& events, Index point, Stage last) {
     const Event* found = nullptr;
     for (const Event& event : events) {
-        if (event.address.stage >= Stage::Emit) break;
+        if (event.address.stage > last) continue;
         if (!decidesCandidate(event, point)) continue;
         const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
                                   isA<ReciprocalEvidence>(*found) &&
@@ -109,9 +109,9 @@ const Event* decisionAbout(const std::vector<Event>& events, Index point) {
     return found;
 }
 
-TraceReason reasonFor(const std::vector<Event>& events, const PointSet& points, Index pivot,
-                      Index point, bool inTrace) {
-    const Event* event = decisionAbout(events, point);
+TraceReason reasonFor(const std::vector<Event>& events, Stage last, const PointSet& points,
+                      Index pivot, Index point, bool inTrace) {
+    const Event* event = decisionAbout(events, point, last);
     if (event != nullptr) return {point, inTrace, decisionText(*event), event->address};
     const auto list = points.neighbors[pivot];
     const bool isListed = std::find(list.begin(), list.end(), point) != list.end();
@@ -119,18 +119,21 @@ TraceReason reasonFor(const std::vector<Event>& events, const PointSet& points, 
 }
 
 /// The reasons for the points that only one of two lists has, in the order of the lists.
-std::vector<TraceReason> reasonsFor(const std::vector<Event>& events, const PointSet& points,
-                                    Index pivot, const std::vector<Index>& trace,
+std::vector<TraceReason> reasonsFor(const std::vector<Event>& events, Stage last,
+                                    const PointSet& points, Index pivot,
+                                    const std::vector<Index>& trace,
                                     const std::vector<Index>& run) {
     const auto has = [](const std::vector<Index>& list, Index point) {
         return std::find(list.begin(), list.end(), point) != list.end();
     };
     std::vector<TraceReason> reasons;
     for (const Index point : run) {
-        if (!has(trace, point)) reasons.push_back(reasonFor(events, points, pivot, point, false));
+        if (!has(trace, point))
+            reasons.push_back(reasonFor(events, last, points, pivot, point, false));
     }
     for (const Index point : trace) {
-        if (!has(run, point)) reasons.push_back(reasonFor(events, points, pivot, point, true));
+        if (!has(run, point))
+            reasons.push_back(reasonFor(events, last, points, pivot, point, true));
     }
     return reasons;
 }
@@ -220,9 +223,9 @@ TraceDifference differenceAt(std::optional<TracePivot> trace, std::optional<Trac
         found.reasons = ringReasons(events);
     } else {
         found.what = stageWhat(*stage);
-        found.reasons =
-            reasonsFor(events, points, found.run->p, pointsOf(*found.trace, *found.trace, *stage),
-                       pointsOf(*found.run, *found.trace, *stage));
+        found.reasons = reasonsFor(events, rowOf(*stage).last, points, found.run->p,
+                                   pointsOf(*found.trace, *found.trace, *stage),
+                                   pointsOf(*found.run, *found.trace, *stage));
         const bool noFan =
             *stage == TraceStage::Emit && found.trace->fan->empty() != found.run->fan->empty();
         if (noFan) {

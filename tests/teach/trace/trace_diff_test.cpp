@@ -77,6 +77,16 @@ TEST_CASE("stages are compared in their order, up to the last one asked for") {
                     "1.sphere.") != std::string::npos);
 }
 
+TEST_CASE("a reason is a decision of the stage that differs, or of one before it") {
+    const TracedScene scene = tracedScene("figure-8");
+    Trace trace = traceOf(scene, "", TraceDetail::Stages);
+    // 46 is a candidate until the circumsphere test removes it.
+    trace.pivots[8].sort = {9, 31, 35};
+    CHECK(textOfDifference(scene, trace, TraceStage::Sort)
+              .find("the candidates after sort differ\n  yours has no 46: ours kept it, 9.sort.") !=
+          std::string::npos);
+}
+
 TEST_CASE("moved limits are compared where a trace has them") {
     const TracedScene scene = tracedScene("figure-4");
     Trace trace = traceOf(scene, "", TraceDetail::Stages);
