@@ -42,7 +42,7 @@ struct PlayMove {
 };
 /// "keep 17", "fan 20 9 31 39", "next none"; points by their names.
 std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names = {});
-/// Reads moveText(). Fails with a sentence that says what was expected.
+/// Reads moveText(). Fails with a sentence that names what was expected.
 Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoint>& names = {});
 
 /// A move of the run, and the decision that it stands for.

@@ -98,7 +98,7 @@ bool hasOpenStep(const EdgeRings& rings) {
     return false;
 }
 
-/// What stands before a pivot: the rings and the DONE points.
+/// Records the rings and the DONE points before a pivot.
 void recordBefore(const State& state, PracticeTask& task) {
     const EdgeRings& rings = state.rings;
     task.ring = pointsOfRing(rings, rings.active(), state.pivot.pivot);

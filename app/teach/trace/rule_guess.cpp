@@ -29,7 +29,7 @@ std::vector<double> valuesOf(const RuleSetting& setting) {
 std::vector<RuleValue> singleSettings(const Params& base) {
     std::vector<RuleValue> settings;
     for (const RuleSetting& setting : ruleSettings()) {
-        // `opposing` has a part in computed lists only, which a trace does not tell.
+        // `opposing` has a part in computed lists only, which are the same in both runs.
         if (setting.beyondPaper || setting.name == "opposing") continue;
         for (const double value : valuesOf(setting)) {
             if (value != setting.get(base)) settings.push_back({std::string(setting.name), value});

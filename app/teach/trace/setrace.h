@@ -42,7 +42,7 @@ struct TracePivot {
     std::size_t line = 0;  ///< Of the file, from 1; 0: of no file.
     Index p = kNone, first = kNone, last = kNone;
     TracedPoints sort, limits, reciprocal, hole, sphere;  ///< Candidates after that stage.
-    std::optional<Index> start, end;                      ///< Where the limits stand after §6.1.
+    std::optional<Index> start, end;                      ///< Points of the limits after §6.1.
     TracedPoints fan;           ///< From first to last; empty: no triangle.
     TracedPoints ring;          ///< The active edge ring after the pivot, from the next one.
     std::optional<Index> next;  ///< The next pivot; kNone: no ring is left.
@@ -59,7 +59,7 @@ struct TraceStageRow {
     std::string_view field;            ///< "sort"; of emit, "fan".
     std::string_view section;          ///< "6.1"
     Stage last;                        ///< Of the decisions that lead to its result.
-    TracedPoints TracePivot::*points;  ///< What the stage leaves.
+    TracedPoints TracePivot::*points;  ///< Result of the stage.
 };
 /// All stages, in the order of the enum.
 std::span<const TraceStageRow> traceStages();

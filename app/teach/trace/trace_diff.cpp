@@ -33,7 +33,7 @@ class TracedRun {
     Stepper stepper_;
 };
 
-/// What of the run has to be known to compare it with the trace.
+/// The detail of the run that a comparison with the trace needs.
 TraceDetail detailOf(const Trace& trace) {
     const auto hasStages = [](const TracePivot& pivot) {
         return pivot.next || pivot.start || pivot.end ||
@@ -74,16 +74,13 @@ std::optional<TraceStage> firstDifference(const TracePivot& trace, const TracePi
 
 std::string_view sideText(Side side) { return side == Side::Start ? "start" : "end"; }
 
-/// What a decision did to its point: "moved start to it", "kept it: inside sphere".
+/// The effect of a decision on its point: "moved start to it", "kept it: inside sphere".
 std::string decisionText(const Event& event) {
-    if (const auto* e = as<LimitEvidence>(event); e && e->moves())
-        return "moved " + std::string(sideText(e->side)) + " to it";
-    if (const auto* e = as<DropEvidence>(event); e && e->isLimit())
-        return "moved " + std::string(sideText(e->side)) + " to it";
-    const std::string why = ": " + std::string(endingText(event));
-    if (isA<LimitEvidence>(event)) return "did not move to it" + why;
-    if (isAgainst(outcomeOf(event))) return "left it out" + why;
-    return verdictOf(event) == Verdict::Kept ? "kept it" : "kept it" + why;
+    if (const auto* limit = as<LimitEvidence>(event))
+        return "moved " + std::string(sideText(limit->side)) + " to it";
+    if (verdictOf(event) == Verdict::Kept) return "kept it";
+    return (isAgainst(outcomeOf(event)) ? "left it out: " : "kept it: ") +
+           std::string(endingText(event));
 }
 
 /// True for the tests that decide about a candidate.
@@ -101,6 +98,8 @@ const Event* decisionAbout(const std::vector<Event>& events, Index point, Stage 
     for (const Event& event : events) {
         if (event.address.stage > last) continue;
         if (!decidesCandidate(event, point)) continue;
+        // A point that start or end has passed is in the fan, although outside of them.
+        if (found != nullptr && isA<LimitEvidence>(*found)) continue;
         const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
                                   isA<ReciprocalEvidence>(*found) &&
                                   verdictOf(*found) == Verdict::Kept;
@@ -115,7 +114,10 @@ TraceReason reasonFor(const std::vector<Event>& events, Stage last, const PointS
     if (event != nullptr) return {point, inTrace, decisionText(*event), event->address};
     const auto list = points.neighbors[pivot];
     const bool isListed = std::find(list.begin(), list.end(), point) != list.end();
-    return {point, inTrace, isListed ? "had it before" : "has it not in the list of the pivot", {}};
+    return {point,
+            inTrace,
+            isListed ? "made no decision about it" : "has it not in the list of the pivot",
+            {}};
 }
 
 /// The reasons for the points that only one of two lists has, in the order of the lists.

@@ -8,7 +8,7 @@
 
 namespace se::teach {
 
-/// What is recorded of a pivot.
+/// Content of a recorded pivot.
 enum class TraceDetail : std::uint8_t {
     Fans,    ///< Pivot, first, last and fan.
     Stages,  ///< Also the candidates after each stage, the rings, and what became DONE.

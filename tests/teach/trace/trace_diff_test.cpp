@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "traced_scenes.h"
 
 namespace se::teach {
@@ -85,6 +87,35 @@ TEST_CASE("a reason is a decision of the stage that differs, or of one before it
     CHECK(textOfDifference(scene, trace, TraceStage::Sort)
               .find("the candidates after sort differ\n  yours has no 46: ours kept it, 9.sort.") !=
           std::string::npos);
+}
+
+TEST_CASE("reasons agree with the fan, whatever is missing in a trace or surplus") {
+    const TracedScene scene = tracedScene("coarse-torus");
+    const Trace trace = traceOf(scene, "");
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < trace.pivots.size(); ++i) {
+        const std::vector<Index>& fan = *trace.pivots[i].fan;
+        if (fan.size() < 3) continue;
+        Trace other = trace;
+        other.pivots[i].fan = std::vector<Index>{fan.front()};
+        for (const Index x : scene.points->neighbors[trace.pivots[i].p]) {
+            if (std::find(fan.begin(), fan.end(), x) == fan.end())
+                other.pivots[i].fan->push_back(x);
+        }
+        other.pivots[i].fan->push_back(fan.back());
+        const TraceComparison comparison =
+            compareTrace(other, scene.points, scene.params, {}).value();
+        std::size_t starts = 0;
+        std::size_t ends = 0;
+        for (const TraceReason& each : comparison.difference.value().reasons) {
+            CAPTURE(each.decision);
+            CHECK(each.inTrace == each.decision.starts_with("left it out: "));
+            starts += each.decision == "moved start to it" ? 1 : 0;
+            ends += each.decision == "moved end to it" ? 1 : 0;
+        }
+        passed += starts > 1 || ends > 1 ? 1 : 0;
+    }
+    CHECK(passed > 0);  // Pivots at which a limit moves twice.
 }
 
 TEST_CASE("moved limits are compared where a trace has them") {
