@@ -14,8 +14,8 @@ def limits(at, candidates):
       - the angle of x lies between those of start and end, by more than SAME_ANGLE,
       - the ring is concave at s = ring[start]: ((x - s) x (p - s)) . normal of s > 0,
       - the angle from start to x is below HALF_TURN - SAME_ANGLE.
-    Then end moves likewise, to x = ring[end + 1]: the step is that from ring[end] to x, and the ring
-    is concave at s = ring[end] if ((p - s) x (x - s)) . normal of s > 0.
+    Then end moves in the same way, to x = ring[end + 1]: the step is that from ring[end] to x, and
+    the ring is concave at s = ring[end] if ((p - s) x (x - s)) . normal of s > 0.
     If either moved, candidates go that are start or end now, or whose angle is not more than
     SAME_ANGLE above that of start, or not more than SAME_ANGLE below that of end.
 
