@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "lesson_setting.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -207,6 +208,8 @@ std::size_t movesAlike(std::span<const PlayMove> given, std::span<const PlayMove
 
 const Event* decisionAgainst(std::span<const Event> events, const PlayMove& given,
                              const RunMove* expected) {
+    assert(given.kind == MoveKind::Fan || given.kind == MoveKind::NextPivot ||
+           !given.points.empty());
     const bool movesLimit = given.kind == MoveKind::MoveStart || given.kind == MoveKind::MoveEnd;
     const bool sameKind = expected != nullptr && expected->move.kind == given.kind;
     if (movesLimit && !sameKind) {

@@ -61,7 +61,8 @@ std::vector<PlayMove> movesOf(const std::vector<RunMove>& moves);
 std::size_t movesAlike(std::span<const PlayMove> given, std::span<const PlayMove> right);
 
 /// The decision of the run that a wrong move contradicts. `expected`: the move of the run in its
-/// place; null if the run has no further one. Null if no decision is about it.
+/// place; null if the run has no further one. Null if no decision is about it. Requires a point in
+/// `given`, unless it is a fan or the next pivot.
 const Event* decisionAgainst(std::span<const Event> events, const PlayMove& given,
                              const RunMove* expected);
 

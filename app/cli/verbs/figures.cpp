@@ -15,6 +15,7 @@
 #include "start_file.h"
 #include "surface_input.h"
 #include "teach/trace/conformance.h"
+#include "teach/trace/setrace.h"
 #include "verbs.h"
 
 namespace se::cli {

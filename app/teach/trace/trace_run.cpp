@@ -2,6 +2,8 @@
 // a trace needs no log.
 #include "trace_run.h"
 
+#include <cassert>
+
 namespace se::teach {
 namespace {
 
@@ -71,6 +73,11 @@ void recordStage(Phase phase, const State& state, TracePivot& pivot) {
     }
 }
 
+[[maybe_unused]] bool isBetweenPivots(Phase phase) {
+    return phase == Phase::Seed || phase == Phase::Pivot || phase == Phase::Fill ||
+           phase == Phase::Finished || isRepair(phase);
+}
+
 /// The pivot at the phase that begins it.
 TracePivot beginningOf(const State& state) {
     TracePivot pivot;
@@ -85,6 +92,7 @@ TracePivot beginningOf(const State& state) {
 }  // namespace
 
 TraceStep stepTraced(Stepper& stepper, TraceDetail detail) {
+    assert(isBetweenPivots(stepper.state().phase));
     TraceStep step;
     const std::size_t doneBefore = stepper.state().done.size();
     while (true) {
