@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lesson_read.h"
+#include "practice.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/what_if_check.h"
@@ -109,11 +110,12 @@ Result<PointFile> readLessonPoints(const std::string& source) {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
     if (input.value().starts_with(kScene)) return buildSceneOf(input.value());
+    if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
     return readPoints(std::filesystem::path(input.value()));
 }
 
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
-    if (input.starts_with(kScene)) return input;
+    if (input.starts_with(kScene) || practiceSeed(input)) return input;
     return (folder / input).lexically_normal().string();
 }
 

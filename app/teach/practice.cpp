@@ -201,4 +201,39 @@ Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string
     return moves;
 }
 
+std::optional<std::uint64_t> practiceSeed(std::string_view source) {
+    if (!source.starts_with(kPracticePrefix)) return std::nullopt;
+    return numberIn<std::uint64_t>(source.substr(kPracticePrefix.size()));
+}
+
+PointFile practiceFile(const PracticeTask& task) {
+    PointFile file;
+    file.position = task.points->position;
+    file.normal = task.points->normal;
+    file.type = task.points->type;
+    file.neighbors = task.points->neighbors;
+    file.positionType = file.normalType = ScalarType::Double;
+    return file;
+}
+
+std::string practiceLesson(std::uint64_t seed) {
+    const PracticeTask task = practiceTask(seed);
+    const std::string number = std::to_string(seed);
+    const std::string pivot = std::to_string(task.address.pivot);
+    return "# Practice " + number + "\n\n```se lesson\nversion = 1\ninput = \"" +
+           std::string(kPracticePrefix) + number + "\"\nview = \"top\"\n```\n\n## Play pivot " +
+           pivot + "\n\nThe pivot is " + std::to_string(task.p) + ", between first, " +
+           std::to_string(task.first) + ", and last, " + std::to_string(task.last) +
+           ". Do what the algorithm does with it, in its order:\n\n"
+           "1. **start** and **end** move along the edge ring, where it is concave (6.1);\n"
+           "2. each candidate between them, by increasing angle from *first*: **keep** or "
+           "**remove** it (6.1 to 6.3);\n"
+           "3. the **fan**, from *first* to *last* (6.4);\n"
+           "4. the **next** pivot (6.5).\n\n"
+           "```se step\nminutes = 3\nframe = \"pivot\"\npin = [\"links\"]\n```\n\n```se ask\nkind = \"play\"\nat = "
+           "\"" +
+           toString(task.address) + "\"\nuntil = \"" + toString(task.events.back().address) +
+           "\"\nanswer = \"moves\"\n```\n";
+}
+
 }  // namespace se::teach

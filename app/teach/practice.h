@@ -11,11 +11,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "play_moves.h"
 #include "result.h"
+#include "spiraling_edge/points/point_file.h"
 #include "spiraling_edge/points/shared_points.h"
 #include "spiraling_edge/stepper/params.h"
 
@@ -38,6 +41,16 @@ struct PracticeTask {
     std::vector<RunMove> solution = {};  ///< The moves of the run, with their decisions.
     std::vector<Event> events = {};      ///< All decisions of the pivot.
 };
+
+/// Source of the points of a task in a lesson: "practice:7".
+inline constexpr std::string_view kPracticePrefix = "practice:";
+/// The seed in such a source; nothing if it is none.
+std::optional<std::uint64_t> practiceSeed(std::string_view source);
+
+/// The points of a task as a file with neighbor lists.
+PointFile practiceFile(const PracticeTask& task);
+/// The task of a seed as the text of a lesson with one question of kind `play`.
+std::string practiceLesson(std::uint64_t seed);
 
 /// The task of a seed. Deterministic; different seeds give different points.
 PracticeTask practiceTask(std::uint64_t seed);

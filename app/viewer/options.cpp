@@ -263,7 +263,7 @@ Status chooseComparison(Options& o) {
 Status adoptLesson(Options& o) {
     if (!isLesson(o.input.source)) return success();
     o.lesson = std::exchange(o.input.source, {});
-    if (!o.lesson.starts_with(kLessonPrefix))
+    if (isLessonFile(o.lesson))
         o.lesson = std::filesystem::absolute(o.lesson).lexically_normal().string();
     return success();
 }

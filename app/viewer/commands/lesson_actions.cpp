@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "command_actions.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -34,6 +35,11 @@ bool requireLesson(CommandContext& c) {
 }  // namespace
 
 void openTour(CommandContext& c) { c.ui.requests.open = embeddedLessonSource("tour"); }
+
+void openPractice(CommandContext& c) {
+    c.ui.requests.open =
+        std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice);
+}
 
 void nextLessonStep(CommandContext& c) { c.ui.lesson.ask = LessonAsk::Next; }
 

@@ -13,6 +13,8 @@ namespace actions {
 
 /// Opens the lesson that shows the six stages on a torus.
 void openTour(CommandContext& c);
+/// Opens the next pivot to play: that after the open one, or after the last one.
+void openPractice(CommandContext& c);
 void nextLessonStep(CommandContext& c);
 void previousLessonStep(CommandContext& c);
 /// To the position of the step, with its settings.

@@ -13,6 +13,7 @@
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "teach/lesson_skeleton.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -22,6 +23,8 @@ constexpr std::chrono::milliseconds kBetweenLooks{500};
 /// An answer is shown in about this time, decision by decision, up to so many decisions.
 constexpr double kSecondsOfAnswer = 8.0;
 constexpr std::size_t kMaxShown = 400;
+/// Entry of the state for the seed of the last pivot to play.
+constexpr std::string_view kPracticeEntry = "practice";
 
 std::filesystem::file_time_type writeTimeOf(const std::filesystem::path& path) {
     std::error_code error;
@@ -87,6 +90,9 @@ PlayUnit unitFromName(std::string_view name) {
 
 void LessonController::begin(const Options& options) {
     resultFile_ = options.resultFile;
+    const KeptState kept = document_.kept().read();
+    const auto last = kept.lessons.find(std::string(kPracticeEntry));
+    if (last != kept.lessons.end()) panel().nextPractice = last->second + 1;
     if (!options.lesson.empty()) open(options.lesson, options.lessonStep);
 }
 
@@ -136,8 +142,7 @@ bool LessonController::poll() {
     if (closed) close();
     if (closed) return true;
     if (walk().asks()) walk().addSeconds(passed.count());
-    if (walk().takesPoints() && arrived())
-        c_.session.highlights().mark(walk().state().given.points);
+    if (walk().takesPoints() && arrived()) c_.session.highlights().mark(walk().givenPoints());
     panel().away = isAway();
     return changed;
 }
@@ -152,7 +157,7 @@ void LessonController::take(OpenedLesson lesson) {
     const bool present = c_.ui.layoutPreset == LayoutPreset::Present;
     if (!again && !present) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Learn));
     c_.ui.tab.wanted = kLessonTab;
-    if (!walk().source().starts_with(kLessonPrefix)) document_.note(walk().source());
+    if (isLessonFile(walk().source())) document_.note(walk().source());
     goTo(std::exchange(toStep_, std::nullopt).value_or(kept));
 }
 
@@ -165,9 +170,14 @@ std::size_t LessonController::keptStep(const OpenedLesson& lesson) const {
     return inside ? found->second : 0;
 }
 
+/// Of pivots to play the last seed is kept.
 void LessonController::keepStep() {
-    const Status kept = document_.kept().change(
-        [this](KeptState& state) { state.lessons[walk().source()] = walk().step(); });
+    const auto seed = teach::practiceSeed(walk().source());
+    const std::string source = seed ? std::string(kPracticeEntry) : walk().source();
+    const std::size_t number = seed ? static_cast<std::size_t>(*seed) : walk().step();
+    if (seed) panel().nextPractice = *seed + 1;
+    const Status kept =
+        document_.kept().change([&](KeptState& state) { state.lessons[source] = number; });
     if (!kept) c_.session.messages().say(kept.error().message);
 }
 
@@ -175,9 +185,14 @@ void LessonController::keepStep() {
 void LessonController::watchFile() {
     if (polled_ - looked_ < kBetweenLooks || opening_.busy()) return;
     looked_ = polled_;
-    if (walk().source().starts_with(kLessonPrefix)) return;
+    if (!isLessonFile(walk().source())) return;
     const auto time = writeTimeOf(walk().source());
     if (std::exchange(written_, time) != time) open(walk().source(), walk().step());
+}
+
+/// The open run is that of the step.
+bool LessonController::hasInput() const {
+    return c_.session.ready() && c_.session.input().spec() == input_;
 }
 
 bool LessonController::arrived() const {
@@ -195,7 +210,7 @@ void LessonController::goTo(std::size_t step) {
     input_ = input.value();
     c_.playback.pause();
     entering_ = true;
-    fresh_ = !c_.session.ready() || c_.session.input().spec() != input_;
+    fresh_ = !hasInput();
     c_.session.setHorizon(std::nullopt);
     const std::string at = walk().setting().at.empty() ? "0" : walk().setting().at;
     if (fresh_) return document_.openStep(input_, at);
@@ -287,8 +302,7 @@ void LessonController::show() {
 bool LessonController::isAway() const {
     if (entering_ || c_.playback.playing() || !arrived()) return false;
     const LessonWalk& walk = c_.ui.lesson.walk;
-    return c_.session.input().spec() != input_ ||
-           (home_ && c_.session.address() != *home_ && !walk.asks());
+    return !hasInput() || (home_ && c_.session.address() != *home_ && !walk.asks());
 }
 
 bool LessonController::takeAim() {
@@ -340,7 +354,9 @@ void LessonController::saveLesson(const std::string& file) {
 
 void LessonController::close() {
     leaveStep();
+    const std::uint64_t next = panel().nextPractice;
     panel() = {};
+    panel().nextPractice = next;
 }
 
 void LessonController::carryOut() {

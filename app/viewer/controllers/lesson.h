@@ -60,6 +60,7 @@ class LessonController {
     void save();
     void saveLesson(const std::string& file);
     void close();
+    bool hasInput() const;
     bool arrived() const;
     bool isAway() const;
     void carryOut(LessonAsk ask);

@@ -6,13 +6,16 @@
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_text.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
 namespace {
 
 Result<teach::LessonReading> readingOf(const std::string& source) {
-    if (!source.starts_with(kLessonPrefix)) return teach::readLessonFile(source);
+    if (const auto seed = teach::practiceSeed(source))
+        return teach::readLesson(teach::practiceLesson(*seed), source);
+    if (isLessonFile(source)) return teach::readLessonFile(source);
     const std::string id = source.substr(kLessonPrefix.size());
     const teach::EmbeddedLesson* lesson = teach::findEmbeddedLesson(id);
     if (lesson == nullptr)
@@ -58,8 +61,12 @@ const std::vector<LessonEntry>& lessonEntries() {
     return entries;
 }
 
+bool isLessonFile(std::string_view source) {
+    return !source.starts_with(kLessonPrefix) && source.ends_with(teach::kLessonExtension);
+}
+
 bool isLesson(std::string_view source) {
-    return source.starts_with(kLessonPrefix) || source.ends_with(teach::kLessonExtension);
+    return source.starts_with(kLessonPrefix) || teach::practiceSeed(source) || isLessonFile(source);
 }
 
 Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress) {
@@ -71,8 +78,7 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
     if (!reading.value().ok()) return faultsError(reading.value().faults, name);
     OpenedLesson opened;
     opened.source = source;
-    if (!source.starts_with(kLessonPrefix))
-        opened.folder = std::filesystem::path(source).parent_path();
+    if (isLessonFile(source)) opened.folder = std::filesystem::path(source).parent_path();
     teach::LessonRuns runs(opened.folder);
     if (!progress(0.1)) return cancelled;
     const std::vector<teach::LessonFault> faults = teach::checkLesson(lesson, runs);

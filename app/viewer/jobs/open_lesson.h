@@ -21,8 +21,10 @@ inline constexpr std::string_view kLessonPrefix = "lesson:";
 inline std::string embeddedLessonSource(std::string_view id) {
     return std::string(kLessonPrefix) + std::string(id);
 }
-/// True for "lesson:ID" and for paths that end with ".lesson.md".
+/// True for "lesson:ID", "practice:SEED" and paths that end with ".lesson.md".
 bool isLesson(std::string_view source);
+/// True if it is a file.
+bool isLessonFile(std::string_view source);
 
 /// A lesson of the program, as it is listed.
 struct LessonEntry {
@@ -38,7 +40,7 @@ const std::vector<LessonEntry>& lessonEntries();
 
 /// A lesson without faults.
 struct OpenedLesson {
-    std::string source;            ///< "lesson:ID", or a path.
+    std::string source;            ///< "lesson:ID", "practice:SEED", or a path.
     std::filesystem::path folder;  ///< Its inputs are relative to it.
     teach::Lesson lesson;
     /// By step, the answer to its question; nothing for a step without one.

@@ -9,6 +9,8 @@ namespace {
 constexpr float kSelectionTint = 0.42F;
 /// Number of highlighted points whose marks are large enough to find each.
 constexpr std::size_t kLargeMarks = 500;
+/// Number of highlighted points up to which they are named.
+constexpr std::size_t kNamedMarks = 24;
 
 }  // namespace
 
@@ -36,6 +38,8 @@ void addMarked(const LayerInput& in, DrawList& out) {
     for (const Index p : in.marked) {
         if (!in.model.drawable[p]) continue;
         out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, size);
+        if (in.marked.size() <= kNamedMarks)
+            out.label(in.at(p), nameOf(p, in.names), in.palette.rejected);
     }
 }
 

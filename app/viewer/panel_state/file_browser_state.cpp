@@ -71,13 +71,13 @@ bool isListed(const fs::path& path, BrowserTask task) {
         case BrowserTask::SaveResult:
             return path.string().ends_with(teach::kResultExtension);
         case BrowserTask::SaveLesson:
-            return isLesson(path.string());
+            return isLessonFile(path.string());
     }
     return false;
 }
 
 std::string typedSource(const fs::path& folder, const std::string& text) {
-    if (text.empty() || isScene(text) || isSample(text) || text.starts_with(kLessonPrefix))
+    if (text.empty() || isScene(text) || isSample(text) || (isLesson(text) && !isLessonFile(text)))
         return text;
     const char* home = std::getenv("HOME");
     if (home != nullptr && (text == "~" || text.starts_with("~/"))) return home + text.substr(1);

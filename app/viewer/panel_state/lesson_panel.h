@@ -32,6 +32,8 @@ struct LessonPanel {
     bool showsRuns = false;             ///< In Compare: the column shows the runs, not the lesson.
     bool countsHands = false;           ///< Of a room: the fields for hands are open.
 
+    std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.
+
     // Set by LessonController.
     bool opening = false;   ///< A lesson is being read and run.
     double share = 0.0;     ///< Of that, in [0, 1].

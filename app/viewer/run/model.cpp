@@ -19,6 +19,7 @@
 #include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "strings.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -100,6 +101,12 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
     const std::string& source = spec.source;
     if (isSample(source)) return readSample(spec, model, progress);
     if (isStandardInput(source)) return takeStandardInput(spec, model);
+    if (const auto seed = teach::practiceSeed(source)) {
+        model.name = source;
+        PointFile points = teach::practiceFile(teach::practiceTask(*seed));
+        model.hash = hashOfPoints(points);
+        return points;
+    }
     if (source.empty() || isScene(source)) {
         const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
         if (source.empty() && scenes().empty()) return Error{"No file was named."};

@@ -5,27 +5,45 @@
 #include <numeric>
 #include <utility>
 
+#include "run/strings.h"
+
 namespace se::view {
 
 namespace {
 
-/// "3, 4 q" as words; commas separate as well.
-std::vector<std::string> wordsOfAnswer(const std::string& text, bool points) {
-    if (!points) return {text};
-    std::vector<std::string> words;
-    std::string word;
-    for (const char sign : text + ' ') {
-        if (sign != ' ' && sign != ',') {
-            word += sign;
-        } else if (!word.empty()) {
-            words.push_back(std::exchange(word, {}));
-        }
-    }
-    return words;
-}
-
 bool asksPoints(const teach::Question& question) {
     return question.kind == "points" || question.kind == "point";
+}
+
+/// The parts of a text between any of these signs, without blanks around them.
+std::vector<std::string> partsOf(const std::string& text, std::string_view signs) {
+    std::vector<std::string> parts;
+    std::string part;
+    for (const char sign : text + signs.front()) {
+        if (signs.find(sign) == std::string_view::npos) {
+            part += sign;
+        } else {
+            const std::string whole = trimmed(std::exchange(part, {}));
+            if (!whole.empty()) parts.push_back(whole);
+        }
+    }
+    return parts;
+}
+
+/// "3, 4 q" as points, "keep 3; fan 2 3 4" as moves, all else as it is.
+std::vector<std::string> wordsOfAnswer(const std::string& text, const teach::Question& question) {
+    if (asksPoints(question)) return partsOf(text, ", ");
+    return question.kind == "play" ? partsOf(text, ";\n") : std::vector<std::string>{text};
+}
+
+/// Moves are played in this order; candidates, kept or removed, in that of the clicks.
+int orderOf(const teach::PlayMove& move) {
+    const bool removes = move.kind == teach::MoveKind::Remove;
+    return static_cast<int>(removes ? teach::MoveKind::Keep : move.kind);
+}
+
+bool isVerdict(teach::MoveKind kind) {
+    return kind == teach::MoveKind::Keep || kind == teach::MoveKind::Remove;
 }
 
 }  // namespace
@@ -45,7 +63,74 @@ void LessonWalk::goTo(std::size_t step) {
     open_ = state().seconds;
 }
 
-bool LessonWalk::takesPoints() const { return asks() && asksPoints(*question()); }
+bool LessonWalk::takesPoints() const {
+    return asks() && (asksPoints(*question()) || question()->kind == "play");
+}
+
+std::vector<Index> LessonWalk::givenPoints() const {
+    std::vector<Index> points = state().given.points;
+    for (const teach::PlayMove& move : state().given.moves)
+        points.insert(points.end(), move.points.begin(), move.points.end());
+    return points;
+}
+
+void LessonWalk::typeMoves(std::vector<teach::PlayMove> moves) {
+    std::stable_sort(moves.begin(), moves.end(),
+                     [](const auto& a, const auto& b) { return orderOf(a) < orderOf(b); });
+    std::string text;
+    for (const teach::PlayMove& each : moves)
+        text += (text.empty() ? "" : "; ") + teach::moveText(each, setting_.names);
+    type(std::move(text));
+    // A fan of one point, which goes on to grow, cannot be read yet.
+    states_[step_].given.moves = std::move(moves);
+}
+
+void LessonWalk::removeMove(std::size_t move) {
+    std::vector<teach::PlayMove> moves = state().given.moves;
+    if (move >= moves.size()) return;
+    moves.erase(moves.begin() + static_cast<std::ptrdiff_t>(move));
+    typeMoves(std::move(moves));
+}
+
+/// Adds the chosen move about a point: the fan grows, another verdict on a candidate and another
+/// next pivot replace those before.
+void LessonWalk::addMove(Index point) {
+    std::vector<teach::PlayMove> moves = state().given.moves;
+    const teach::MoveKind kind = state().move;
+    const auto found = std::find_if(moves.begin(), moves.end(), [&](const teach::PlayMove& each) {
+        const bool verdict = isVerdict(kind) && isVerdict(each.kind);
+        const bool once = kind == teach::MoveKind::Fan || kind == teach::MoveKind::NextPivot;
+        return (verdict && each.points.front() == point) || (once && each.kind == kind);
+    });
+    if (found == moves.end()) {
+        moves.push_back({kind, {point}});
+    } else if (kind == teach::MoveKind::Fan) {
+        found->points.push_back(point);
+    } else {
+        *found = {kind, {point}};
+    }
+    typeMoves(std::move(moves));
+}
+
+const Event* LessonWalk::decisionAgainstTry() const {
+    const auto& grade = state().grade;
+    if (question() == nullptr || question()->kind != "play" || !grade || grade->right)
+        return nullptr;
+    const std::vector<Event>& shown = right().shown;
+    const std::vector<teach::PlayMove>& given = state().given.moves;
+    const std::vector<teach::RunMove> moves = teach::movesOfRun(shown);
+    const std::size_t alike = teach::movesAlike(given, right().answer.moves);
+    const teach::RunMove* expected = alike < moves.size() ? &moves[alike] : nullptr;
+    const Event* against = alike < given.size()
+                               ? teach::decisionAgainst(shown, given[alike], expected)
+                           : expected != nullptr ? &expected->event
+                                                 : nullptr;
+    // Not that of `moves`, which end with this function.
+    const auto same = std::find_if(shown.begin(), shown.end(), [&](const Event& each) {
+        return against != nullptr && each.address == against->address;
+    });
+    return same != shown.end() ? &*same : nullptr;
+}
 
 void LessonWalk::type(std::string text) {
     assert(asks());
@@ -54,7 +139,7 @@ void LessonWalk::type(std::string text) {
     state.given = {};
     state.complaint.clear();
     state.grade.reset();
-    const std::vector<std::string> words = wordsOfAnswer(state.typed, asksPoints(*question()));
+    const std::vector<std::string> words = wordsOfAnswer(state.typed, *question());
     if (words.empty() || words.front().empty()) return;
     const Result<teach::Answer> read =
         teach::findQuestionKind(question()->kind)->read(words, context());
@@ -67,6 +152,7 @@ void LessonWalk::type(std::string text) {
 
 void LessonWalk::toggle(Index point) {
     assert(takesPoints());
+    if (question()->kind == "play") return addMove(point);
     std::vector<Index> points = state().given.points;
     const auto found = std::find(points.begin(), points.end(), point);
     const bool marked = found != points.end();

@@ -10,6 +10,7 @@
 
 #include "jobs/open_lesson.h"
 #include "spiraling_edge/points/point_name.h"
+#include "teach/play_moves.h"
 #include "teach/question.h"
 #include "teach/result.h"
 
@@ -17,8 +18,9 @@ namespace se::view {
 
 /// The user's work on one question.
 struct QuestionState {
-    std::string typed;       ///< Points by name, an option by letter, or a number.
-    teach::Answer given;     ///< What `typed` says.
+    std::string typed;    ///< Points by name, an option by letter, or a number.
+    teach::Answer given;  ///< What `typed` says.
+    teach::MoveKind move = teach::MoveKind::MoveStart;  ///< The next one by a click.
     std::string complaint;   ///< Why `typed` cannot be read; empty: it can.
     std::vector<int> hands;  ///< Of a room: how many chose each option.
     std::size_t tries = 0;
@@ -59,8 +61,17 @@ class LessonWalk {
     const teach::RightAnswer& right() const { return *opened_->right[step_]; }
     /// Reads what the user has typed.
     void type(std::string text);
-    /// Marks a point, or unmarks it; of one point at most. Requires takesPoints().
+    /// Marks a point, or unmarks it; of one point at most; of a pivot to play, adds a move.
+    /// Requires takesPoints().
     void toggle(Index point);
+    /// Of a pivot to play: the move that a click makes.
+    void chooseMove(teach::MoveKind move) { states_[step_].move = move; }
+    void removeMove(std::size_t move);
+    /// Of a pivot to play, after a wrong try: the decision of the run against the first wrong move;
+    /// null if there is none.
+    const Event* decisionAgainstTry() const;
+    /// Points that the answer given names.
+    std::vector<Index> givenPoints() const;
     void setHands(std::vector<int> hands) { states_[step_].hands = std::move(hands); }
     /// Counts time during which the question is open.
     void addSeconds(double seconds) { open_ += seconds; }
@@ -76,6 +87,8 @@ class LessonWalk {
   private:
     teach::QuestionContext context() const { return {*question(), setting_.names}; }
     void record(teach::GivenAnswer answer);
+    void addMove(Index point);
+    void typeMoves(std::vector<teach::PlayMove> moves);
 
     std::shared_ptr<const OpenedLesson> opened_;
     std::size_t step_ = 0;

@@ -9,6 +9,7 @@
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
+#include "teach/practice.h"
 
 using namespace se;
 using namespace se::view;
@@ -218,4 +219,20 @@ TEST_CASE("A step that compares opens the layout Compare, and the next one retur
     app.ask(LessonAsk::Previous);
     CHECK(app.ui.layoutPreset == LayoutPreset::Learn);
     CHECK(app.ui.compare.ask == CompareAsk::Stop);
+}
+
+TEST_CASE("A pivot to practice opens at its beginning, and the next one is another") {
+    LessonApp app;
+    app.open("practice:7");
+    REQUIRE(app.walk().isOpen());
+    const teach::PracticeTask task = teach::practiceTask(7);
+    CHECK(app.place() == toString(task.address));
+    CHECK(app.session.model().points.position == task.points->position);
+    CHECK(app.walk().asks());
+    CHECK_FALSE(app.ui.lesson.away);
+    app.walk().showAnswer();
+    app.ask(LessonAsk::Return);
+    CHECK_FALSE(app.ui.lesson.away);
+    actions::openPractice(app.context);
+    CHECK(app.ui.requests.open == "practice:8");
 }

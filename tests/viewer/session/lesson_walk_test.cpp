@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "teach/practice.h"
+
 using namespace se;
 using namespace se::view;
 
@@ -118,4 +120,68 @@ TEST_CASE("A lesson that is not there, or is faulty, is refused with its name") 
     CHECK(unknown.error().message.find("lesson:nothing") != std::string::npos);
     CHECK_FALSE(openLesson("/no/such.lesson.md", go).ok());
     CHECK_FALSE(openLesson("lesson:spiral", [](double) { return false; }).ok());
+}
+
+namespace {
+
+LessonWalk practiceOf(std::uint64_t seed) {
+    const Result<OpenedLesson> opened = openLesson(
+        std::string(teach::kPracticePrefix) + std::to_string(seed), [](double) { return true; });
+    REQUIRE(opened.ok());
+    LessonWalk walk;
+    walk.open(opened.value(), 0);
+    return walk;
+}
+
+}  // namespace
+
+TEST_CASE("A pivot is played by clicks: moves stand in the order of the algorithm") {
+    LessonWalk walk = practiceOf(7);
+    REQUIRE(walk.takesPoints());
+    walk.chooseMove(teach::MoveKind::Keep);
+    walk.toggle(5);
+    walk.toggle(9);
+    walk.chooseMove(teach::MoveKind::MoveStart);
+    walk.toggle(2);
+    CHECK(walk.state().typed == "start 2; keep 5; keep 9");
+    walk.chooseMove(teach::MoveKind::Remove);
+    walk.toggle(5);
+    CHECK(walk.state().typed == "start 2; remove 5; keep 9");
+    walk.chooseMove(teach::MoveKind::Fan);
+    for (const Index point : {2U, 9U, 11U}) walk.toggle(point);
+    walk.chooseMove(teach::MoveKind::NextPivot);
+    walk.toggle(4);
+    walk.toggle(9);
+    CHECK(walk.state().typed == "start 2; remove 5; keep 9; fan 2 9 11; next 9");
+    walk.removeMove(1);
+    CHECK(walk.state().typed == "start 2; keep 9; fan 2 9 11; next 9");
+    walk.type("start 2; stop 3");
+    CHECK_FALSE(walk.state().complaint.empty());
+}
+
+TEST_CASE("A wrong move of a played pivot is answered by the decision of the run against it") {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        CAPTURE(seed);
+        const teach::PracticeTask task = teach::practiceTask(seed);
+        LessonWalk walk = practiceOf(seed);
+        std::string right, wrong;
+        for (const teach::RunMove& each : task.solution) {
+            const bool kept = each.move.kind == teach::MoveKind::Keep;
+            teach::PlayMove other = each.move;
+            if (kept) other.kind = teach::MoveKind::Remove;
+            right += teach::moveText(each.move) + "; ";
+            wrong += teach::moveText(other) + "; ";
+        }
+        walk.type(wrong);
+        walk.answer();
+        REQUIRE(walk.asks());
+        const Event* against = walk.decisionAgainstTry();
+        REQUIRE(against != nullptr);
+        const teach::PracticeGrade grade = teach::gradePractice(task, walk.state().given.moves);
+        CHECK(toString(against->address) == grade.address);
+        walk.type(right);
+        walk.answer();
+        CHECK_FALSE(walk.asks());
+        CHECK(walk.decisionAgainstTry() == nullptr);
+    }
 }

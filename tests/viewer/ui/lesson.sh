@@ -72,11 +72,24 @@ LESSON
     says question open; says address 1.sort.12; says settled true; says moving false
     move_to 10 790
     picture "$run"
-    grep -v '_seconds\|input_events' "$state" >"$work/$run.state"
+    grep -v '_seconds\|input_events\|motions' "$state" >"$work/$run.state"
     stop
 done
 cmp "$work/a.state" "$work/b.state" || fail "the state tells of what follows: $(diff "$work/a.state" "$work/b.state")"
 [ "$(differing a b 0)" = 0 ] || fail "the picture tells of what follows"
+
+# A pivot to play: by clicks and keys, wrong first, then another one.
+start
+press ctrl+p; type_text "practice a pivot"; press Return
+says lesson "Practice 1"; says question open; says moving false
+press f; click_on "move keep"
+solution=$("$(dirname "$viewer")/spiraling-edge" practice --seed 1 --solution | grep '^[a-z]' | sed 's/ *#.*//' | paste -sd ';')
+click_on "lesson answer field"; type_text "next 0"; press Return
+says answered_right false; says question open; says tries 1
+click_on "lesson answer field"; press ctrl+a; type_text "$solution"; press Return
+says answered_right true; says question shown
+click_on "lesson another"; says lesson "Practice 2"; says question open
+stop
 
 # A teacher: two bookmarks become a lesson; the open file is read again when it changes.
 start scene:figure-8

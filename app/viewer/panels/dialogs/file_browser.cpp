@@ -103,7 +103,11 @@ fs::path savedMesh(const PanelContext& context) {
 std::string lessonStem(const PanelContext& context) {
     const LessonWalk& walk = context.state<LessonPanel>().walk;
     if (!walk.isOpen()) return "lesson";
-    if (walk.source().starts_with(kLessonPrefix)) return walk.source().substr(kLessonPrefix.size());
+    if (!isLessonFile(walk.source())) {
+        std::string name = walk.source();
+        std::replace(name.begin(), name.end(), ':', '-');
+        return name;
+    }
     const std::string name = fs::path(walk.source()).filename().string();
     return name.substr(0, name.size() - teach::kLessonExtension.size());
 }

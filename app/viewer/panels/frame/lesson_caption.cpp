@@ -26,7 +26,7 @@ std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWal
     const teach::LessonStep& step = walk.shownStep();
     std::vector<Paragraph> all{{step.title, palette.accent}};
     for (const teach::TextBlock& block : teach::textBlocks(step.text))
-        all.push_back({teach::plainTextOf({block}), palette.text});
+        all.push_back({trimmed(teach::plainTextOf({block})), palette.text});
     const teach::Question* question = walk.question();
     if (question == nullptr) return all;
     const auto right =
@@ -74,7 +74,8 @@ void drawLessonCaption(const PanelContext& context, const std::string& decision)
     ImGui::PushFont(chosen);
     for (const Paragraph& each : paragraphs) wrappedText(each.text, each.color);
     ImGui::PopFont();
-    dimText(fitted(decision, width));
+    if (ImGui::GetContentRegionAvail().y >= ImGui::GetTextLineHeight())
+        dimText(fitted(decision, width));
     ImGui::EndGroup();
     nameItem(context, "lesson caption");
 }

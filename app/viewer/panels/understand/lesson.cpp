@@ -12,6 +12,7 @@
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/base/number_text.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -35,6 +36,10 @@ void drawList(const PanelContext& context) {
             context.requests().open = each.source;
         dimAtRight(minutesText(each.minutes));
     }
+    ImGui::Spacing();
+    if (textButton(context, "Practice a pivot", "practice",
+                   "Play a pivot yourself: another one each time"))
+        context.run("help.practice");
     ImGui::Spacing();
     dimText("Your own are opened by File > Open; docs/lessons.md says how to write one.");
 }
@@ -131,7 +136,10 @@ void drawFoot(const PanelContext& context, const LessonWalk& walk) {
               "The step before (" + context.key("lesson.previous") + ")", half);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (last) {
+    if (last && teach::practiceSeed(walk.source())) {
+        if (textButton(context, "Another", "lesson another", "Another pivot to play", half))
+            context.run("help.practice");
+    } else if (last) {
         askButton(context, "Close", "lesson close", LessonAsk::Close,
                   "Close the lesson; the run stays open", half);
     } else {

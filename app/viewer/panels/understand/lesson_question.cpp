@@ -6,11 +6,13 @@
 #include "lesson_parts.h"
 #include "panel_state/lesson_panel.h"
 #include "panels/widgets/widgets.h"
+#include "rows/evidence_rows.h"
 #include "run/number_format.h"
 #include "scene/palette.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
+#include "teach/play_moves.h"
 
 namespace se::view {
 
@@ -25,8 +27,36 @@ bool isChoice(const LessonWalk& walk) { return walk.question()->kind == "choice"
 std::string taskOf(const LessonWalk& walk) {
     const std::string& kind = walk.question()->kind;
     if (kind == "points") return "Click the points in the view, or type them:";
+    if (kind == "play") return "Choose a move and click its points, or type it:";
     if (kind == "point") return "Click the point in the view, or type it:";
     return kind == "number" ? "Your number:" : "Your choice:";
+}
+
+/// Of a pivot to play: the move that a click makes, and the moves so far.
+void drawMoves(const PanelContext& context, LessonWalk& walk) {
+    for (const teach::MoveRow& row : teach::moveTable()) {
+        const bool on = walk.state().move == row.id;
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
+        const std::string name(row.name);
+        if (smallButton(context, name, "move " + name, std::string(row.help)))
+            walk.chooseMove(row.id);
+        if (on) ImGui::PopStyleColor(2);
+        ImGui::SameLine();
+        if (ImGui::GetContentRegionAvail().x < 4.0F * context.em) ImGui::NewLine();
+    }
+    ImGui::NewLine();
+    const std::vector<teach::PlayMove>& moves = walk.state().given.moves;
+    std::optional<std::size_t> gone;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (smallButton(context, "x", "remove move " + std::to_string(i + 1), "Take it back"))
+            gone = i;
+        ImGui::SameLine();
+        ImGui::TextUnformatted(teach::moveText(moves[i], walk.setting().names).c_str());
+        ImGui::PopID();
+    }
+    if (gone) walk.removeMove(*gone);
 }
 
 /// Options as rows that can be chosen, by letter.
@@ -63,9 +93,11 @@ void drawHands(const PanelContext& context, LessonWalk& walk) {
 void drawField(const PanelContext& context, LessonWalk& walk) {
     std::string typed = walk.state().typed;
     ImGui::SetNextItemWidth(-1.0F);
-    const bool points = walk.takesPoints();
-    const bool entered = textField("##answer", points ? "for example 3, 4, 5" : "a number", typed,
-                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    const std::string& kind = walk.question()->kind;
+    const char* hint = kind == "number" ? "a number"
+                       : kind == "play" ? "start 4; keep 7; fan 3 4 7 9; next 4"
+                                        : "for example 3, 4, 5";
+    const bool entered = textField("##answer", hint, typed, ImGuiInputTextFlags_EnterReturnsTrue);
     nameItem(context, "lesson answer field");
     if (typed != walk.state().typed) walk.type(std::move(typed));
     if (entered) context.state<LessonPanel>().ask = LessonAsk::Answer;
@@ -77,7 +109,15 @@ void drawField(const PanelContext& context, LessonWalk& walk) {
 void drawTry(const PanelContext& context, const LessonWalk& walk) {
     const auto& grade = walk.state().grade;
     if (!grade || grade->right) return;
-    wrappedText("Not right yet. Try again, or show the answer.", context.palette.last);
+    const Event* against = walk.decisionAgainstTry();
+    if (against == nullptr)
+        return wrappedText("Not right yet. Try again, or show the answer.", context.palette.last);
+    const std::size_t alike =
+        teach::movesAlike(walk.state().given.moves, walk.right().answer.moves);
+    wrappedText((alike == 0 ? "Not so" : "Right up to move " + std::to_string(alike)) +
+                    ". Section " + sectionOf(*against) + ": " +
+                    withShortNumbers(describe(*against, walk.names())),
+                context.palette.last);
 }
 
 void drawOpen(const PanelContext& context, LessonWalk& walk) {
@@ -89,6 +129,7 @@ void drawOpen(const PanelContext& context, LessonWalk& walk) {
     } else if (isChoice(walk)) {
         drawOptions(context, walk);
     } else {
+        if (walk.question()->kind == "play") drawMoves(context, walk);
         drawField(context, walk);
     }
     drawTry(context, walk);
@@ -142,7 +183,8 @@ void drawResult(const PanelContext& context, const LessonWalk& walk) {
     if (grade && grade->right) wrappedText("Right.", palette.used);
     const bool wrong = grade && !grade->right;
     if (wrong) wrappedText("Yours: " + walk.state().typed, palette.rejected);
-    wrappedText((grade && grade->right ? "" : "Answer: ") + walk.right().text, palette.text);
+    if (walk.right().answer.moves.empty())
+        wrappedText((grade && grade->right ? "" : "Answer: ") + walk.right().text, palette.text);
     if (!walk.right().reason.empty()) {
         ImGui::Spacing();
         wrappedText(withShortNumbers(walk.right().reason));
@@ -151,8 +193,29 @@ void drawResult(const PanelContext& context, const LessonWalk& walk) {
     }
 }
 
+/// The moves of the run, each a way to its decision.
+void drawSolution(const PanelContext& context, const LessonWalk& walk) {
+    const std::vector<teach::PlayMove>& given = walk.state().given.moves;
+    const std::vector<teach::RunMove> moves = teach::movesOfRun(walk.right().shown);
+    const std::size_t alike = teach::movesAlike(given, walk.right().answer.moves);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const bool agrees = !walk.state().grade || i < alike;
+        const Color& color = agrees ? context.palette.used : context.palette.rejected;
+        const std::string address = toString(moves[i].event.address);
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+        ImGui::PushID(static_cast<int>(i));
+        if (selectable(context, teach::moveText(moves[i].move, walk.setting().names), false,
+                       "solution " + std::to_string(i + 1), describe(moves[i].event, walk.names())))
+            context.state<LessonPanel>().follow = address;
+        ImGui::PopID();
+        ImGui::PopStyleColor();
+        dimAtRight(address);
+    }
+}
+
 /// The decisions on the points of the answer and on those that were given, each a way there.
 void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
+    if (!walk.right().answer.moves.empty()) return drawSolution(context, walk);
     const std::vector<Index>& right = walk.right().answer.points;
     const std::vector<Index>& given = walk.state().given.points;
     const auto among = [](const std::vector<Index>& points, Index point) {
