@@ -18,7 +18,7 @@ press w; says open_tab Ledger; says asking false
 # The answer goes to the clipboard.
 click_on "ledger copy"; says notice "Copied the answer.*"
 click_on "ledger cause"; says address 73.sort.8
-press bracketleft; says address '[0-9.a-z]+'; leaves address 73.sort.8
+press bracketleft; says address '[0-9.a-z]+'; leaves address 73.sort.8; says busy false
 here=$(field address)
 press bracketright; says address 73.sort.8
 # A click on a line: back to it.
@@ -67,7 +67,7 @@ says query '.*"line": "stage=sphere refused".*'; says asking false
 first=$(field first)
 press Home; says pivot 0
 press F3; says address "$first"
-press F3; leaves address "$first"; second=$(field address)
+press F3; leaves address "$first"; says busy false; second=$(field address)
 press shift+F3; says address "$first"
 click_on "line $second"; says address "$second"
 
