@@ -248,6 +248,12 @@ void blankScreen(C& c, BlankScreen with) {
     c.ui.blank = with;
 }
 
+void toggleSpotlight(C& c) {
+    if (c.ui.layoutPreset != LayoutPreset::Present)
+        return c.session.messages().say("The spotlight belongs to the layout Present (F2).");
+    c.ui.spotlight = !c.ui.spotlight;
+}
+
 void openTab(C& c, std::string_view tab) {
     const bool none =
         c.ui.layoutPreset == LayoutPreset::Present || c.ui.layoutPreset == LayoutPreset::Compare;

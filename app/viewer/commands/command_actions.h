@@ -56,6 +56,8 @@ void stepByUnit(CommandContext& c, int direction);
 void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 /// Covers the window, in the layout Present.
 void blankScreen(CommandContext& c, BlankScreen with);
+/// Dims all but the neighborhood of the pivot in the layout Present, or stops.
+void toggleSpotlight(CommandContext& c);
 /// Opens a panel; if no panels are shown, in the layout that has all of them.
 void openTab(CommandContext& c, std::string_view tab);
 /// Turns the plane of the section by 15 degrees, counterclockwise (+1) or clockwise (-1), and opens

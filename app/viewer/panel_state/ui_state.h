@@ -106,6 +106,7 @@ struct UiState {
     StartPage startPage;
     PictureLook picture;
     BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
+    bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
     float scale = 1.0F;                     ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;                ///< Of the view, as last drawn.
     glm::vec2 viewEms{50.0F, 30.0F};        ///< Size of the view, in em, as last drawn.

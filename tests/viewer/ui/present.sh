@@ -49,6 +49,12 @@ for key in b period w; do
     press "$key"; says blank true; says layout present; denies loop '.*"to": "40.*'
     press Next; says blank false; says address "40\.sort\.1"
 done
+# The spotlight dims what is not about the pivot.
+move_to 20 20; picture plain
+press l; picture spot
+[ "$(differing plain spot 2%)" -gt 20000 ] || fail "the spotlight dims nothing"
+press l; picture after
+[ "$(differing plain after 2%)" -lt 200 ] || fail "the spotlight stays"
 press b; says blank true
 press Escape; says blank false; says layout present
 press shift+F5; says layout present; says address "40\.sort\.1"

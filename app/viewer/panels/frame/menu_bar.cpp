@@ -108,6 +108,7 @@ std::optional<bool> checkOf(const PanelContext& context, const Command& command)
     const std::string_view id = command.id;
     if (id == "view.orthographic") return context.camera().orthographic();
     if (id == "view.verdict") return !ui.verdict.closed;
+    if (id == "view.spotlight") return ui.spotlight;
     if (id == "view.legend") return ui.settings.legend;
     if (id == "view.names") return ui.settings.names;
     if (id == "view.groups") return ui.settings.panels.folded || ui.panelsQuiet;

@@ -271,6 +271,7 @@ void drawWithOverlays(const PanelContext& context) {
     handleMouse(context);
     drawViewPicture(context);
     drawFaultPins(context, pins);
+    drawForAudience(context);
     drawOver(context, arrow, axes);
     drawLasso(context);
     drawSectionPlane(context);

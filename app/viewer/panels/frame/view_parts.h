@@ -81,6 +81,10 @@ class ScreenProjection {
     CameraMatrices camera_;
 };
 
+/// In Present, the spotlight on the neighborhood of the pivot, if it is on, and the halo at the
+/// pointer.
+void drawForAudience(const PanelContext& context);
+
 /// The step of a lesson is the caption.
 bool showsLessonCaption(const PanelContext& context);
 /// Draws it, with the decision at the cursor below it. Requires showsLessonCaption().
