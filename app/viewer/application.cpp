@@ -72,6 +72,7 @@ void Application::drop(const std::vector<std::string>& paths) {
 }
 
 bool Application::poll() {
+    lesson_.closeForOther();
     const bool opened = session_.poll();
     const bool saved = mesh_.poll();
     const bool changed = sampling_.poll() || opened || saved;
@@ -148,6 +149,7 @@ std::string Application::title() const {
 }
 
 void Application::rememberSize(glm::ivec2 size) {
+    lesson_.putBackChoices();
     ui_.settings.width = size.x;
     ui_.settings.height = size.y;
     ui_.settings.playRate = playback_.rate();

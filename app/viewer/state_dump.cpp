@@ -111,7 +111,7 @@ void dumpRun(json& out, const Session& session) {
     out["busy"] = session.moves().busy();
 }
 
-/// What is known of the whole run: nothing of it is told while a question is open.
+/// Facts of the whole run, left out while a question is open.
 void dumpFindings(json& out, const Session& session) {
     out["events"] = session.record().events.size();
     out["at_end"] = session.atEnd();
@@ -241,7 +241,7 @@ void dumpMeshForm(json& out, const UiState& ui) {
     out["mesh_command"] = form.copied;
 }
 
-/// The open lesson; nothing of it that the user has not been shown.
+/// The open lesson, without answers that are not shown.
 void dumpLesson(json& out, const LessonPanel& panel) {
     const LessonWalk& walk = panel.walk;
     out["lesson"] = walk.isOpen() ? walk.lesson().title : "";

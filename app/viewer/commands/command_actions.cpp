@@ -109,7 +109,7 @@ void oppositeView(C& c) {
 UpAxis usualUp(const C& c) {
     if (!c.session.ready() || c.ui.growth.open) return UpAxis::Z;
     const std::string& source = c.session.input().spec().source;
-    if (isScene(source) || isSample(source)) return UpAxis::Z;
+    if (isScene(source) || isSample(source) || isPractice(source)) return UpAxis::Z;
     if (c.ui.settings.up) return *c.ui.settings.up;
     return guessUpAxis(c.session.model().points, source);
 }

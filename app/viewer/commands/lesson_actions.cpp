@@ -19,6 +19,7 @@ bool isAllowedDuringQuestion(const Command& command) {
     const auto among = [](const auto& list, std::string_view word) {
         return std::find(list.begin(), list.end(), word) != list.end();
     };
+    if (command.id == "view.layout.compare") return false;
     return among(kGroups, command.group) || among(kOthers, command.id);
 }
 

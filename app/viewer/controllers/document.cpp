@@ -145,10 +145,10 @@ void DocumentController::open(const std::string& path) {
         c_.ui.lesson.open = path;
         return;
     }
-    foreign_ = true;
     if (isVolumePath(path)) return spreadOver(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
+    foreign_ = true;
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
@@ -191,6 +191,7 @@ void DocumentController::openStep(InputSpec spec, const std::string& address) {
 void DocumentController::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
     if (!read) return c_.session.messages().say(read.error().message);
+    foreign_ = true;
     expectArrival(path);
     arrival_.sessionPath = path;
     arrival_.session = read.value();
@@ -224,7 +225,8 @@ void DocumentController::poll() {
         if (!opened) arrival_ = {};
         if (opened && phase == SessionPhase::Ready) arrive();
     }
-    if (c_.ui.layoutPreset != keptLayout_) keepLayout();
+    // A lesson chooses the layout for itself.
+    if (c_.ui.layoutPreset != keptLayout_ && !c_.ui.lesson.walk.isOpen()) keepLayout();
     if (!arrival_.pending && !c_.session.moves().busy()) warn();
 }
 

@@ -10,9 +10,9 @@
 #include "commands/camera_actions.h"
 #include "commands/command_actions.h"
 #include "scene/decision_view.h"
+#include "session/bookmarked_lesson.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
-#include "teach/lesson_skeleton.h"
 #include "teach/practice.h"
 
 namespace se::view {
@@ -20,8 +20,9 @@ namespace se::view {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{500};
-/// An answer is shown in about this time, decision by decision, up to so many decisions.
+/// Time in which an answer is shown, decision by decision.
 constexpr double kSecondsOfAnswer = 8.0;
+/// Maximum number of decisions that are played.
 constexpr std::size_t kMaxShown = 400;
 /// Entry of the state for the seed of the last pivot to play.
 constexpr std::string_view kPracticeEntry = "practice";
@@ -43,49 +44,6 @@ std::optional<Selection> selectionOf(const std::vector<std::string>& words,
     return Selection::ofTriangle({points[0], points[1], points[2]});
 }
 
-/// The text of a lesson in `folder` with a step for each bookmark. Fails if the input could not be
-/// found from there.
-Result<std::string> lessonOfBookmarks(const InputSpec& spec, const Bookmarks& bookmarks,
-                                      const std::string& intro,
-                                      const std::filesystem::path& folder) {
-    std::string input = spec.source;
-    if (isSample(input) || isStandardInput(input))
-        return Error{"A lesson begins with a scene or a file: save the points first."};
-    if (!isScene(input)) {
-        input = std::filesystem::proximate(input, folder).generic_string();
-        if (input.starts_with(".."))
-            return Error{"The points of a lesson lie in its folder or below it: save it beside " +
-                         spec.source + "."};
-    }
-    teach::LessonOptions options;
-    const NeighborOptions& lists = spec.neighbors;
-    options.symmetric = lists.symmetric;
-    if (lists.recompute) {
-        if (const auto* nearest = std::get_if<KNearest>(&lists.reach))
-            options.neighbors = nearest->k;
-        if (const auto* within = std::get_if<WithinRadius>(&lists.reach))
-            options.radius = within->radius;
-        if (const auto* within = std::get_if<WithinSpacings>(&lists.reach))
-            options.reach = within->spacings;
-    }
-    teach::LessonRules rules;
-    if (spec.rules != "paper") rules.set = spec.rules;
-    for (const RuleValue& each : spec.choices) rules.rule.push_back(lineOf(each));
-    for (const WhatIf& each : spec.whatIf) rules.whatIfs.push_back(lineOf(each));
-    std::vector<teach::NotedPosition> notes;
-    for (const Bookmark& each : bookmarks)
-        notes.push_back({toString(each.address), each.note,
-                         each.camera ? toText(ViewPosition{"", each.camera}) : std::string{}});
-    return teach::lessonOfNotes(input, options, rules, intro, notes);
-}
-
-PlayUnit unitFromName(std::string_view name) {
-    for (const PlayUnit unit : {PlayUnit::Pivot, PlayUnit::Event}) {
-        if (unitName(unit) == name) return unit;
-    }
-    return PlayUnit::SubStep;
-}
-
 }  // namespace
 
 void LessonController::begin(const Options& options) {
@@ -93,11 +51,14 @@ void LessonController::begin(const Options& options) {
     const KeptState kept = document_.kept().read();
     const auto last = kept.lessons.find(std::string(kPracticeEntry));
     if (last != kept.lessons.end()) panel().nextPractice = last->second + 1;
+    layoutGiven_ = options.layout.has_value();
+    resultSource_ = options.lesson;
     if (!options.lesson.empty()) open(options.lesson, options.lessonStep);
 }
 
 void LessonController::open(const std::string& source, std::optional<std::size_t> step) {
     toStep_ = step;
+    written_ = writeTimeOf(source);
     panel().opening = true;
     panel().share = 0.0;
     panel().complaint.clear();
@@ -133,16 +94,14 @@ bool LessonController::poll() {
     }
     if (!walk().isOpen()) return changed;
     watchFile();
-    if (entering_ && arrived()) {
-        entering_ = false;
+    if (entering_ && !isUnderWay()) {
         changed = true;
-        enter();
+        arrive();
+        if (!walk().isOpen()) return true;
     }
-    const bool closed = document_.takeForeignOpening();
-    if (closed) close();
-    if (closed) return true;
     if (walk().asks()) walk().addSeconds(passed.count());
-    if (walk().takesPoints() && arrived()) c_.session.highlights().mark(walk().givenPoints());
+    if (walk().takesPoints() && !entering_ && hasInput())
+        c_.session.highlights().mark(walk().givenPoints());
     panel().away = isAway();
     return changed;
 }
@@ -151,11 +110,12 @@ void LessonController::take(OpenedLesson lesson) {
     const bool again = walk().isOpen() && walk().source() == lesson.source;
     const std::size_t kept = again ? walk().step() : keptStep(lesson);
     if (walk().isOpen()) leaveStep();
-    written_ = writeTimeOf(lesson.source);
-    walk().open(std::move(lesson), 0);
+    if (!layoutBefore_) layoutBefore_ = c_.ui.layoutPreset;
+    walk().open(std::move(lesson), kept);
     const std::optional<LayoutPreset> layout = layoutPresetFromName(walk().lesson().layout);
-    const bool present = c_.ui.layoutPreset == LayoutPreset::Present;
-    if (!again && !present) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Learn));
+    const bool stays =
+        c_.ui.layoutPreset == LayoutPreset::Present || std::exchange(layoutGiven_, false) || again;
+    if (!stays) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Learn));
     c_.ui.tab.wanted = kLessonTab;
     if (isLessonFile(walk().source())) document_.note(walk().source());
     goTo(std::exchange(toStep_, std::nullopt).value_or(kept));
@@ -187,18 +147,39 @@ void LessonController::watchFile() {
     looked_ = polled_;
     if (!isLessonFile(walk().source())) return;
     const auto time = writeTimeOf(walk().source());
-    if (std::exchange(written_, time) != time) open(walk().source(), walk().step());
+    if (time != written_) open(walk().source(), std::nullopt);
 }
 
 /// The open run is that of the step.
 bool LessonController::hasInput() const {
-    return c_.session.ready() && c_.session.input().spec() == input_;
+    return c_.session.ready() && c_.session.input().phase() == SessionPhase::Ready &&
+           c_.session.input().spec() == input_;
 }
 
-bool LessonController::arrived() const {
-    const Session& session = c_.session;
-    return session.ready() && session.input().phase() == SessionPhase::Ready &&
-           !document_.arriving() && !session.moves().busy();
+/// An input is being opened, or the cursor moves.
+bool LessonController::isUnderWay() const {
+    return c_.session.input().phase() == SessionPhase::Loading || document_.arriving() ||
+           c_.session.moves().busy();
+}
+
+/// Whether the cursor is at the position of the step, as far as that is an address of a decision.
+bool LessonController::isAtStep() const {
+    const auto at = addressFromString(c_.ui.lesson.walk.setting().at);
+    if (!at || at->stage == Stage::Pivot) return true;
+    const PivotRecord& record = c_.session.record();
+    return record.pivot == at->pivot && record.find(*at) == c_.session.cursor();
+}
+
+/// The run has come to rest: at the step, or the opening failed or was cancelled, or the user moved
+/// meanwhile.
+void LessonController::arrive() {
+    if (!c_.session.ready()) return close();
+    if (hasInput() && !isAtStep() && !std::exchange(retried_, true)) {
+        (void)c_.session.moves().goToText(walk().setting().at);
+        return;
+    }
+    entering_ = false;
+    if (hasInput()) enter();
 }
 
 void LessonController::goTo(std::size_t step) {
@@ -208,10 +189,9 @@ void LessonController::goTo(std::size_t step) {
     const Result<InputSpec> input = inputOfStep(walk().setting(), walk().folder());
     if (!input) return c_.session.messages().say(input.error().message);
     input_ = input.value();
-    c_.playback.pause();
     entering_ = true;
+    retried_ = false;
     fresh_ = !hasInput();
-    c_.session.setHorizon(std::nullopt);
     const std::string at = walk().setting().at.empty() ? "0" : walk().setting().at;
     if (fresh_) return document_.openStep(input_, at);
     const Status moved = c_.session.moves().goToText(at);
@@ -222,64 +202,56 @@ void LessonController::enter() {
     Session& session = c_.session;
     const teach::LessonStep& step = walk().shownStep();
     home_ = session.address();
+    walk().setPointCount(session.model().points.size());
     session.giveNames(walk().names());
-    session.highlights().mark({});
+    session.alerts().choose(std::nullopt);
     session.select(selectionOf(step.select, walk().setting().names).value_or(Selection{}));
-    applyLayers();
+    choices_.pinLayers(step);
     aiming_ = true;
-    if (walk().asks()) session.setHorizon(home_);
-    if (walk().state().shown) show();
-    if (!walk().asks() && !step.compare.empty()) compare();
-    if (step.play && step.question == std::nullopt) play();
+    const bool plays = std::exchange(playsOnArrival_, false);
+    if (walk().asks()) {
+        session.setHorizon(home_);
+        if (c_.ui.layoutPreset == LayoutPreset::Compare) c_.ui.layoutPreset = LayoutPreset::Learn;
+        return;
+    }
+    if (walk().state().shown) return show();
+    if (!step.compare.empty()) compare();
+    if (step.play || plays) playStep();
 }
 
 void LessonController::leaveStep() {
     c_.session.setHorizon(std::nullopt);
     c_.session.giveNames({});
-    c_.playback.pause();
-    if (layers_) c_.ui.settings.layers = *std::exchange(layers_, std::nullopt);
-    if (rate_) c_.playback.setRate(*std::exchange(rate_, std::nullopt));
-    if (layout_) {
-        c_.ui.compare.ask = CompareAsk::Stop;
-        c_.ui.layoutPreset = *std::exchange(layout_, std::nullopt);
-        c_.ui.tab.wanted = kLessonTab;
-    }
+    c_.session.highlights().mark({});
+    choices_.putBack();
     entering_ = aiming_ = false;
-}
-
-void LessonController::applyLayers() {
-    const teach::LessonStep& step = walk().shownStep();
-    if (step.pin.empty() && step.hide.empty()) return;
-    layers_ = c_.ui.settings.layers;
-    for (const Layer& layer : layers()) {
-        const auto among = [&](const std::vector<std::string>& names) {
-            return std::find(names.begin(), names.end(), layer.name) != names.end();
-        };
-        if (among(step.pin)) modeOf(c_.ui.settings.layers, layer.id) = LayerMode::PinnedOn;
-        if (among(step.hide)) modeOf(c_.ui.settings.layers, layer.id) = LayerMode::PinnedOff;
-    }
 }
 
 void LessonController::compare() {
     const Result<InputSpec> other =
         comparedInput(input_, walk().setting(), walk().shownStep().compare);
     if (!other) return c_.session.messages().say(other.error().message);
-    layout_ = c_.ui.layoutPreset;
-    c_.ui.layoutPreset = LayoutPreset::Compare;
-    c_.ui.compare.begin = CompareWith::otherRun(other.value());
+    choices_.compare(CompareWith::otherRun(other.value()));
+}
+
+/// Plays from the cursor to `until`, at the speed of the step.
+void LessonController::play(const Address& until) {
+    const std::optional<teach::PlaySpeed>& speed = walk().shownStep().play;
+    const double usual = walk().question() == nullptr
+                             ? 2.0
+                             : static_cast<double>(walk().right().shown.size()) / kSecondsOfAnswer;
+    home_ = until;
+    choices_.play(speed ? unitFromName(speed->unit).value_or(PlayUnit::SubStep) : PlayUnit::SubStep,
+                  speed ? speed->perSecond : std::max(2.0, usual), until);
 }
 
 /// Plays from the position of the step to its end.
-void LessonController::play() {
-    const auto until = addressFromString(walk().setting().answerPlace);
-    if (!until || (c_.session.ready() && c_.session.reached(*until))) return;
-    const std::optional<teach::PlaySpeed>& speed = walk().shownStep().play;
-    if (!rate_) rate_ = c_.playback.rate();
-    c_.playback.setUnit(speed ? unitFromName(speed->unit) : PlayUnit::SubStep);
-    c_.playback.setRate(speed ? speed->perSecond : 2.0);
-    c_.playback.play();
-    c_.playback.until = until;
-    home_ = until;
+void LessonController::playStep() {
+    const std::string& place = walk().setting().answerPlace;
+    const auto until = addressFromString(place);
+    if (until && !c_.session.reached(*until)) return play(*until);
+    // A share of the run, such as 100%.
+    if (!until && !place.empty()) (void)c_.session.moves().goToText(place);
 }
 
 /// Goes through the decisions from the question to its answer.
@@ -289,24 +261,21 @@ void LessonController::show() {
     if (decisions.empty()) return;
     const Address until = decisions.back().address;
     home_ = until;
+    if (!walk().shownStep().compare.empty()) compare();
     if (c_.session.reached(until)) return;
-    if (walk().shownStep().play) return play();
-    if (decisions.size() > kMaxShown) return c_.session.moves().playTo(until);
-    if (!rate_) rate_ = c_.playback.rate();
-    c_.playback.setUnit(PlayUnit::SubStep);
-    c_.playback.setRate(std::max(2.0, static_cast<double>(decisions.size()) / kSecondsOfAnswer));
-    c_.playback.play();
-    c_.playback.until = until;
+    if (!walk().shownStep().play && decisions.size() > kMaxShown)
+        return c_.session.moves().playTo(until);
+    play(until);
 }
 
 bool LessonController::isAway() const {
-    if (entering_ || c_.playback.playing() || !arrived()) return false;
+    if (entering_ || c_.playback.playing() || isUnderWay()) return false;
     const LessonWalk& walk = c_.ui.lesson.walk;
     return !hasInput() || (home_ && c_.session.address() != *home_ && !walk.asks());
 }
 
 bool LessonController::takeAim() {
-    return aiming_ && arrived() ? std::exchange(aiming_, false) : false;
+    return aiming_ && !isUnderWay() && std::exchange(aiming_, false);
 }
 
 void LessonController::aim() {
@@ -338,28 +307,38 @@ void LessonController::follow(const std::string& address) {
 }
 
 void LessonController::save() {
-    if (resultFile_.empty() || !walk().hasAnswers()) return;
+    const bool asked = !resultFile_.empty() && walk().source() == resultSource_;
+    if (!asked || !walk().hasAnswers()) return;
     const Status written = writeFileAtomically(resultFile_, resultJson(walk().result()));
     if (!written) c_.session.messages().say(written.error().message);
 }
 
 /// Writes the bookmarks as the steps of a lesson.
 void LessonController::saveLesson(const std::string& file) {
-    const InputSpec& spec = c_.session.input().spec();
-    const auto text = lessonOfBookmarks(spec, c_.ui.bookmarks, c_.ui.notes,
+    Annotations annotations;
+    annotations.bookmarks = c_.ui.bookmarks;
+    annotations.notes = c_.ui.notes;
+    const auto text = lessonOfBookmarks(c_.session.input().spec(), annotations,
                                         std::filesystem::path(file).parent_path());
     const Status written = text ? writeFileAtomically(file, text.value()) : Status(text.error());
     c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
 }
 
 void LessonController::close() {
+    opening_.cancel();
     leaveStep();
+    if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
     const std::uint64_t next = panel().nextPractice;
     panel() = {};
     panel().nextPractice = next;
 }
 
+void LessonController::closeForOther() {
+    if (document_.takeForeignOpening() && (walk().isOpen() || opening_.busy())) close();
+}
+
 void LessonController::carryOut() {
+    closeForOther();
     LessonPanel& panel = this->panel();
     if (!panel.open.empty()) open(std::exchange(panel.open, {}), std::nullopt);
     const LessonAsk ask = std::exchange(panel.ask, LessonAsk::None);
@@ -398,7 +377,8 @@ void LessonController::carryOut(LessonAsk ask) {
         case LessonAsk::Return:
             return goTo(walk().step());
         case LessonAsk::Play:
-            return play();
+            playsOnArrival_ = true;
+            return goTo(walk().step());
         case LessonAsk::Answer:
         case LessonAsk::Show:
             if (!walk().asks()) return;

@@ -10,7 +10,7 @@
 #include "document.h"
 #include "jobs/background_job.h"
 #include "jobs/open_lesson.h"
-#include "layers/layer.h"
+#include "lesson_choices.h"
 #include "spiraling_edge/base/result.h"
 #include "start_options.h"
 
@@ -19,20 +19,24 @@ namespace se::view {
 class LessonController {
   public:
     LessonController(CommandContext& context, DocumentController& document)
-        : c_(context), document_(document) {}
+        : c_(context), document_(document), choices_(context) {}
 
     /// Opens the lesson of the command line, if there is one.
     void begin(const Options& options);
     /// Takes what threads have done; shows a step once its input is open. True if there is
     /// something new to draw.
     bool poll();
+    /// Closes the lesson if something else was opened: before any of that is shown.
+    void closeForOther();
     /// Carries out the requests of panels and commands.
     void carryOut();
+    /// Puts the user's choices back that the step has changed.
+    void putBackChoices() { choices_.putBack(); }
     /// True once per step, when its camera can be placed.
     bool takeAim();
     /// Places the camera of the step.
     void aim();
-    /// Something is on its way.
+    /// A lesson is being opened, or the run goes to a step.
     bool moving() const { return opening_.busy() || entering_; }
     /// Blocks until the lesson is open, or failed.
     void waitUntilDone();
@@ -50,33 +54,38 @@ class LessonController {
     void keepStep();
     void watchFile();
     void goTo(std::size_t step);
+    void arrive();
     void enter();
     void leaveStep();
-    void applyLayers();
     void compare();
-    void play();
+    void play(const Address& until);
+    void playStep();
     void show();
     void follow(const std::string& address);
     void save();
     void saveLesson(const std::string& file);
     void close();
     bool hasInput() const;
-    bool arrived() const;
+    bool isUnderWay() const;
+    bool isAtStep() const;
     bool isAway() const;
     void carryOut(LessonAsk ask);
 
     CommandContext& c_;
     DocumentController& document_;
     BackgroundQuery<OpenedLesson> opening_;
-    std::optional<std::size_t> toStep_;          ///< Of the lesson that is being opened.
-    bool entering_ = false;                      ///< The run is on its way to the step.
-    bool aiming_ = false;                        ///< The camera is not placed yet.
-    bool fresh_ = false;                         ///< The step has opened another input.
-    std::optional<Address> home_;                ///< Position of the step, or of its answer.
-    InputSpec input_;                            ///< Input of the step.
-    std::optional<LayerModes> layers_;           ///< The user's, while a step pins or hides some.
-    std::optional<double> rate_;                 ///< The user's, while a step plays.
-    std::optional<LayoutPreset> layout_;         ///< Of the lesson, while a step compares.
+    std::optional<std::size_t> toStep_;  ///< Of the lesson that is being opened.
+    bool entering_ = false;              ///< The run is on its way to the step.
+    bool aiming_ = false;                ///< The camera is not placed yet.
+    bool fresh_ = false;                 ///< The step has opened another input.
+    std::optional<Address> home_;        ///< Position of the step, or of its answer.
+    InputSpec input_;                    ///< Input of the step.
+    LessonChoices choices_;
+    bool playsOnArrival_ = false;                ///< The step is played once the run is there.
+    bool retried_ = false;                       ///< The move to the step was made again.
+    std::optional<LayoutPreset> layoutBefore_;   ///< The user's, while a lesson is open.
+    bool layoutGiven_ = false;                   ///< By the command line.
+    std::string resultSource_;                   ///< The lesson of the command line.
     std::filesystem::path resultFile_;           ///< Of --result; empty: none.
     std::filesystem::file_time_type written_{};  ///< Of the lesson's file, when it was read.
     Clock::time_point looked_;                   ///< When the file was looked at.

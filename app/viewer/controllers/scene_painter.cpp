@@ -114,7 +114,10 @@ void ScenePainter::upload(const Session& session) {
 }
 
 MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
-    MeshColoring mesh = meshColoring(style, session.overview(), session.triangles().size());
+    // The length of the run is not known while there is a horizon.
+    static const RunOverview unknown;
+    MeshColoring mesh = meshColoring(style, session.horizon() ? unknown : session.overview(),
+                                     session.triangles().size());
     const auto& repaired = session.picture().repaired;
     if (style == MeshStyle::Component && repaired) {
         mesh.repaired = repairedComponents_.of(repaired, session.triangles(), mesh.starts,

@@ -40,8 +40,8 @@ struct LessonPanel {
     std::string complaint;  ///< Why a lesson could not be opened; empty: no problem.
     bool away = false;      ///< The run is at another position, or has other settings.
 
-    /// A question is open: what follows it is hidden.
-    bool hides() const { return walk.isOpen() && walk.asks(); }
+    /// A question is open: all decisions after it are hidden.
+    bool hides() const { return walk.isOpen() && walk.asks() && !away; }
 };
 
 }  // namespace se::view

@@ -136,7 +136,7 @@ void drawRightColumn(const PanelContext& context) {
     ImGui::End();
 }
 
-/// While a question is open: the lesson at its usual place, and nothing else that tells of the run.
+/// While a question is open: the lesson at its usual place, and no other panel.
 void drawColumnsOfQuestion(const PanelContext& context) {
     const PanelRects& l = context.rects;
     drawMenuBar(context);

@@ -26,6 +26,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -38,6 +39,9 @@ inline bool isScene(std::string_view source) { return source.starts_with(kSceneP
 inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
 }
+
+/// The points of a pivot to practice: "practice:7".
+inline bool isPractice(std::string_view source) { return teach::practiceSeed(source).has_value(); }
 
 /// The figure of the paper that a source is the scene of; null if it is none.
 inline const Figure* figureOfSource(std::string_view source) {

@@ -91,7 +91,7 @@ std::optional<UpAxis> upAxisFromName(std::string_view name) {
 }
 
 UpAxis guessUpAxis(const PointSet& points, std::string_view source) {
-    const bool made = isScene(source) || isSample(source);
+    const bool made = isScene(source) || isSample(source) || isPractice(source);
     if (made || std::any_of(points.type.begin(), points.type.end(), isOnWall)) return UpAxis::Z;
     const WallBox box = boxAround(points.position);
     if (const auto axis = axisOfFlatSide(points, box)) return *axis;

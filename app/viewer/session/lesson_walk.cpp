@@ -49,14 +49,21 @@ bool isVerdict(teach::MoveKind kind) {
 }  // namespace
 
 void LessonWalk::open(OpenedLesson lesson, std::size_t step) {
+    const bool same =
+        isOpen() && lesson.source == source() && lesson.lesson.hash == this->lesson().hash;
     opened_ = std::make_shared<const OpenedLesson>(std::move(lesson));
-    states_.assign(this->lesson().steps.size(), {});
-    result_ = {this->lesson().title, this->lesson().hash, {}, {}};
+    if (!same) {
+        states_.assign(this->lesson().steps.size(), {});
+        result_ = {this->lesson().title, this->lesson().hash, {}, {}};
+        step_ = 0;
+        open_ = 0.0;
+    }
     goTo(step);
 }
 
 void LessonWalk::goTo(std::size_t step) {
     assert(isOpen());
+    states_[step_].seconds = open_;
     step_ = std::min(step, lesson().steps.size() - 1);
     setting_ = teach::settingOf(lesson(), step_);
     names_ = teach::pointNames(setting_.names);
@@ -143,10 +150,16 @@ void LessonWalk::type(std::string text) {
     if (words.empty() || words.front().empty()) return;
     const Result<teach::Answer> read =
         teach::findQuestionKind(question()->kind)->read(words, context());
-    if (read) {
-        state.given = read.value();
-    } else {
+    if (!read) {
         state.complaint = read.error().message;
+        return;
+    }
+    state.given = read.value();
+    for (const Index point : givenPoints()) {
+        if (point < pointCount_) continue;
+        state.complaint = "There is no point " + std::to_string(point) + ".";
+        state.given = {};
+        return;
     }
 }
 

@@ -19,7 +19,7 @@ namespace se::view {
 /// The user's work on one question.
 struct QuestionState {
     std::string typed;    ///< Points by name, an option by letter, or a number.
-    teach::Answer given;  ///< What `typed` says.
+    teach::Answer given;  ///< Answer read from `typed`.
     teach::MoveKind move = teach::MoveKind::MoveStart;  ///< The next one by a click.
     std::string complaint;   ///< Why `typed` cannot be read; empty: it can.
     std::vector<int> hands;  ///< Of a room: how many chose each option.
@@ -31,7 +31,7 @@ struct QuestionState {
 
 class LessonWalk {
   public:
-    /// Opens a lesson at a step, from 0, or at its last one.
+    /// Opens a lesson at a step, from 0, or at its last one. The answers to the same text stay.
     void open(OpenedLesson lesson, std::size_t step);
     void close() { *this = {}; }
     bool isOpen() const { return opened_ != nullptr; }
@@ -59,7 +59,9 @@ class LessonWalk {
     bool takesPoints() const;
     const QuestionState& state() const { return states_[step_]; }
     const teach::RightAnswer& right() const { return *opened_->right[step_]; }
-    /// Reads what the user has typed.
+    /// Number of points of the input of the step, which answers refer to.
+    void setPointCount(std::size_t count) { pointCount_ = count; }
+    /// Reads the text of an answer.
     void type(std::string text);
     /// Marks a point, or unmarks it; of one point at most; of a pivot to play, adds a move.
     /// Requires takesPoints().
@@ -95,7 +97,8 @@ class LessonWalk {
     teach::StepSetting setting_;
     std::vector<PointName> names_;
     std::vector<QuestionState> states_;  ///< By step.
-    double open_ = 0.0;                  ///< Seconds for which the question has been open.
+    std::size_t pointCount_ = kNone;
+    double open_ = 0.0;  ///< Seconds for which the question has been open.
     teach::LessonResult result_;
 };
 

@@ -18,6 +18,13 @@ std::string_view unitName(PlayUnit unit) {
     return kNames[static_cast<std::size_t>(unit)];
 }
 
+std::optional<PlayUnit> unitFromName(std::string_view name) {
+    for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
+        if (unitName(unit) == name) return unit;
+    }
+    return std::nullopt;
+}
+
 PlayUnit following(PlayUnit unit) {
     return static_cast<PlayUnit>((static_cast<int>(unit) + 1) % 3);
 }

@@ -17,6 +17,8 @@ enum class PlayUnit : std::uint8_t {
 
 /// "sub-step", "pivot", "event".
 std::string_view unitName(PlayUnit unit);
+/// Nothing for another name.
+std::optional<PlayUnit> unitFromName(std::string_view name);
 /// The next unit; after the last, the first.
 PlayUnit following(PlayUnit unit);
 
@@ -30,6 +32,13 @@ struct PlayLoop {
     /// Sets one mark. The other is removed if it would be on the wrong side.
     void setFrom(const Address& address);
     void setTo(const Address& address);
+};
+
+/// How fast is played.
+struct PlaySpeed {
+    PlayUnit unit = PlayUnit::Pivot;
+    double rate = 4.0;       ///< Steps per second.
+    bool unlimited = false;  ///< One step every frame.
 };
 
 class Playback {
@@ -58,6 +67,12 @@ class Playback {
     void slower();
     /// One step every frame, however long a frame takes.
     bool unlimited() const { return unlimited_; }
+    PlaySpeed speed() const { return {unit_, rate_, unlimited_}; }
+    void setSpeed(const PlaySpeed& speed) {
+        unit_ = speed.unit;
+        rate_ = speed.rate;
+        unlimited_ = speed.unlimited;
+    }
 
     /// Steps due after `seconds` more have passed; 0 while paused. Never more than 8, so that a
     /// long frame does not lead to a longer one.

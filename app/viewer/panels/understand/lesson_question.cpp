@@ -23,7 +23,7 @@ constexpr std::size_t kMaxListed = 40;
 
 bool isChoice(const LessonWalk& walk) { return walk.question()->kind == "choice"; }
 
-/// What the user can do.
+/// The task in words.
 std::string taskOf(const LessonWalk& walk) {
     const std::string& kind = walk.question()->kind;
     if (kind == "points") return "Click the points in the view, or type them:";
@@ -174,7 +174,7 @@ const teach::GivenAnswer* answerOf(const LessonWalk& walk) {
     return nullptr;
 }
 
-/// What was given, beside what is right.
+/// The answer given beside the right one.
 void drawResult(const PanelContext& context, const LessonWalk& walk) {
     const auto& grade = walk.state().grade;
     const Palette& palette = context.palette;

@@ -1,0 +1,38 @@
+/// Choices of the user that a step of a lesson changes, and that are put back when it is left:
+/// layers, playback, the layout for a comparison.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "commands/commands.h"
+#include "layers/layer.h"
+#include "session/compare/compare_with.h"
+#include "session/layout_preset.h"
+#include "session/playback.h"
+#include "teach/lesson.h"
+
+namespace se::view {
+
+class LessonChoices {
+  public:
+    explicit LessonChoices(CommandContext& context) : c_(context) {}
+
+    /// Pins and hides the layers of the step.
+    void pinLayers(const teach::LessonStep& step);
+    /// Plays from the cursor to an address.
+    void play(PlayUnit unit, double rate, const Address& until);
+    /// Opens the layout Compare with another run.
+    void compare(CompareWith with);
+    bool comparing() const { return layout_.has_value(); }
+    void putBack();
+
+  private:
+    CommandContext& c_;
+    std::vector<std::pair<LayerId, LayerMode>> layers_;
+    std::optional<PlaySpeed> speed_;
+    std::optional<LayoutPreset> layout_;
+};
+
+}  // namespace se::view
