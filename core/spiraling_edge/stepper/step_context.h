@@ -1,6 +1,7 @@
 /// The phases of a pivot, one function each; stepper.cpp calls them in the order of State::phase.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 
@@ -13,17 +14,31 @@
 
 namespace se {
 
+/// Whether isRim() holds for a point.
+enum class RimAnswer : std::uint8_t { Unknown, No, Yes };
+
 /// The context of a phase.
 struct StepContext {
     const PointSet& points;
     const Params& params;
     State& state;
+    /// Per point: what isRim() found, since it is the same for the whole run; null: not kept.
+    RimAnswer* rimAnswers = nullptr;
 
     const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
     /// True if the rules know that the step from `entry` is no mesh edge (Readings::openSteps).
     bool openStep(Index entry) const {
         return params.readings.openSteps && state.rings.open(entry);
+    }
+    /// isRim() by the threshold of the run (RobustRules::rim), found out once per point.
+    bool passesRim(Index p) const {
+        RimAnswer here = RimAnswer::Unknown;
+        RimAnswer& answer = rimAnswers == nullptr ? here : rimAnswers[p];
+        if (answer == RimAnswer::Unknown)
+            answer =
+                isRim(points, p, params.thresholds.rimGapCosine) ? RimAnswer::Yes : RimAnswer::No;
+        return answer == RimAnswer::Yes;
     }
     /// True if angles grow clockwise (PaperRules::turn).
     bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }

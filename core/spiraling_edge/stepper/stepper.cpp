@@ -73,6 +73,7 @@ Stepper::Stepper(SharedPoints points, const Params& params, EventLog* log)
       params_(params),
       edited_(editedPoints(*points_, params)),
       altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
+      rimAnswers_(params.robust.rim && edited_.empty() ? points_->size() : 0),
       state_(startState(*points_, params)),
       log_(log) {}
 
@@ -87,18 +88,20 @@ const PointSet& Stepper::points() const {
 
 template <typename Work>
 bool Stepper::inContext(Work&& work) {
+    RimAnswer* const rims = rimAnswers_.empty() ? nullptr : rimAnswers_.data();
 #ifndef SPIRALING_EDGE_WITHOUT_LOG
     if (log_ != nullptr || observer_) {
-        LoggedContext context{{points(), params_, state_}, log_ != nullptr ? *log_ : observed_};
+        LoggedContext context{{points(), params_, state_, rims},
+                              log_ != nullptr ? *log_ : observed_};
         return work(context);
     }
 #endif
     if (altered_ && (!(params_.paper == PaperRules{}) || forksAt(params_, presentPivot(state_)))) {
         EventLog discardedLog;
-        LoggedContext context{{points(), params_, state_}, discardedLog};
+        LoggedContext context{{points(), params_, state_, rims}, discardedLog};
         return work(context);
     }
-    UnloggedContext context{{points(), params_, state_}};
+    UnloggedContext context{{points(), params_, state_, rims}};
     return work(context);
 }
 

@@ -2,8 +2,10 @@
 /// benchmark times.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "spiraling_edge/points/shared_points.h"
 #include "spiraling_edge/stepper/event.h"
@@ -11,6 +13,9 @@
 #include "spiraling_edge/stepper/state.h"
 
 namespace se {
+
+/// Whether isRim() holds for a point (step_context.h).
+enum class RimAnswer : std::uint8_t;
 
 /// The points as a what-if changes them, from a pivot on.
 struct EditedPoints {
@@ -94,6 +99,7 @@ class Stepper {
     /// Non-default paper rules or what-ifs: such a run takes the logging code path with or without
     /// a log.
     bool altered_;
+    std::vector<RimAnswer> rimAnswers_;  ///< Empty where what-ifs change the points.
     State state_;
     EventLog* log_;
     DecisionObserver observer_;

@@ -94,7 +94,7 @@ Objection overRim(const StepContext& context) {
     const double spacing = spacingSq(points, p);
     const RobustThresholds& thresholds = context.params.thresholds;
     const auto endsHere = [&](Index x) {
-        return !isOnWall(points.type[x]) && isRim(points, x, thresholds.rimGapCosine);
+        return !isOnWall(points.type[x]) && context.passesRim(x);
     };
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, thresholds.rimAngleCosine) ||

@@ -103,7 +103,7 @@ bool isOpening(const StepContext& context, const LoopShape& shape) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
-        rim += isRim(context.points, point, context.params.thresholds.rimGapCosine) ? 1U : 0U;
+        rim += context.passesRim(point) ? 1U : 0U;
     }
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
