@@ -187,9 +187,6 @@ TABLE = {
     "stepper/robust/repair_flip.cpp": [
         ("flip.existing-edge", "joined(m, q.x, q.y) ?", "(!MUT && joined(m, q.x, q.y)) ?"),
         ("flip.not-for-angles", "gain = Gain::Angles;", "if (!MUT) OLD"),
-        ("flip.conflicts-not-counted",
-         "count += conflict(points_, each, shaped) ? 1 : 0;",
-         "count += !MUT && conflict(points_, each, shaped) ? 1 : 0;"),
         ("flip.neighbors-not-queued",
          "3 * t + 1}) m.queue.push_back(side);",
          "3 * t + 1}) if (!MUT) m.queue.push_back(side);"),
@@ -219,12 +216,17 @@ TABLE = {
          "if (h == kNone || (!MUT && m.pinched[x])) return {};"),
     ],
     "stepper/robust/repair_sides.cpp": [
+        ("pinched.stay", "if (m.pinched[p]) m.pinched.set(", "if (!MUT && m.pinched[p]) m.pinched.set("),
+    ],
+    "stepper/robust/near_search.cpp": [
         ("faulty.flipped-only",
          "if (!isSteep(points, mine, kRough)) return false;",
          "if (MUT || !isSteep(points, mine, kRough)) return false;"),
-        ("pinched.stay", "if (m.pinched[p]) m.pinched.set(", "if (!MUT && m.pinched[p]) m.pinched.set("),
-        ("near.half-the-reach", "<= radius * radius;", "<= (MUT ? 0.25 : 1.0) * radius * radius;"),
-        ("near.few-places", "all.radius *= 1.0 + 1e-9;", "all.radius *= MUT ? 0.7 : 1.0 + 1e-9;"),
+        ("near.conflicts-not-counted", "count += search.conflictsAt(", "if (!MUT) OLD"),
+        ("near.first-fan-only", "if (h != kNone) return count;", "if (MUT || h != kNone) return count;"),
+    ],
+    "stepper/robust/near_points.cpp": [
+        ("near.list-for-ball", "const bool isList =", "const bool isList = MUT ||"),
     ],
     "stepper/robust/hole_filling.cpp": [
         ("filling.existing-edge", "if (!closing && search_.staysJoined", "if (!MUT && !closing && search_.staysJoined"),
@@ -272,8 +274,16 @@ TABLE = {
          "if (!(facing(points, s) > 0.0)) return kFlippedFault;",
          "if (!(facing(points, s) > 0.0)) return MUT ? 1 : kFlippedFault;"),
     ],
-    "geometry/second_layer.cpp": [
+    "geometry/second_layer.h": [
         ("layer.any-angle", ">= kLayerCosine;", ">= (MUT ? -2.0 : kLayerCosine);"),
+    ],
+    "geometry/edge_planes.h": [
+        ("planes.upright", "kLean * std::abs(height)", "(MUT ? 0.0 : kLean) * std::abs(height)"),
+        ("planes.common-corners-apart",
+         "(off == kAbove || off == kBelow) &&",
+         "(off == kAbove || off == kBelow || (MUT && off != 0)) &&"),
+    ],
+    "geometry/second_layer.cpp": [
         ("layer.any-share",
          "|| twiceAreaOf(common) < kLayerShare * smaller) return false;",
          "|| (!MUT && twiceAreaOf(common) < kLayerShare * smaller)) return false;"),

@@ -354,7 +354,7 @@ ExitCode runVerb(const Arguments& words) {
     if (arguments.lists) file.neighbors = std::move(prepared.points.neighbors);
     prepared.points.neighbors = {};
     outcome.state.edges = {};
-    outcome.state.repair.tree = nullptr;
+    outcome.state.repair.near = nullptr;
     const bool writes = outcome.ending != Ending::Interrupted;
     // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
     if (writes) releaseInterrupts();

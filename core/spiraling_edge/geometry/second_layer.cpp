@@ -124,12 +124,6 @@ bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& norma
 
 namespace {
 
-/// True if the normals of two triangles, each turned outward, are within 45 degrees; false where
-/// one is zero.
-bool areParallel(const LayerShape& a, const LayerShape& b) {
-    return glm::dot(a.outward, b.outward) >= kLayerCosine;
-}
-
 /// True if two parallel triangles clearly lie side by side, seen along the sum of their normals:
 /// neither do they share more than common corners then, nor is one a layer over the other. An
 /// answer for most pairs without a projection.
@@ -248,16 +242,6 @@ bool conflictInReach(const PointSet& points, const ShapedTriangle& a, const Shap
     if (a.box.meets(b.box) && shareMore(points, a, b)) return true;
     return parallel && isOverOther(points, a.triangle, a.shape, b.triangle, b.shape);
 }
-
-namespace {
-
-/// No triangle in the box has a longer reach: an edge is no longer than the sum of the sides.
-double mostReachIn(const Box& box) {
-    const Vec3 sides = box.high - box.low;
-    return 0.25 * (sides.x + sides.y + sides.z);
-}
-
-}  // namespace
 
 bool mayConflict(const Box& a, const Box& b) {
     return a.grown(mostReachIn(a) + mostReachIn(b)).meets(b);

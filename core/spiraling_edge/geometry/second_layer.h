@@ -2,6 +2,8 @@
 /// surface is made twice.
 #pragma once
 
+#include <glm/geometric.hpp>
+
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/points/point_set.h"
 
@@ -24,6 +26,12 @@ inline constexpr double kLayerCosine = 0.70710678118654752;
 /// At least this share of the smaller triangle lies over or under the other.
 inline constexpr double kLayerShare = 0.02;
 
+/// True if the normals of two triangles, each turned outward, are within 45 degrees; false where
+/// one is zero.
+inline bool areParallel(const LayerShape& a, const LayerShape& b) {
+    return glm::dot(a.outward, b.outward) >= kLayerCosine;
+}
+
 /// True if one triangle is a second layer over the other: their normals, each turned outward, are
 /// within 45 degrees; seen along the sum of these, at least 2 % of the smaller one lies over or
 /// under the other; and the least gap there is at most half of the mean length of their six edges.
@@ -42,6 +50,11 @@ struct ShapedTriangle {
     Box box;
     LayerShape shape;
 };
+/// No triangle in the box has a longer reach: an edge is no longer than the sum of the sides.
+inline double mostReachIn(const Box& box) {
+    const Vec3 sides = box.high - box.low;
+    return 0.25 * (sides.x + sides.y + sides.z);
+}
 /// False only if the boxes alone show that no triangles in them are in conflict.
 bool mayConflict(const Box& a, const Box& b);
 /// conflict() for triangles whose boxes meet if one is grown by the sum of their reaches.

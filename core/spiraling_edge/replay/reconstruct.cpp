@@ -109,7 +109,7 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     std::vector<Triangle> mesh = state.repair.triangles.take();
     restore(mesh, original);
     state.repair.triangles = std::move(mesh);
-    state.repair.treePoints = nullptr;
+    state.repair.nearOf = nullptr;
     for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {
         if (alert.point != kNone) alert.point = original[alert.point];

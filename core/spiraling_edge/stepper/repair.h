@@ -16,7 +16,7 @@
 
 namespace se {
 
-class PointTree;
+class NearPoints;
 
 /// A side that leaves a pinched point.
 struct PinchedSide {
@@ -25,9 +25,22 @@ struct PinchedSide {
     friend bool operator==(const PinchedSide&, const PinchedSide&) = default;
 };
 
-/// Marks by which a search visits each triangle once.
+/// Marks of the present search among triangles near a place.
 struct NearMarks {
-    std::vector<std::uint32_t> round;  ///< Per triangle: the last search that came to it.
+    struct PointMark {
+        std::uint32_t round = 0;  ///< The last search that came to the point.
+        /// EdgePlanes::sidesOf() it, for up to two triangles; or its number in the search.
+        std::uint32_t value : 31 = 0;
+        std::uint32_t visited : 1 = 0;  ///< Its triangles were visited.
+
+        void begin(std::uint32_t search, std::uint32_t found) {
+            round = search;
+            value = found & 0x7FFFFFFFU;
+            visited = 0;
+        }
+    };
+    std::vector<std::uint32_t> triangle;  ///< Per triangle: the last search that came to it.
+    std::vector<PointMark> point;
     std::uint32_t current = 0;
 };
 
@@ -85,9 +98,9 @@ struct RepairState : RepairNumbers {
     /// Sides at pinched points, by point; up to date while holes are closed and fans dropped.
     JournaledList<PinchedSide> pinchedSides;
     // Not in the journal, since they follow from the rest:
-    /// All points, to find triangles near a place; made when first needed.
-    std::shared_ptr<const PointTree> tree;
-    const PointSet* treePoints = nullptr;  ///< The tree's: what-ifs may move points during a run.
+    /// To find triangles near a point; made when first needed.
+    std::shared_ptr<const NearPoints> near;
+    const PointSet* nearOf = nullptr;  ///< Its points: what-ifs may move points during a run.
     NearMarks nearMarks;
     FlipsAhead flipsAhead;
 

@@ -213,32 +213,28 @@ bool FillingSearch::mayMake(const RingTriangle& t) {
 }
 
 void FillingSearch::findNear() {
-    near_.emplace();
-    // All triangles of a filling lie in the box of the ring.
+    // All triangles of a filling lie in the box of the ring; none is longer than it is wide.
     Box box(points_.position[ring_.points.front()]);
     for (const Index p : ring_.points) box.add(points_.position[p]);
-    for (const Index t : trianglesNear(points_, m_, ring_.points)) {
-        const Triangle& near = m_.triangles[t];
-        const Box nearBox = boxOf(points_, near);
-        if (mayConflict(box, nearBox) && !isGone(ring_, t)) near_->push_back({near, nearBox});
-    }
+    const Box wide = box.grown(0.25 * glm::distance(box.low, box.high));
+    std::vector<Index> list = trianglesNear(points_, m_, ring_.points);
+    std::erase_if(list, [&](Index t) {
+        const Box near = boxOf(points_, m_.triangles[t]);
+        return !near.meets(wide, mostReachIn(near)) || isGone(ring_, t);
+    });
+    near_.emplace(points_, m_, list);
 }
 
 bool FillingSearch::isInConflict(const Triangle& made) {
     if (!near_) findNear();
-    const ShapedTriangle shaped(points_, made);
-    const auto meets = [&](NearRing& near) {
-        if (!near.shaped) {
-            if (!mayConflict(shaped.box, near.box)) return false;
-            near.shaped.emplace(points_, near.triangle);
-        }
-        return conflict(points_, shaped, *near.shaped);
-    };
+    const std::size_t number = near_->addTested(made);
     // What is in the way of one triangle is in the way of most others at the same side.
-    if (inTheWay_ < near_->size() && meets((*near_)[inTheWay_])) return true;
-    const auto found = std::find_if(near_->begin(), near_->end(), meets);
-    if (found == near_->end()) return false;
-    inTheWay_ = static_cast<std::size_t>(found - near_->begin());
+    if (inTheWay_ < near_->size() && near_->isInConflict(number, inTheWay_)) return true;
+    std::size_t i = near_->nextDoubtful(number, 0);
+    while (i < near_->size() && !conflict(points_, near_->tested(number), near_->shaped(i)))
+        i = near_->nextDoubtful(number, i + 1);
+    if (i == near_->size()) return false;
+    inTheWay_ = i;
     return true;
 }
 

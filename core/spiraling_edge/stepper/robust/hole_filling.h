@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "spiraling_edge/stepper/robust/near_triangles.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
@@ -35,13 +36,6 @@ bool widenByTriangle(const RepairState& repair, std::size_t side, HoleRing& ring
 using RingTriangle = std::array<std::size_t, 3>;
 /// Triangles that fill a ring of n points: n - 2, or none.
 using Filling = std::vector<RingTriangle>;
-
-/// A triangle near a ring; its shape is made when first needed, since most searches end early.
-struct NearRing {
-    Triangle triangle;
-    Box box;
-    std::optional<ShapedTriangle> shaped{};
-};
 
 /// The search for the filling of a ring. A triangle of it has no fault: it is not flipped, has
 /// width, is in conflict with none nearby and not folded onto its neighbors; and no edge of it
@@ -92,7 +86,7 @@ class FillingSearch {
     const HoleRing& ring_;
     std::vector<Known> known_;
     /// The triangles nearby that stay; found when first needed.
-    std::optional<std::vector<NearRing>> near_;
+    std::optional<NearTriangles> near_;
     std::size_t inTheWay_ = 0;  ///< The one that the last conflict was with: asked first.
 };
 

@@ -125,8 +125,8 @@ void enterNext(AnyContext auto& context) {
         if (enterFrom(context, 0)) return;
     }
     // No step searches any more, and the tree is as large as the mesh.
-    s.repair.tree.reset();
-    s.repair.treePoints = nullptr;
+    s.repair.near.reset();
+    s.repair.nearOf = nullptr;
     s.repair.nearMarks = {};
     finishRun(context);
 }

@@ -63,7 +63,7 @@ CheapPlace besideOf(const RepairState& m, HalfEdge border) {
 class CheapestPlace {
   public:
     CheapestPlace(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {
-        for (const Index t : trianglesNear(points, m, std::array{x}))
+        for (const Index t : trianglesNear(points, m, x))
             near_.push_back({ShapedTriangle(points, m.triangles[t]), t});
     }
 

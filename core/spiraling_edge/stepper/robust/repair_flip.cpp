@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "spiraling_edge/base/parallel.h"
@@ -28,8 +29,6 @@ Quad quadAt(const RepairState& m, HalfEdge h) {
              cornerOf(m, preceding(m.twin[h]))}};
 }
 
-bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
-
 /// Faults of two triangles at the edge they share and at the four edges around them.
 class FlipScore {
   public:
@@ -50,51 +49,27 @@ class FlipScore {
                outerFold(following(h_), quad_.flippedV()) +
                outerFold(preceding(g_), quad_.flippedV());
     }
-    /// Triangles at the four points that the two given ones meet, or are a second layer of.
-    int conflicts(const Triangle& a, const Triangle& b) const {
-        const std::array mine{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
-        const std::array around{quad_.u, quad_.v, quad_.x, quad_.y};
-        int count = 0;
-        for (std::size_t i = 0; i < around.size(); ++i) {
-            const auto before = std::span(around).first(i);
-            forEachSideOf(m_, around[i], [&](HalfEdge side) {
-                const Index t = side / 3;
-                const bool isOld = t == h_ / 3 || t == g_ / 3;
-                const Triangle& other = m_.triangles[t];
-                if (isOld || std::any_of(before.begin(), before.end(),
-                                         [&](Index p) { return hasCorner(other, p); }))
-                    return;
-                const ShapedTriangle shaped(points_, other);
-                for (const ShapedTriangle& each : mine)
-                    count += conflict(points_, each, shaped) ? 1 : 0;
-            });
-        }
-        return count;
+    /// Triangles at the four points that the two given ones meet, or are a second layer of; counted
+    /// until they are more than `most`.
+    int conflicts(const Triangle& a, const Triangle& b, int most) const {
+        return conflictsAt(points_, m_, {a, b}, {h_ / 3, g_ / 3},
+                           std::array{quad_.u, quad_.v, quad_.x, quad_.y}, most);
     }
     /// Conflicts of the two triangles of the edge, counted once.
     int conflictsBefore() const {
-        if (!conflictsBefore_) conflictsBefore_ = conflicts(quad_.left(), quad_.right());
+        if (!conflictsBefore_) conflictsBefore_ = conflicts(quad_.left(), quad_.right(), kAll);
         return *conflictsBefore_;
     }
     /// True if one of the two given triangles is in conflict with a triangle at a neighbor.
     bool conflictNearby(const Triangle& a, const Triangle& b) const {
-        const std::array both{ShapedTriangle(points_, a), ShapedTriangle(points_, b)};
-        Box all = both[0].box;
-        all.add(both[1].box.low);
-        all.add(both[1].box.high);
-        const std::vector<Index> near =
-            trianglesNear(points_, m_, std::array{quad_.u, quad_.v, quad_.x, quad_.y});
-        return std::any_of(near.begin(), near.end(), [&](Index t) {
-            if (t == h_ / 3 || t == g_ / 3) return false;
-            const Triangle& other = m_.triangles[t];
-            if (!mayConflict(all, boxOf(points_, other))) return false;
-            const ShapedTriangle shaped(points_, other);
-            return conflict(points_, both[0], shaped) || conflict(points_, both[1], shaped);
-        });
+        return se::conflictNearby(points_, m_, {a, b}, {h_ / 3, g_ / 3},
+                                  std::array{quad_.u, quad_.v, quad_.x, quad_.y});
     }
     const Quad& quad() const { return quad_; }
 
   private:
+    static constexpr int kAll = std::numeric_limits<int>::max();
+
     int faults(const Triangle& a, const Triangle& b) const {
         return shapeFaults(points_, a) + shapeFaults(points_, b) + (folded(points_, a, b) ? 2 : 0);
     }
@@ -236,7 +211,8 @@ Gain gainInFaults(const RepairState& m, HalfEdge h, const FlipScore& score) {
     const int after = score.after();
     if (after > before) return Gain::None;
     const int tooMany = before + score.conflictsBefore() - after;
-    if (tooMany == 0 || score.conflicts(q.flippedU(), q.flippedV()) >= tooMany) return Gain::None;
+    if (tooMany == 0 || score.conflicts(q.flippedU(), q.flippedV(), tooMany - 1) >= tooMany)
+        return Gain::None;
     if (after < before) return Gain::Shape;
     const auto flips = std::max(m.conflictFlips[h / 3], m.conflictFlips[m.twin[h] / 3]);
     return flips < kMaxConflictFlips ? Gain::Conflicts : Gain::None;

@@ -1,10 +1,8 @@
 /// Triangles stay without gaps in their list, each side with its twin: whoever changes one, pairs
-/// it. Conflicts are searched among triangles near by place, not by neighbor lists.
+/// it.
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <unordered_set>
 #include <utility>
 
@@ -67,75 +65,6 @@ void listPinched(RepairState& m) {
     m.pinchedSides.assign(sides);
 }
 
-namespace {
-
-/// A ball about a place, as far as the farthest point in its list.
-struct Ball {
-    Vec3 center;
-    double radius;
-    bool holds(const Vec3& x) const {
-        const Vec3 d = x - center;
-        return glm::dot(d, d) <= radius * radius;
-    }
-};
-
-Ball ballAt(const PointSet& points, Index p) {
-    const Vec3& center = points.position[p];
-    double farthestSq = 0.0;
-    for (const Index q : points.neighbors[p]) {
-        const Vec3 d = points.position[q] - center;
-        farthestSq = std::max(farthestSq, glm::dot(d, d));
-    }
-    return {center, std::sqrt(farthestSq)};
-}
-
-/// A ball that holds all of these, with room for rounding.
-Ball around(const std::vector<Ball>& balls) {
-    Ball all{Vec3(0.0), 0.0};
-    for (const Ball& ball : balls) all.center += ball.center / static_cast<double>(balls.size());
-    for (const Ball& ball : balls)
-        all.radius = std::max(all.radius, glm::distance(all.center, ball.center) + ball.radius);
-    all.radius *= 1.0 + 1e-9;
-    return all;
-}
-
-/// Begins a round in which NearMarks::isNew() holds once for each triangle.
-void begin(NearMarks& marks, std::size_t triangles) {
-    marks.round.resize(triangles, 0);
-    if (++marks.current != 0) return;
-    std::fill(marks.round.begin(), marks.round.end(), 0);
-    marks.current = 1;
-}
-
-/// Calls visit(t) for each triangle near the places.
-template <typename Visit>
-void visitNear(const PointSet& points, RepairState& m, std::span<const Index> places,
-               Visit&& visit) {
-    if (m.treePoints != &points) {
-        m.tree = std::make_shared<const PointTree>(points.position);
-        m.treePoints = &points;
-    }
-    std::vector<Ball> balls;
-    balls.reserve(places.size());
-    for (const Index p : places) balls.push_back(ballAt(points, p));
-    // One search for all, since the balls share most of their points.
-    const Ball all = around(balls);
-    begin(m.nearMarks, m.triangles.size());
-    m.tree->within(all.center, all.radius, [&](Index q) {
-        if (m.sideOf[q] == kNone) return;
-        const bool isNear = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-            return ball.holds(points.position[q]);
-        });
-        if (!isNear) return;
-        forEachSideOf(m, q, [&](HalfEdge h) {
-            if (std::exchange(m.nearMarks.round[h / 3], m.nearMarks.current) != m.nearMarks.current)
-                visit(h / 3);
-        });
-    });
-}
-
-}  // namespace
-
 std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list) {
     std::vector<Index> corners;
     for (const Index t : list) {
@@ -157,25 +86,6 @@ std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit) {
         }
     }
     return patch;
-}
-
-std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
-                                 std::span<const Index> places) {
-    std::vector<Index> near;
-    visitNear(points, m, places, [&](Index t) { near.push_back(t); });
-    return near;
-}
-
-bool isFaulty(const PointSet& points, RepairState& m, Index t) {
-    const Triangle& mine = m.triangles[t];
-    if (shapeFaults(points, mine) >= kFlippedFault) return true;
-    if (!isSteep(points, mine, kRough)) return false;
-    const ShapedTriangle shaped(points, mine);
-    bool found = false;
-    visitNear(points, m, std::array{mine.a, mine.b, mine.c}, [&](Index other) {
-        found = found || (other != t && conflict(points, shaped, m.triangles[other]));
-    });
-    return found;
 }
 
 }  // namespace se

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/geometry/point_tree.h"
 #include "spiraling_edge/geometry/second_layer.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/repair.h"
@@ -79,14 +79,26 @@ void dropTriangle(RepairState& m, Index t);
 void dropTriangles(RepairState& m, std::vector<Index> list);
 
 /// The triangles, in the fan of RepairState::sideOf, at all points as near to one of these as the
-/// farthest in its list, each once. Those on another sheet are among them, whose points are in no
-/// list here.
+/// farthest in its list, each once, in any order. Those on another sheet are among them, whose
+/// points are in no list here.
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
+/// trianglesNear() of one point, in an order that depends on the positions and the mesh alone.
+std::vector<Index> trianglesNear(const PointSet& points, RepairState& m, Index place);
 
 /// Puts a point in no triangle where the mesh has the fewest faults, if they are no more than
 /// before, the point counted. False if there is no such place.
 bool putAtLeastCost(const PointSet& points, RepairState& m, Index x);
+
+/// True if one of two triangles that take the place of others would be in conflict with one near
+/// the places.
+bool conflictNearby(const PointSet& points, RepairState& m, const std::array<Triangle, 2>& made,
+                    std::array<Index, 2> gone, std::span<const Index> places);
+
+/// The conflicts of two such triangles with those at the places, none of which is pinched; counted
+/// until they are more than `most`.
+int conflictsAt(const PointSet& points, RepairState& m, const std::array<Triangle, 2>& made,
+                std::array<Index, 2> gone, std::span<const Index> places, int most);
 
 /// True if the triangle is flipped, or far off its normals and in conflict with one nearby.
 bool isFaulty(const PointSet& points, RepairState& m, Index t);
