@@ -157,10 +157,11 @@ TABLE = {
         ("repair.not-restarted", "m.next = 0;", "if (!MUT) OLD"),
     ],
     "stepper/robust/repair_cheapest.cpp": [
-        ("cheapest.any-price", "return leastAdded_ <= kMaxAdded ?", "return MUT || leastAdded_ <= kMaxAdded ?"),
-        ("cheapest.old-faults-stay", "- faultsOfGone(place.ring);", "- (MUT ? 0 : faultsOfGone(place.ring));"),
+        ("cheapest.any-price", "if (added > kMaxAdded) return;", "if (!MUT) OLD"),
+        ("cheapest.old-faults-stay", "const int gone = faultsOfGone(place.ring);", "const int gone = MUT ? 0 : faultsOfGone(place.ring);"),
+        ("cheapest.counts-too-few", "std::max(most - sum, 0)", "(MUT ? 0 : std::max(most - sum, 0))"),
         ("cheapest.flipped", "shapeFaults(points_, t) >= kFlippedFault ||", "(!MUT && shapeFaults(points_, t) >= kFlippedFault) ||"),
-        ("cheapest.no-wider-place", "if (faults[i] > 0 && widen", "if (!MUT && faults[i] > 0 && widen"),
+        ("cheapest.no-wider-place", "if (isFaulty[i] && widen", "if (!MUT && isFaulty[i] && widen"),
     ],
     "stepper/robust/repair_reinsert.cpp": [
         ("reinsert.worst-place", "if (worstBefore[change.size()] < best_.cosine)", "if (MUT ? !best_.change : worstBefore[change.size()] < best_.cosine)"),
@@ -178,7 +179,7 @@ TABLE = {
         ("reinsert.pinched-tip", "m_->pinched[tip] ||", "(!MUT && m_->pinched[tip]) ||"),
         ("reinsert.tip-twice", " hasCorner(tip))", " (!MUT && hasCorner(tip)))"),
         ("reinsert.border-divided-twice", "if (dividesBorder_ ||", "if ((!MUT && dividesBorder_) ||"),
-        ("reinsert.folds-outside", "if (outer != kNone && folded", "if (!MUT && outer != kNone && folded"),
+        ("reinsert.folds-outside", "if (isFolded(mine,", "if (!MUT && isFolded(mine,"),
         ("reinsert.thin",
          "t.cosine >= kThin) return true;",
          "(!MUT && t.cosine >= kThin)) return true;"),

@@ -6,10 +6,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/stepper/robust/hole_filling.h"
+#include "spiraling_edge/stepper/robust/near_triangles.h"
 
 namespace se {
 namespace {
@@ -31,12 +34,16 @@ int faultsOfPair(const PointSet& points, const ShapedTriangle& a, const ShapedTr
     return (meet ? 1 : 0) + (layer ? 1 : 0);
 }
 
-/// A triangle with its faults.
+/// A triangle with its faults, as far as they were counted.
 struct Counted {
-    ShapedTriangle shaped;
-    int own = 0;  ///< Of its shape.
+    std::size_t number = 0;  ///< Among those tested in NearTriangles.
+    int own = 0;             ///< Of its shape.
     /// With others of the mesh: their indices and the number of faults.
-    std::vector<std::pair<Index, int>> pairs;
+    std::vector<std::pair<Index, int>> pairs{};
+    int inPairs = 0;         ///< The sum of those.
+    std::size_t tested = 0;  ///< Number of triangles of NearTriangles that were tested.
+    HalfEdge outer = kNone;  ///< The side that `foldedAt` is known for.
+    bool foldedAt = false;   ///< It is folded onto the triangle of that side.
 };
 
 /// The triangles that a point makes with the sides of a ring, or with one side of the border.
@@ -62,10 +69,8 @@ CheapPlace besideOf(const RepairState& m, HalfEdge border) {
 /// Finds the place for one point that adds the fewest faults.
 class CheapestPlace {
   public:
-    CheapestPlace(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {
-        for (const Index t : trianglesNear(points, m, x))
-            near_.push_back({ShapedTriangle(points, m.triangles[t]), t});
-    }
+    CheapestPlace(const PointSet& points, RepairState& m, Index x)
+        : points_(points), m_(m), x_(x), near_(points, m, trianglesNear(points, m, x)) {}
 
     std::optional<CheapPlace> find() {
         std::vector<Index> begins;
@@ -81,48 +86,44 @@ class CheapestPlace {
                 if (m_.twin[h] == kNone) consider(besideOf(m_, h));
             }
         }
-        return leastAdded_ <= kMaxAdded ? best_ : std::nullopt;
+        return best_;
     }
 
   private:
-    struct NearTriangle {
-        ShapedTriangle shaped;
-        Index index;
-    };
-    using Faults = std::array<int, kMaxCheapMade>;  ///< Of each new triangle with old ones.
-
-    /// Counts the faults with the triangles near, until there are too many; returns their number.
-    int countPairs(Counted& t, Index itself) const {
-        int count = t.own;
-        for (const NearTriangle& near : near_) {
-            if (near.index == itself || count >= kTooMany) continue;
-            const int faults = faultsOfPair(points_, t.shaped, near.shaped);
-            if (faults > 0) t.pairs.emplace_back(near.index, faults);
-            count += faults;
+    /// Counts the faults with the next triangle near that has some; false if there is none.
+    bool countNext(Counted& t, Index itself) {
+        while (t.tested < near_.size()) {
+            const std::size_t i = near_.nextDoubtful(t.number, t.tested);
+            t.tested = i + 1;
+            if (i == near_.size() || near_.index(i) == itself) continue;
+            const int faults = faultsOfPair(points_, near_.tested(t.number), near_.shaped(i));
+            if (faults == 0) continue;
+            t.pairs.emplace_back(near_.index(i), faults);
+            t.inPairs += faults;
+            return true;
         }
-        return count;
+        return false;
     }
+    const ShapedTriangle& shapedOf(const Counted& t) const { return near_.tested(t.number); }
     /// A new triangle; the reference stays valid.
-    const Counted& made(const Triangle& t) {
-        const auto [found, isNew] = made_.try_emplace(std::uint64_t{t.a} << 32U | t.b,
-                                                      Counted{ShapedTriangle(points_, t), 0, {}});
+    Counted& made(const Triangle& t) {
+        const auto [found, isNew] = made_.try_emplace(std::uint64_t{t.a} << 32U | t.b);
         Counted& counted = found->second;
         if (!isNew) return counted;
+        counted.number = near_.addTested(t);
         const bool isBad =
             shapeFaults(points_, t) >= kFlippedFault || leastAngleCosine(points_, t) >= kThin;
         counted.own = isBad ? kTooMany : 0;
-        // With faults that were not counted it stays out, whatever goes.
-        if (countPairs(counted, kNone) >= kTooMany) counted.own = kTooMany;
         return counted;
     }
     const Counted& old(Index t) {
         const Triangle& corners = m_.triangles[t];
-        const auto [found, isNew] =
-            old_.try_emplace(t, Counted{ShapedTriangle(points_, corners), 0, {}});
+        const auto [found, isNew] = old_.try_emplace(t);
         Counted& counted = found->second;
         if (!isNew) return counted;
+        counted.number = near_.addTested(corners);
         counted.own = shapeFaults(points_, corners) >= kFlippedFault ? 1 : 0;
-        static_cast<void>(countPairs(counted, t));
+        while (counted.own + counted.inPairs < kTooMany && countNext(counted, t)) continue;
         return counted;
     }
 
@@ -138,26 +139,36 @@ class CheapestPlace {
         }
         return sum;
     }
-    Faults faultsWithOld(const CheapPlace& place) {
-        Faults faults{};
-        for (std::size_t i = 0; i < place.size(); ++i) {
-            const Counted& t = made(place.triangle(i, x_));
-            faults[i] = t.own;
-            for (const auto& [other, count] : t.pairs) {
-                if (!isGone(place.ring, other)) faults[i] += count;
-            }
-            const HalfEdge outer = place.ring.outer[i];
-            if (outer != kNone && folded(points_, t.shaped.triangle, m_.triangles[outer / 3]))
-                ++faults[i];
+    /// The faults of a new triangle with those that stay, counted until they are more than `most`.
+    int faultsWithOld(const CheapPlace& place, std::size_t i, int most) {
+        Counted& t = made(place.triangle(i, x_));
+        int faults = t.own + (isFolded(t, place.ring.outer[i]) ? 1 : 0);
+        for (const auto& [other, count] : t.pairs) {
+            if (!isGone(place.ring, other)) faults += count;
+        }
+        while (faults <= most && countNext(t, kNone)) {
+            if (!isGone(place.ring, t.pairs.back().first)) faults += t.pairs.back().second;
+            // With so many it stays out, whatever goes.
+            if (t.inPairs < kTooMany) continue;
+            t.own = kTooMany;
+            return kTooMany;
         }
         return faults;
+    }
+    bool isFolded(Counted& t, HalfEdge outer) {
+        if (outer == kNone) return false;
+        if (t.outer != outer) {
+            t.outer = outer;
+            t.foldedAt = folded(points_, shapedOf(t).triangle, m_.triangles[outer / 3]);
+        }
+        return t.foldedAt;
     }
     int faultsAmongNew(const CheapPlace& place) {
         int sum = 0;
         for (std::size_t i = 0; i < place.size(); ++i) {
-            const ShapedTriangle& a = made(place.triangle(i, x_)).shaped;
+            const ShapedTriangle a = shapedOf(made(place.triangle(i, x_)));
             for (std::size_t k = i + 1; k < place.size(); ++k) {
-                const ShapedTriangle& b = made(place.triangle(k, x_)).shaped;
+                const ShapedTriangle& b = shapedOf(made(place.triangle(k, x_)));
                 sum += faultsOfPair(points_, a, b);
                 const bool share = k == i + 1 || (i == 0 && k + 1 == place.size());
                 sum += share && folded(points_, a.triangle, b.triangle) ? 1 : 0;
@@ -174,31 +185,48 @@ class CheapestPlace {
 
     /// Counts a place, and those that are wider by one triangle across a side with a fault.
     void consider(const CheapPlace& place) {
-        const Faults faults = faultsWithOld(place);
-        int added = 0;
-        for (std::size_t i = 0; i < place.size(); ++i) added += faults[i];
-        if (added < kTooMany) {
-            added += faultsAmongNew(place) - faultsOfGone(place.ring);
-            const double angle = worstAngle(place);
-            if (added < leastAdded_ || (added == leastAdded_ && angle < bestAngle_)) {
-                leastAdded_ = added;
-                bestAngle_ = angle;
-                best_ = place;
-            }
+        if (!place.beside && !isNew(place.ring.gone)) return;
+        const int gone = faultsOfGone(place.ring);
+        const int most = std::min(kMaxAdded + gone, kTooMany - 1);
+        const bool mayWiden = !place.beside && place.ring.gone.size() < kMaxCheapGone;
+        std::array<bool, kMaxCheapMade> isFaulty{};
+        int sum = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            // Of a place with too many faults it matters only which triangles have some.
+            if (sum > most && !mayWiden) return;
+            const int faults = faultsWithOld(place, i, std::max(most - sum, 0));
+            isFaulty[i] = faults > 0;
+            sum += faults;
         }
-        if (place.beside || place.ring.gone.size() == kMaxCheapGone) return;
+        if (sum <= most) compare(place, sum + faultsAmongNew(place) - gone);
+        if (!mayWiden) return;
         for (std::size_t i = 0; i < place.size(); ++i) {
             CheapPlace wider = place;
-            if (faults[i] > 0 && widenByTriangle(m_, i, wider.ring)) consider(wider);
+            if (isFaulty[i] && widenByTriangle(m_, i, wider.ring)) consider(wider);
         }
+    }
+    /// True when these triangles, in any order, come up for the first time.
+    bool isNew(std::vector<Index> gone) {
+        std::sort(gone.begin(), gone.end());
+        return considered_.insert(std::move(gone)).second;
+    }
+    /// Keeps the place if it is the best so far.
+    void compare(const CheapPlace& place, int added) {
+        if (added > kMaxAdded) return;
+        const double angle = worstAngle(place);
+        if (added > leastAdded_ || (added == leastAdded_ && angle >= bestAngle_)) return;
+        leastAdded_ = added;
+        bestAngle_ = angle;
+        best_ = place;
     }
 
     const PointSet& points_;
     RepairState& m_;
     Index x_;
-    std::vector<NearTriangle> near_;
+    NearTriangles near_;
     std::unordered_map<std::uint64_t, Counted> made_;  ///< By their old edges.
     std::unordered_map<Index, Counted> old_;
+    std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
     std::optional<CheapPlace> best_;
     int leastAdded_ = std::numeric_limits<int>::max();
     double bestAngle_ = 2.0;  ///< The cosine of its least angle.

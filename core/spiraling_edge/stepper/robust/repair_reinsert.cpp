@@ -181,7 +181,10 @@ struct NewTriangle {
     double cosine;                       ///< Of its least angle.
     std::size_t tested = 0;              ///< Number of near triangles tested, from the first on,
     std::vector<std::size_t> conflicts;  ///< and the positions of those in conflict with it.
-    std::vector<Answer> withOthers;      ///< Conflicts with other new triangles, by number.
+    std::vector<Answer> withOthers;      ///< Conflicts with other new triangles, by number,
+    std::vector<std::pair<Index, bool>> withFar;  ///< and with old ones that are not near.
+    HalfEdge outer = kNone;                       ///< The side that `foldedAt` is known for.
+    bool foldedAt = false;                        ///< It is folded onto the triangle of that side.
 };
 
 /// Finds the best place for one point.
@@ -288,9 +291,15 @@ class PlaceSearch {
         const auto found = std::lower_bound(
             nearIndex_.begin(), nearIndex_.end(), old,
             [](const std::pair<Index, Index>& each, Index t) { return each.first < t; });
-        if (found == nearIndex_.end() || found->first != old)
-            return conflict(points_, made_[i].shaped, m_.triangles[old]);
-        return inConflictWithNear(i, found->second);
+        if (found != nearIndex_.end() && found->first == old)
+            return inConflictWithNear(i, found->second);
+        NewTriangle& t = made_[i];
+        for (const auto& [triangle, answer] : t.withFar) {
+            if (triangle == old) return answer;
+        }
+        const bool answer = conflict(points_, t.shaped, m_.triangles[old]);
+        t.withFar.emplace_back(old, answer);
+        return answer;
     }
     /// True if new triangle number `i` is in conflict with number `k`.
     bool inConflictWith(Index i, Index k) {
@@ -332,12 +341,21 @@ class PlaceSearch {
         // What is known already comes first.
         const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
         if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
-        const HalfEdge outer = change.across(i);
-        if (outer != kNone && folded(points_, change[i], m_.triangles[outer / 3])) return true;
+        if (isFolded(mine, change.across(i))) return true;
         while (t.tested < near_.size()) {
             if (testNext(mine) && stays(t.conflicts.back())) return true;
         }
         return false;
+    }
+
+    bool isFolded(Index i, HalfEdge outer) {
+        if (outer == kNone) return false;
+        NewTriangle& t = made_[i];
+        if (t.outer != outer) {
+            t.outer = outer;
+            t.foldedAt = folded(points_, t.shaped.triangle, m_.triangles[outer / 3]);
+        }
+        return t.foldedAt;
     }
 
     const PointSet& points_;
