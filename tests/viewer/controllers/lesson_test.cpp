@@ -236,3 +236,120 @@ TEST_CASE("A pivot to practice opens at its beginning, and the next one is anoth
     actions::openPractice(app.context);
     CHECK(app.ui.requests.open == "practice:8");
 }
+
+TEST_CASE("A lesson opens after something else was open, and a click there closes it at once") {
+    LessonApp app;
+    app.document.open("scene:torus");
+    app.settle();
+    app.open("lesson:tour");
+    CHECK(app.walk().isOpen());
+    app.goTo(1);
+    // The horizon of the question does not reach into what is opened next.
+    app.open("lesson:spiral");
+    app.goTo(1);
+    app.document.open("scene:figure-8");
+    app.lesson.closeForOther();
+    app.settle();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK(app.place() == "9.sphere.2");
+}
+
+TEST_CASE("Going on before an input is open shows the last step that was chosen") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t other = 1;
+    while (app.walk().lesson().steps[other].input.empty()) ++other;
+    app.goTo(other - 1);
+    const std::string before = app.session.model().name;
+    for (const std::size_t step : {other, other - 1}) {
+        app.ui.lesson.toStep = step;
+        app.lesson.carryOut();
+    }
+    app.settle();
+    CHECK(app.walk().step() == other - 1);
+    CHECK(app.session.model().name == before);
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("An input of a step that does not open leaves a way back to the step") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t other = 1;
+    while (app.walk().lesson().steps[other].input.empty()) ++other;
+    app.ui.lesson.toStep = other;
+    app.lesson.carryOut();
+    app.session.cancelOpening();
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    CHECK_FALSE(app.ui.lesson.hides());
+    CHECK_FALSE(app.lesson.moving());
+    app.ask(LessonAsk::Return);
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("A lesson leaves layers, layout and playback as the user had them") {
+    LessonApp app;
+    modeOf(app.ui.settings.layers, LayerId::Normals) = LayerMode::PinnedOff;
+    const LayerModes layers = app.ui.settings.layers;
+    app.playback.setUnit(PlayUnit::Event);
+    app.playback.setRate(15.0);
+    app.open("practice:3");
+    CHECK(app.ui.settings.layers != layers);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Learn);
+    app.walk().showAnswer();
+    app.ask(LessonAsk::Return);
+    CHECK(app.playback.playing());
+    app.ask(LessonAsk::Close);
+    CHECK(app.ui.settings.layers == layers);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
+    CHECK(app.playback.unit() == PlayUnit::Event);
+    CHECK(app.playback.rate() == 15.0);
+    CHECK_FALSE(app.playback.playing());
+}
+
+TEST_CASE("Returning to a step that compares begins its comparison again") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    app.ui.compare.begin.reset();
+    app.ask(LessonAsk::Return);
+    CHECK(app.ui.compare.begin.has_value());
+    CHECK(app.ui.compare.ask == CompareAsk::Nothing);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
+}
+
+TEST_CASE("Play starts at the position of the step, again once it has played") {
+    LessonApp app;
+    app.open("lesson:tour");
+    app.goTo(4);
+    for (int i = 0; i < 2; ++i) {
+        app.ask(LessonAsk::Play);
+        CHECK(app.place() == "200.split.1");
+        CHECK(app.playback.playing());
+        REQUIRE(app.session.moves().goToText("200.advance.1").ok());
+        app.playback.pause();
+        app.settle();
+    }
+}
+
+TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one file") {
+    LessonApp app;
+    const std::string file = (app.folder / "mine.result.json").string();
+    Options options;
+    options.lesson = "lesson:spiral";
+    options.lessonStep = 1;
+    options.resultFile = file;
+    app.lesson.begin(options);
+    app.settle();
+    app.walk().type("3, 4, 5, 6, 7");
+    app.ask(LessonAsk::Answer);
+    REQUIRE(std::filesystem::exists(file));
+    app.open("lesson:spiral");
+    CHECK(app.walk().step() == 1);
+    CHECK(app.walk().hasAnswers());
+    const auto size = std::filesystem::file_size(file);
+    app.open("practice:1");
+    app.walk().type("next 0");
+    app.ask(LessonAsk::Answer);
+    CHECK(std::filesystem::file_size(file) == size);
+}

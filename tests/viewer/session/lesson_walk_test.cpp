@@ -185,3 +185,22 @@ TEST_CASE("A wrong move of a played pivot is answered by the decision of the run
         CHECK(walk.decisionAgainstTry() == nullptr);
     }
 }
+
+TEST_CASE("A point that the input does not have is no answer") {
+    LessonWalk walk = spiralAt(1);
+    walk.setPointCount(76);
+    walk.type("99999");
+    CHECK(walk.state().complaint == "There is no point 99999.");
+    CHECK(walk.givenPoints().empty());
+}
+
+TEST_CASE("The time of a question is counted over several visits") {
+    LessonWalk walk = spiralAt(1);
+    walk.addSeconds(5.0);
+    walk.goTo(2);
+    walk.goTo(1);
+    walk.addSeconds(7.0);
+    walk.type("3");
+    walk.answer();
+    CHECK(walk.result().answers.front().seconds == doctest::Approx(12.0));
+}
