@@ -36,7 +36,7 @@ viewer=()
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
-mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|panel_state|commands|controllers)/')
+mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|export|panel_state|commands|controllers)/')
 
 # core -> GLM, the standard library, zlib in inflate.cpp.
 no "$(include "$window|$programs|app/|viewer|cli/|teach/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
@@ -71,7 +71,7 @@ no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
 # Rooms of the viewer, from the bottom: a room may include those before it; those of one step do not
 # know each other.
-steps=(run jobs scene 'render|layers' rows session 'layout|input' panel_state commands panels controllers)
+steps=(run jobs scene 'render|layers' rows session 'layout|input' export panel_state commands panels controllers)
 # below ROOM ABOVE: the files of a room must not include one of the rooms above it.
 below() {
     local files

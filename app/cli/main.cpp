@@ -40,6 +40,7 @@ constexpr std::array kVerbs{
     Verb{"table1", "reproduce the paper's Table 1", table1Verb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},
+    Verb{"export", "write frames as pictures, an animation or a page", exportVerb},
 };
 
 const Verb* findVerb(std::string_view name) {

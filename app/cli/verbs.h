@@ -43,5 +43,6 @@ ExitCode scenesVerb(const Arguments& arguments);
 ExitCode viewVerb(const Arguments& arguments);
 /// Writes a picture by the viewer, without a window. Returns only by throwing, or after its help.
 ExitCode renderVerb(const Arguments& arguments);
+ExitCode exportVerb(const Arguments& arguments);
 
 }  // namespace se::cli

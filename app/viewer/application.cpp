@@ -23,6 +23,8 @@ namespace {
 
 constexpr const char* kStartWindow = "##start";
 constexpr const char* kViewWindow = "##view";
+/// Height of the sentence below a view alone, in em.
+constexpr float kCaption = 3.6F;
 
 }  // namespace
 
@@ -285,7 +287,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
         moveCamera();
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
             session_.questions().requestClosest();
-        const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
+        const bool onPaper = ui_.requests.screenshot || options_.onPaper();
         painter_.fill(commands_, onPaper, compare_.look());
         compare_.fill(onPaper);
     }

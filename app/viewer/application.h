@@ -74,6 +74,13 @@ class Application {
     /// shows it, without OpenGL.
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
+    /// Session, camera and state of the user interface, for pictures without a user.
+    CommandContext& commands() { return commands_; }
+    /// What the view shows, as last drawn.
+    const DrawList& drawn() const { return painter_.list(); }
+    /// Size of the view in pixels, and of an em there, as last drawn.
+    glm::vec2 viewSize() const { return ui_.viewEms * imgui_->em(); }
+    float em() const { return imgui_->em(); }
     Camera& camera() { return camera_; }
     /// Draws later frames on that background.
     void setBackground(const Color& color) { ui_.picture.background = color; }

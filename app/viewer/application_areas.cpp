@@ -44,7 +44,7 @@ PanelSizes Application::panelSizes() const {
 
 PanelRects Application::areasIn(glm::vec2 size) const {
     const float em = imgui_->em();
-    if (ui_.picture.viewAlone) return viewAlone(size);
+    if (ui_.picture.viewAlone) return viewAlone(size, ui_.picture.caption ? kCaption * em : 0.0F);
     if (ui_.growth.open) return computePageRects(size, em);
     const bool folds = showsLesson() && ui_.navigation.drawer == DrawerChoice::Auto;
     return computePanelRects(size, em, ui_.layoutPreset,

@@ -1,4 +1,6 @@
-// The viewer's program: options, then a window, a picture or a measurement.
+// The viewer's program: options, then a window, pictures or a measurement.
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -8,9 +10,12 @@
 #include <vector>
 
 #include "application.h"
+#include "export_options.h"
+#include "export_run.h"
 #include "offscreen.h"
 #include "options.h"
 #include "panel_state/settings.h"
+#include "picture_frames.h"
 #include "render/context.h"
 #include "scene/picking.h"
 #include "scene/picture.h"
@@ -29,7 +34,7 @@ int fail(int code, const std::string& message) {
 
 ViewSettings settingsFor(const Options& options) {
     ViewSettings settings;
-    if (!options.noConfig && options.screenshot.empty() && options.benchFrames == 0) {
+    if (!options.noConfig && !options.onPaper() && options.benchFrames == 0) {
         const se::Result<ViewSettings> read = readSettings(settingsPath());
         if (read) settings = read.value();
     }
@@ -79,35 +84,39 @@ int dumpState(Application& application) {
     return status ? kExitGood : fail(kExitInternal, status.error().message);
 }
 
-/// The picture once the layout rests, on that background.
-Picture drawPicture(const Options& options, Offscreen& target, Application& application,
-                    std::optional<Color> background) {
-    if (background) application.setBackground(*background);
-    // The first frames only determine the layout.
-    const int frames = options.frames > 0 ? options.frames : 4;
-    for (int i = 0; i < frames; ++i) {
-        target.beginFrame();
-        application.frame(target.size(), 1.0 / 60.0);
-    }
-    return target.read();
-}
-
 int runPicture(const Options& options) {
     ViewSettings settings = settingsFor(options);
-    const int factor = options.picture.supersample;
-    if (factor > 1) settings.uiScale = factor * (settings.uiScale > 0.0 ? settings.uiScale : 1.0);
-    const auto offscreen = Offscreen::create(factor * glm::ivec2(settings.width, settings.height));
+    const glm::ivec2 size = drawnSize(settings, options.picture);
+    const auto offscreen = Offscreen::create(size);
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
     Application application(options, settings);
     if (const int code = prepareOffscreen(application); code != kExitGood) return code;
-    const auto draw = [&](std::optional<Color> background) {
-        return drawPicture(options, *offscreen.value(), application, background);
-    };
-    Picture picture = options.picture.cutOut ? draw(fromHex(0x000000)) : draw({});
-    if (options.picture.cutOut) picture = cutOut(picture, draw(fromHex(0xFFFFFF)));
-    const auto status = writePicture(options.screenshot, reduced(picture, factor));
+    Target target(0);
+    // The first frames only determine the layout.
+    const int frames = options.frames > 0 ? options.frames : 4;
+    const Picture picture = drawPicture(application, target, size, frames);
+    const auto status = writePicture(options.screenshot, picture);
     if (!status) return fail(kExitInternal, status.error().message);
     return dumpState(application);
+}
+
+/// Progress on a terminal, as of the command line.
+void showProgress(const ExportRun& run) {
+    if (isatty(STDERR_FILENO) == 0 || run.total() < 2) return;
+    std::fprintf(stderr, "\r\033[Kframe %zu of %zu", run.made(), run.total());
+    if (run.done()) std::fputs("\r\033[K", stderr);
+}
+
+int runExport(const Options& options) {
+    const ViewSettings settings = settingsFor(options);
+    const auto offscreen = Offscreen::create({settings.width, settings.height});
+    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
+    ExportRun run(options, settings);
+    while (!run.done()) {
+        run.advance(true);
+        showProgress(run);
+    }
+    return run.failure() ? fail(run.failure()->code, run.failure()->message) : kExitGood;
 }
 
 void printTimes(const char* what, std::vector<double> seconds) {
@@ -280,10 +289,14 @@ int main(int argc, char** argv) {
             if (const auto status = adopt(options); !status)
                 return fail(kExitInput, status.error().message);
         }
+        int code = kExitUsage;
+        if (const auto status = adoptLesson(options, code); !status)
+            return fail(code, status.error().message);
         if (const auto status = chooseComparison(options); !status) {
             return fail(kExitUsage, status.error().message);
         }
         if (options.benchFrames > 0) return runBench(options);
+        if (options.exported) return runExport(options);
         return options.screenshot.empty() ? runWindow(options) : runPicture(options);
     } catch (const std::exception& e) {
         return fail(kExitInternal, std::string("internal error: ") + e.what());

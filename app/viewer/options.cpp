@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands/commands.h"
+#include "export_options.h"
 #include "input_options.h"
 #include "jobs/open_lesson.h"
 #include "jobs/thread.h"
@@ -83,6 +84,7 @@ struct RawOptions {
     std::string stateDump;
     std::size_t step = 0;
     std::string result;
+    RawExport exported;
     bool actions = false;
 };
 
@@ -130,10 +132,15 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         ->check(CLI::IsMember({"theme", "none"}));
     app.add_option("--labels", raw.labels, "Text, axes, pins and legends over the view: on or off")
         ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--scale", o.picture.scale,
+                   "With --screenshot: X times as many pixels as --size, with the same content")
+        ->type_name("X")
+        ->check(CLI::Range(0.25, 16.0));
     app.add_option("--supersample", o.picture.supersample,
                    "With --screenshot: draw N by N pixels for each one of the picture")
         ->type_name("N")
         ->check(CLI::Range(1, 8));
+    addExportOptions(app, raw.exported);
     app.add_option("--frames", o.frames, "Quit after N frames")->check(CLI::Range(1, 1000000));
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
@@ -208,11 +215,13 @@ void takeOverPicture(const RawOptions& raw, Options& o) {
     look.viewAlone = !raw.background.empty();
     look.cutOut = raw.background == "none";
     look.labels = raw.labels != "off";
-    if (raw.screenshot.empty() && (look.viewAlone || look.supersample > 1))
-        throw CLI::ValidationError("--background, --supersample", "need --screenshot");
-    const glm::ivec2 size = o.size.value_or(glm::ivec2(1280, 800)) * look.supersample;
-    if (std::max(size.x, size.y) > kMostPixels)
-        throw CLI::ValidationError("--supersample", "times --size is at most 16384 pixels");
+    const bool written = !raw.screenshot.empty() || !raw.exported.path.empty();
+    if (!written && (look.viewAlone || look.supersample > 1 || look.scale != 1.0))
+        throw CLI::ValidationError("--background, --scale, --supersample", "need --screenshot");
+    const glm::ivec2 size = o.size.value_or(glm::ivec2(1280, 800));
+    if (std::max(size.x, size.y) * look.scale * look.supersample > kMostPixels)
+        throw CLI::ValidationError("--scale, --supersample",
+                                   "times --size is at most 16384 pixels");
 }
 
 /// Pictures are PNG; another extension would promise another format.
@@ -326,6 +335,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         takeOver(raw, o);
         takeOverInput(app, raw.input, o);
         takeOverPicture(raw, o);
+        takeOverExport(app, raw.exported, o);
         if (app.count("--screenshot") > 0) {
             requirePngName(raw.screenshot);
             requireWritable(raw.screenshot, "--screenshot");

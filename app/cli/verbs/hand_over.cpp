@@ -1,8 +1,9 @@
-// spiraling-edge view and render: replace this process by the viewer, which lies beside it. The
-// command line links no window library, so that it runs on machines without one.
+// spiraling-edge view, render and export: replace this process by the viewer, which lies beside it.
+// The command line links no window library, so that it runs on machines without one.
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -43,6 +44,47 @@ bool isSession(const std::string& input) {
     return (file >> first) && first == '{';
 }
 
+/// An option that is passed on as it stands; the viewer checks its value.
+struct PassedOption {
+    const char* name;
+    const char* type;
+    const char* help;
+};
+constexpr std::array kExportOptions{
+    PassedOption{"--goto", "WHERE",
+                 "One frame: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
+                 "otherwise 100%)"},
+    PassedOption{"--from", "WHERE", "First frame of a range of the run"},
+    PassedOption{"--to", "WHERE", "Last frame of the range; a pivot: its last decision"},
+    PassedOption{"--unit", "UNIT",
+                 "Frames of the range: each sub-step (default), each pivot, or each event (seed, "
+                 "split, join, alert)"},
+    PassedOption{"--around", "WHERE", "All decisions of the pivot of this address"},
+    PassedOption{"--steps", "LIST", "Steps of a lesson, 2,4-6 (default: all)"},
+    PassedOption{"--size", "WxH", "Size in pixels (default 1280x800)"},
+    PassedOption{"--scale", "X", "X times as many pixels, with the same content"},
+    PassedOption{"--supersample", "N", "Draw N by N pixels for each one"},
+    PassedOption{"--theme", "THEME", "dark (default) or light"},
+    PassedOption{"--background", "none", "A transparent background"},
+    PassedOption{"--labels", "on|off", "Names and values beside points (default on)"},
+    PassedOption{"--captions", "on|off",
+                 "Sentences of the decisions: in captions.txt, below an animation, in an SVG and "
+                 "on a page (default on)"},
+    PassedOption{"--fps", "N", "Frames a second of an animation (default 2)"},
+};
+
+/// Adds the options that were given, and those that this program does not know.
+void forward(const CLI::App& app, Arguments& arguments) {
+    for (const PassedOption& each : kExportOptions) {
+        if (app.count(each.name) == 0) continue;
+        // The viewer has the steps of the sampler as well.
+        const bool steps = each.name == std::string_view("--steps");
+        arguments.emplace_back(steps ? "--lesson-steps" : each.name);
+        arguments.push_back(app[each.name]->as<std::string>());
+    }
+    for (const std::string& word : app.remaining()) arguments.push_back(word);
+}
+
 }  // namespace
 
 ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
@@ -75,6 +117,34 @@ ExitCode renderVerb(const Arguments& words) {
     if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});
     arguments.insert(arguments.end(), {"--screenshot", picture});
     for (const std::string& word : app.remaining()) arguments.push_back(word);
+    becomeViewer(arguments);
+}
+
+ExitCode exportVerb(const Arguments& words) {
+    CLI::App app(
+        "Writes frames of a run or a lesson without opening a window: as pictures, an animation "
+        "or a page. All other options are passed to spiraling-edge-viewer.",
+        "spiraling-edge export");
+    std::string input;
+    std::string output;
+    std::array<std::string, kExportOptions.size()> values;
+    app.add_option("IN", input,
+                   "Points, a session, scene:ID, a lesson (.lesson.md), or the id of a lesson")
+        ->required();
+    addOutputOption(app, "-o,--output", output,
+                    "File to write; its extension is the format. A range or lesson as pictures: "
+                    "numbered files, or a folder of them")
+        ->type_name("OUT")
+        ->required();
+    for (std::size_t i = 0; i < kExportOptions.size(); ++i) {
+        const PassedOption& each = kExportOptions[i];
+        app.add_option(each.name, values[i], each.help)->type_name(each.type);
+    }
+    app.allow_extras();
+    if (const auto code = parseArguments(app, words)) return *code;
+    requireOtherThan(input, {{"-o", output}});
+    Arguments arguments{input, "--export", output};
+    forward(app, arguments);
     becomeViewer(arguments);
 }
 

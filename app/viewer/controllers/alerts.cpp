@@ -48,7 +48,7 @@ std::string changeOfPlace(const Session& session) {
 
 void AlertController::begin(const Options& options) {
     asked_ = options.alert;
-    interactive_ = options.screenshot.empty() && options.benchFrames == 0;
+    interactive_ = !options.onPaper() && options.benchFrames == 0;
 }
 
 void AlertController::poll() {

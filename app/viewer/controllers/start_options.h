@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "export/order.h"
 #include "panel_state/picture_look.h"
 #include "run/model.h"
 #include "scene/mesh_style.h"
@@ -42,6 +43,7 @@ struct Options {
     bool resetLayout = false;
     std::optional<glm::ivec2> size;
     std::filesystem::path screenshot;  ///< Empty: open a window.
+    std::optional<ExportOrder> exported;  ///< Frames to write instead of opening a window.
     PictureLook picture;
     int frames = 0;        ///< Quit after that number of frames; 0: when closed.
     double uiScale = 0.0;  ///< 0: not given.
@@ -56,6 +58,9 @@ struct Options {
     std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
     int benchFrames = 0;              ///< Step through that number of frames and print their times.
     bool cheatSheet = false;          ///< Open with the list of keys.
+
+    /// Pictures are drawn, without a user.
+    bool onPaper() const { return !screenshot.empty() || exported; }
 };
 
 }  // namespace se::view

@@ -16,7 +16,7 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Aside, "aside", "Points set aside", kEveryStage, addAside},
     {LayerId::Triangles, "triangles", "Triangles", kEveryStage, addTriangles},
     {LayerId::MeshEdges, "edges", "Mesh edges", kEveryStage, addMeshEdges},
-    {LayerId::EdgeRing, "ring", "Active edge ring", kEveryStage, addEdgeRing},
+    {LayerId::EdgeRing, "ring", "Edge ring", kEveryStage, addEdgeRing},
     {LayerId::StackedRings, "stack", "Stacked rings", kEveryStage, addStackedRings},
     {LayerId::Sector, "sector", "Tangent disc of the pivot", kEveryStage, addSector},
     {LayerId::NeighborRing, "neighbors", "Pivot and candidates", kEveryStage, addNeighborRing},
@@ -102,7 +102,10 @@ void fillDrawList(const LayerInput& in, const LayerSwitches& on, DrawList& out) 
     out.clear();
     out.cloudVisible = out.meshVisible = out.meshEdges = false;
     for (const Layer& layer : kLayers) {
-        if (on.test(static_cast<std::size_t>(layer.id))) layer.add(in, out);
+        if (!on.test(static_cast<std::size_t>(layer.id))) continue;
+        out.layers.push_back({layer.title, out.lines.size(), out.sheets.size(), out.spheres.size(),
+                              out.sprites.size()});
+        layer.add(in, out);
     }
 }
 

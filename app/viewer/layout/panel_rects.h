@@ -71,10 +71,11 @@ struct PanelRects {
 /// as the area of the controls. No other area has a size.
 PanelRects computePageRects(glm::vec2 size, float em);
 
-/// The view alone: no other area has a size.
-inline PanelRects viewAlone(glm::vec2 size) {
+/// The view alone, above a narration of that height: no other area has a size.
+inline PanelRects viewAlone(glm::vec2 size, float narration = 0.0F) {
     PanelRects rects;
-    rects.view.size = size;
+    rects.view.size = size - glm::vec2(0.0F, narration);
+    rects.narration = {{0.0F, rects.view.size.y}, {size.x, narration}};
     return rects;
 }
 

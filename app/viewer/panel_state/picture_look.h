@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "scene/palette.h"
 
@@ -14,8 +15,12 @@ enum class BlankScreen : std::uint8_t { None, Black, White };
 struct PictureLook {
     bool viewAlone = false;           ///< Without panels.
     bool cutOut = false;              ///< On a transparent background.
+    bool caption = false;             ///< With `viewAlone`: the sentence below the view.
+    std::string captionText = {};     ///< Text instead of that sentence; empty: the sentence.
     bool labels = true;               ///< Text, axes, pins and legends over the view.
+    bool pointLabels = false;         ///< Of these, labels alone.
     std::optional<Color> background;  ///< Instead of that of the theme.
+    double scale = 1.0;               ///< Pixels for each one of the size, in each direction.
     int supersample = 1;              ///< Pixels drawn for each one, in each direction.
 };
 

@@ -16,6 +16,7 @@
 #include "input/tab_order.h"
 #include "input/view_drag.h"
 #include "lesson_panel.h"
+#include "layout/drawn_label.h"
 #include "move_tool.h"
 #include "picture_look.h"
 #include "piece_tool.h"
@@ -105,6 +106,7 @@ struct UiState {
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     PictureLook picture;
+    std::vector<DrawnLabel> labels;         ///< Of the view, as last drawn.
     BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
     bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
     float scale = 1.0F;                     ///< Of text and panels, as drawn.

@@ -242,7 +242,11 @@ void drawPanels(const PanelContext& context) {
         {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer},
         {"region find", context.rects.find},           {"region change", context.rects.change}};
     keepSteps(context);
-    if (context.ui().picture.viewAlone) return drawView(context);
+    if (context.ui().picture.viewAlone) {
+        drawView(context);
+        if (context.ui().picture.caption) drawNarration(context);
+        return;
+    }
     const bool growth = context.state<GrowthPage>().open;
     const bool startPage = context.session().startPage() && !growth;
     if (growth) {

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 #include <stb_image_write.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,14 @@ Status loadGl(GlFunctionLoader loader) {
     const int version = gladLoadGL(loader);
     if (version < GLAD_MAKE_VERSION(3, 3)) return Error{"OpenGL 3.3 is not available."};
     return success();
+}
+
+int greatestPicture() {
+    GLint texture = 0;
+    GLint buffer = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+    return std::min(texture, buffer);
 }
 
 void clearFrame(glm::ivec2 size, const Color& color) {
@@ -34,16 +43,42 @@ Picture readPicture(glm::ivec2 size) {
     return picture;
 }
 
+namespace {
+
+/// Level of compression: drawings have large even areas, which higher levels hardly make smaller.
+constexpr int kPngLevel = 5;
+
+bool isOpaque(const Picture& picture) {
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
+        if (picture.rgba[i] != 255) return false;
+    }
+    return true;
+}
+
+std::vector<std::uint8_t> withoutAlpha(const Picture& picture) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        rgb.insert(rgb.end(), &picture.rgba[i], &picture.rgba[i] + 3);
+    return rgb;
+}
+
+}  // namespace
+
 Status writePicture(const std::filesystem::path& path, const Picture& picture) {
     const glm::ivec2 size = picture.size;
     std::string bytes;
+    const bool opaque = isOpaque(picture);
+    const std::vector<std::uint8_t> pixels = opaque ? withoutAlpha(picture) : picture.rgba;
+    const int channels = opaque ? 3 : 4;
     const auto collect = [](void* context, void* data, int count) {
         static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                    static_cast<std::size_t>(count));
     };
     stbi_flip_vertically_on_write(1);
-    if (stbi_write_png_to_func(collect, &bytes, size.x, size.y, 4, picture.rgba.data(),
-                               size.x * 4) == 0) {
+    stbi_write_png_compression_level = kPngLevel;
+    if (stbi_write_png_to_func(collect, &bytes, size.x, size.y, channels, pixels.data(),
+                               size.x * channels) == 0) {
         return Error{"Cannot make a PNG of " + path.string() + "."};
     }
     return writeFileAtomically(path, bytes);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh_style.h"
@@ -123,7 +124,19 @@ struct TintedTriangles {
     friend bool operator==(const TintedTriangles&, const TintedTriangles&) = default;
 };
 
+/// Where the things of one layer begin, in each list.
+struct LayerStart {
+    std::string_view title;  ///< Of the layer.
+    std::size_t lines = 0;
+    std::size_t sheets = 0;
+    std::size_t spheres = 0;
+    std::size_t sprites = 0;
+};
+
 struct DrawList {
+    /// The layers, in drawing order; the things of each end where those of the next begin.
+    std::vector<LayerStart> layers;
+
     // The input: positions are uploaded once, only the bytes change.
     bool cloudVisible = true;
     CloudStyles cloudStyles;

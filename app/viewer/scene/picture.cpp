@@ -38,6 +38,7 @@ Picture cutOut(const Picture& onBlack, const Picture& onWhite) {
 
 Picture reduced(const Picture& picture, int factor) {
     assert(factor > 0 && picture.size.x % factor == 0 && picture.size.y % factor == 0);
+    if (factor == 1) return picture;
     Picture out{picture.size / factor, {}};
     out.rgba.reserve(picture.rgba.size() / static_cast<std::size_t>(factor * factor));
     const auto pixels = static_cast<unsigned>(factor * factor);

@@ -11,6 +11,7 @@
 #include "panels/widgets/widgets.h"
 #include "scene/picking.h"
 #include "scene/point_move.h"
+#include "session/playback.h"
 #include "session/session.h"
 #include "view_parts.h"
 

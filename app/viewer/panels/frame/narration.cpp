@@ -58,7 +58,8 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
 }
 
 /// The decision at the cursor of a run, with all digits; without an event the latest message.
-std::string sentenceOf(const Session& session) {
+std::string sentenceOf(const Session& session, const PictureLook& look) {
+    if (!look.captionText.empty()) return look.captionText;
     if (session.showsEarlierMesh()) return "The finished mesh before the last change of settings.";
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event, session.names()) +
@@ -92,7 +93,7 @@ void drawNarration(const PanelContext& context, const char* window) {
             showsFinishedMesh(context.commands) && session.alerts().search().done();
         const std::string whole = finished && !session.showsEarlierMesh()
                                       ? verdictSentence(session.alerts())
-                                      : sentenceOf(session);
+                                      : sentenceOf(session, context.ui().picture);
         const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;
         if (finished) {
@@ -118,7 +119,7 @@ void drawNarration(const PanelContext& context, const char* window) {
         const float left = ImGui::GetCursorPosX();
         const Caption caption = fittingCaption(
             context, sentence,
-            context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun)) : "");
+            context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun, {})) : "");
         ImGui::PushFont(caption.font);
         for (const std::string& line : caption.lines) {
             ImGui::SetCursorPosX(left);

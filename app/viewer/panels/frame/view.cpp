@@ -283,12 +283,14 @@ void drawWithOverlays(const PanelContext& context) {
 
 void drawView(const PanelContext& context, const char* window) {
     if (beginView(context, window)) {
-        if (context.ui().picture.labels) {
+        const PictureLook& look = context.ui().picture;
+        if (look.labels && !look.pointLabels) {
             drawWithOverlays(context);
         } else {
             offerView(context);
             handleMouse(context);
             drawViewPicture(context);
+            if (look.labels) drawLabels(context, {});
         }
     }
     ImGui::End();

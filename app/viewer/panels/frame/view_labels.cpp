@@ -1,6 +1,7 @@
 /// The labels of the view.
 #include <algorithm>
 
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
@@ -26,25 +27,26 @@ LabelRank rankOf(const Label& label) {
                            : LabelRank::Minor;
 }
 
-void drawPlate(const PanelContext& context, const Label& label, const Rect& plate) {
-    const float em = context.em;
-    const Print print = printOf(context, label);
+void drawPlate(const PanelContext& context, const DrawnLabel& drawn) {
+    const Label& label = context.drawList.labels[drawn.index];
     ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, plate, context.palette.background.withAlpha(0.78F), 0.2F * em);
-    list->AddText(print.font, print.size, {plate.min.x + 0.22F * em, plate.min.y + 0.02F * em},
-                  toU32(label.color), label.text.c_str());
+    fill(list, drawn.plate, context.palette.background.withAlpha(kPlateAlpha), 0.2F * context.em);
+    list->AddText(printOf(context, label).font, drawn.size, toVec2(drawn.text), toU32(label.color),
+                  label.text.c_str());
 }
 
 }  // namespace
 
 void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const std::vector<Label>& labels = context.drawList.labels;
+    context.ui().labels.clear();
     if (labels.empty()) return;
     const ScreenProjection projection(context);
     const float em = context.em;
-    std::vector<const Label*> shown;
+    std::vector<std::size_t> shown;
     std::vector<LabelRequest> wanted;
-    for (const Label& label : labels) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const Label& label = labels[i];
         const auto at = projection.at(label.position);
         if (!at) continue;
         const bool seen = label.extent == 0.0F ||
@@ -52,7 +54,7 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         if (!seen) continue;
         const Print print = printOf(context, label);
         const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
-        shown.push_back(&label);
+        shown.push_back(i);
         wanted.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
     }
     const Rect& view = context.rects.view;
@@ -64,15 +66,20 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         room.middle =
             projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
     }
-    const std::vector<PlacedLabel> placed = placeLabels(room, wanted);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    for (const PlacedLabel& each : placed) {
-        if (!each.leader) continue;
-        const glm::vec2 from = wanted[each.index].at;
-        list->AddLine(toVec2(from), toVec2(nearestIn(each.plate, from)),
-                      toU32(shown[each.index]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
+    std::vector<DrawnLabel>& drawn = context.ui().labels;
+    for (const PlacedLabel& each : placeLabels(room, wanted)) {
+        drawn.push_back({shown[each.index], wanted[each.index].at, each.plate,
+                         each.plate.min + glm::vec2(0.22F, 0.02F) * em,
+                         printOf(context, labels[shown[each.index]]).size, each.leader});
     }
-    for (const PlacedLabel& each : placed) drawPlate(context, *shown[each.index], each.plate);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (const DrawnLabel& each : drawn) {
+        if (!each.leader) continue;
+        list->AddLine(toVec2(each.at), toVec2(nearestIn(each.plate, each.at)),
+                      toU32(labels[each.index].color.withAlpha(kLeaderAlpha)),
+                      std::max(1.0F, kLeaderEms * em));
+    }
+    for (const DrawnLabel& each : drawn) drawPlate(context, each);
 }
 
 }  // namespace se::view

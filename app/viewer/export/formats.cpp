@@ -1,0 +1,59 @@
+#include "formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/word_list.h"
+#include "writers.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kFormats{
+    ExportFormat{".png", "Picture", FrameContent::Pixels, false, false, success, openPngWriter},
+};
+
+}  // namespace
+
+std::span<const ExportFormat> exportFormats() { return kFormats; }
+
+bool namesFolder(const fs::path& path) {
+    std::error_code error;
+    return path.filename().empty() || fs::is_directory(path, error);
+}
+
+const ExportFormat* exportFormatOf(const fs::path& path) {
+    const std::string extension = namesFolder(path) ? ".png" : lowerExtension(path);
+    const auto found =
+        std::find_if(kFormats.begin(), kFormats.end(),
+                     [&](const ExportFormat& each) { return each.extension == extension; });
+    return found == kFormats.end() ? nullptr : &*found;
+}
+
+std::string exportExtensions() {
+    std::vector<std::string> all;
+    for (const ExportFormat& each : kFormats) all.emplace_back(each.extension);
+    return wordList(all, "or");
+}
+
+Status checkExport(const ExportOrder& order) {
+    const ExportFormat* format = exportFormatOf(order.path);
+    if (format == nullptr)
+        return Error{order.path.string() + ": expected a name that ends in " + exportExtensions()};
+    if (namesFolder(order.path) && !order.several())
+        return Error{order.path.string() + ": a folder is for several frames; name a file"};
+    if (const Status possible = format->possible(); !possible)
+        return Error{order.path.string() + ": " + possible.error().message};
+    if (!namesFolder(order.path)) return AtomicFile::check(order.path);
+    const fs::path inside = order.path / "001.png";
+    std::error_code error;
+    if (fs::is_directory(order.path, error)) return AtomicFile::check(inside);
+    return AtomicFile::check(fs::path(order.path).parent_path());
+}
+
+}  // namespace se::view

@@ -1,0 +1,52 @@
+/// One frame of an export: its pixels, its shapes and its words.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "layout/drawn_label.h"
+#include "run/model.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
+#include "scene/picture.h"
+#include "teach/lesson_runs.h"
+
+namespace se::view {
+
+/// What is drawn in a frame, for formats of shapes. It refers to what it was made from.
+struct FrameShapes {
+    const DrawList& list;
+    const DrawList* other = nullptr;  ///< The same frame in the other theme; null: not needed.
+    const Model& model;
+    std::span<const Triangle> triangles;  ///< Finished ones, from the first.
+    CameraMatrices camera;
+    glm::vec2 size{1.0F};  ///< Pixels.
+    float em = 16.0F;      ///< Pixels.
+    Color background{};
+    Color otherBackground{};
+    std::span<const DrawnLabel> labels{};
+};
+
+/// The step of a lesson that a frame shows.
+struct FrameStep {
+    const teach::Lesson& lesson;
+    std::size_t step = 0;  ///< From 0.
+    std::vector<teach::NamedPoint> names;
+    const teach::RightAnswer* right = nullptr;  ///< Of its question; null: none.
+};
+
+/// One frame, valid while it is added to a file.
+struct ExportFrame {
+    std::string address;                  ///< Of the decision; empty: the start of the run.
+    std::string title;                    ///< Of a step of a lesson; else empty.
+    std::string caption;                  ///< Sentence of the decision.
+    Picture pixels;                       ///< Empty for formats of shapes.
+    const FrameShapes* shapes = nullptr;  ///< Null for formats of pixels.
+    const FrameStep* step = nullptr;      ///< Null: of a run.
+};
+
+}  // namespace se::view

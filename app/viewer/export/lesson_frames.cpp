@@ -1,0 +1,84 @@
+#include "lesson_frames.h"
+
+#include <algorithm>
+#include <array>
+
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_read.h"
+#include "teach/lesson_runs.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void setMode(LayerModes& layers, const std::vector<std::string>& names, LayerMode mode) {
+    for (const Layer& each : view::layers()) {
+        if (std::find(names.begin(), names.end(), each.name) != names.end())
+            modeOf(layers, each.id) = mode;
+    }
+}
+
+Result<std::shared_ptr<const LessonFile>> checkedLesson(teach::LessonReading reading,
+                                                        const std::string& name,
+                                                        const fs::path& folder) {
+    if (!reading.ok()) return Error{teach::faultText(reading.faults.front(), name)};
+    return std::make_shared<const LessonFile>(LessonFile{std::move(reading.lesson), folder});
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source) {
+    std::error_code error;
+    const bool file = fs::exists(source, error);
+    const teach::EmbeddedLesson* built = teach::findEmbeddedLesson(source);
+    if (!file && built != nullptr)
+        return checkedLesson(teach::readLesson(built->text, source), source, {});
+    if (!source.ends_with(teach::kLessonExtension)) return std::shared_ptr<const LessonFile>();
+    Result<teach::LessonReading> reading = teach::readLessonFile(source);
+    if (!reading) return reading.error();
+    return checkedLesson(std::move(reading.value()), source, fs::path(source).parent_path());
+}
+
+std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key) {
+    const teach::LessonStep& each = file.lesson.steps[step];
+    const std::size_t line = key.empty() || each.lines.block == 0 ? each.line : each.lines.of(key);
+    const std::string text = file.lesson.name + ":" + std::to_string(line) + ": ";
+    return key.empty() ? text : text + std::string(key) + ": ";
+}
+
+Result<InputSpec> inputOfStep(const LessonFile& file, std::size_t step) {
+    const teach::StepSetting setting = teach::settingOf(file.lesson, step);
+    const Result<RunSettings> settings = teach::runSettings(setting);
+    if (!settings) return settings.error();
+    InputSpec spec;
+    spec.source = teach::lessonSource(setting.input, file.folder);
+    spec.neighbors = settings.value().prepare.neighbors;
+    spec.rules = settings.value().rules;
+    spec.choices = settings.value().choices;
+    spec.whatIf = settings.value().whatIf;
+    if (!spec.source.ends_with(teach::kLessonExtension)) return spec;
+    Result<PointFile> points = teach::readLessonPoints(spec.source);
+    if (!points) return points.error();
+    spec.points = std::make_shared<const PointFile>(std::move(points.value()));
+    return spec;
+}
+
+LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {
+    setMode(layers, step.pin, LayerMode::PinnedOn);
+    setMode(layers, step.hide, LayerMode::PinnedOff);
+    return layers;
+}
+
+Selection selectionOfStep(const teach::LessonStep& step,
+                          const std::vector<teach::NamedPoint>& names) {
+    std::vector<Index> points;
+    for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
+    if (points.size() == 1) return Selection::ofPoint(points[0]);
+    if (points.size() == 2) return Selection::ofEdge(points[0], points[1]);
+    if (points.size() == 3) return Selection::ofTriangle({points[0], points[1], points[2]});
+    return {};
+}
+
+}  // namespace se::view

@@ -1,0 +1,59 @@
+#include "order.h"
+
+#include <algorithm>
+#include <array>
+
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/stepper/event.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::array kUnits = {std::string_view("sub-step"), std::string_view("pivot"),
+                               std::string_view("event")};
+
+/// Adds the numbers of "4" or "4-6".
+bool addSteps(std::string_view part, std::size_t count, std::vector<std::size_t>& steps) {
+    const std::size_t dash = part.find('-');
+    const auto first = numberIn<std::size_t>(part.substr(0, dash));
+    const auto last =
+        dash == std::string_view::npos ? first : numberIn<std::size_t>(part.substr(dash + 1));
+    if (!first || !last || *first < 1 || *last < *first || *last > count) return false;
+    for (std::size_t step = *first; step <= *last; ++step) steps.push_back(step);
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::string> frameUnitNames() { return {kUnits.begin(), kUnits.end()}; }
+
+std::optional<FrameUnit> frameUnitFromName(std::string_view name) {
+    const auto found = std::find(kUnits.begin(), kUnits.end(), name);
+    if (found == kUnits.end()) return std::nullopt;
+    return static_cast<FrameUnit>(found - kUnits.begin());
+}
+
+Result<FrameRange> rangeAround(const std::string& address) {
+    const auto at = addressFromString(address);
+    if (!at) return Error{address + ": expected a pivot or an address such as 9.sphere.2"};
+    const std::string pivot = std::to_string(at->pivot);
+    return FrameRange{pivot, pivot, FrameUnit::SubStep};
+}
+
+Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_t count) {
+    std::vector<std::size_t> steps;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        if (!addSteps(text.substr(at, comma - at), count, steps)) {
+            return Error{std::string(text) + ": expected steps from 1 to " + std::to_string(count) +
+                         ", such as 2,4-6"};
+        }
+        at = comma + 1;
+    }
+    std::sort(steps.begin(), steps.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    return steps;
+}
+
+}  // namespace se::view

@@ -1,0 +1,60 @@
+/// The order of an export: what the command line and the dialog choose. Plain values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/base/result.h"
+#include "teach/lesson.h"
+
+namespace se::view {
+
+/// Distance of two frames of a range.
+enum class FrameUnit : std::uint8_t {
+    SubStep,  ///< Every decision.
+    Pivot,    ///< The end of every pivot.
+    Event,    ///< Seeds, splits, joins and alerts, as Ctrl+Right.
+};
+/// Names of the units, in their order.
+std::vector<std::string> frameUnitNames();
+std::optional<FrameUnit> frameUnitFromName(std::string_view name);
+
+/// A part of a run, from one position to another, both included.
+struct FrameRange {
+    std::string from;
+    std::string to;
+    FrameUnit unit = FrameUnit::SubStep;
+};
+/// The range of all decisions of the pivot of an address. Fails if it is no address.
+Result<FrameRange> rangeAround(const std::string& address);
+
+/// A lesson, and the folder of its inputs.
+struct LessonFile {
+    teach::Lesson lesson;
+    std::filesystem::path folder;
+};
+
+/// What is exported, and where to.
+struct ExportOrder {
+    std::filesystem::path path;
+    std::optional<FrameRange> range;           ///< Empty: the position of the cursor alone.
+    std::shared_ptr<const LessonFile> lesson;  ///< Null: a run.
+    std::vector<std::size_t> steps;            ///< Of the lesson, from 1; empty: all.
+    std::string stepsText;                     ///< As typed, before the lesson is read.
+    double perSecond = 2.0;                    ///< Frames of an animation.
+    bool captions = true;
+
+    /// More than one frame is possible.
+    bool several() const { return range.has_value() || lesson != nullptr; }
+};
+
+/// Reads "2,4-6": numbers from 1 to `count`, ascending. Fails with a sentence.
+Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_t count);
+
+}  // namespace se::view

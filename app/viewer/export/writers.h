@@ -1,0 +1,10 @@
+/// The writers of the table of formats, each in a file of its own.
+#pragma once
+
+#include "formats.h"
+
+namespace se::view {
+
+Result<std::unique_ptr<FrameWriter>> openPngWriter(const ExportTarget& target);
+
+}  // namespace se::view

@@ -1,0 +1,86 @@
+#include "export_options.h"
+
+#include "export/formats.h"
+#include "export/lesson_frames.h"
+#include "options.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr const char* kHidden = "";
+constexpr double kMostPerSecond = 60.0;
+
+void requireExport(const CLI::App& app, const RawExport& raw) {
+    for (const char* name :
+         {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions", "--fps"}) {
+        if (raw.path.empty() && app.count(name) > 0)
+            throw CLI::ValidationError(name, "is for spiraling-edge export");
+    }
+}
+
+FrameRange rangeOf(const RawExport& raw) {
+    const FrameUnit unit = frameUnitFromName(raw.unit).value_or(FrameUnit::SubStep);
+    if (raw.around.empty()) return {raw.from, raw.to, unit};
+    Result<FrameRange> range = rangeAround(raw.around);
+    if (!range) throw CLI::ValidationError("--around", range.error().message);
+    return range.value();
+}
+
+}  // namespace
+
+void addExportOptions(CLI::App& app, RawExport& raw) {
+    const auto add = [&](const char* name, auto& value) {
+        return app.add_option(name, value)->group(kHidden);
+    };
+    add("--export", raw.path);
+    auto* from = add("--from", raw.from);
+    auto* to = add("--to", raw.to)->needs(from);
+    from->needs(to);
+    add("--around", raw.around)->excludes(from)->excludes("--goto");
+    from->excludes("--goto");
+    add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(frameUnitNames()));
+    add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around")->excludes("--goto");
+    add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
+    add("--fps", raw.perSecond)->check(CLI::Range(0.1, kMostPerSecond));
+}
+
+void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
+    requireExport(app, raw);
+    if (app.count("--export") == 0) return;
+    ExportOrder order;
+    order.path = raw.path;
+    if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);
+    order.perSecond = raw.perSecond;
+    order.captions = raw.captions != "off";
+    order.stepsText = raw.steps;
+    if (o.input.source.empty()) throw CLI::ValidationError("export", "needs an input");
+    if (raw.path.empty()) throw CLI::ValidationError("-o", "needs the name of a file");
+    o.exported = std::move(order);
+}
+
+Status adoptLesson(Options& o, int& code) {
+    if (!o.exported) return success();
+    ExportOrder& order = *o.exported;
+    code = kExitInput;
+    Result<std::shared_ptr<const LessonFile>> lesson = lessonOfSource(o.input.source);
+    if (!lesson) return lesson.error();
+    order.lesson = lesson.value();
+    code = kExitUsage;
+    if (order.lesson && (order.range || !o.goTo.empty()))
+        return Error{"--goto, --from and --around are for a run; a lesson has --steps"};
+    if (!order.lesson && !order.stepsText.empty())
+        return Error{"--steps is for lessons; a run has --from and --to"};
+    if (!order.stepsText.empty()) {
+        Result<std::vector<std::size_t>> steps =
+            stepsFromText(order.stepsText, order.lesson->lesson.steps.size());
+        if (!steps) return Error{"--steps " + steps.error().message};
+        order.steps = std::move(steps.value());
+    }
+    const bool placed = order.lesson || order.range || o.session || o.camera || !o.alert.empty();
+    if (!placed && o.goTo.empty()) o.goTo = "100%";
+    if (order.range) o.goTo = "0";
+    return checkExport(order);
+}
+
+}  // namespace se::view

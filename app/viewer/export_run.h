@@ -1,0 +1,86 @@
+/// An export: a program of its own, without a window, goes to each frame, and a writer takes it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "application.h"
+#include "export/formats.h"
+#include "export/frame_plan.h"
+#include "render/gl_objects.h"
+#include "teach/lesson_runs.h"
+
+struct ImGuiContext;
+
+namespace se::view {
+
+/// Reason why an export ended without its file, with the exit code of the command line.
+struct ExportFailure {
+    int code = kExitInternal;
+    std::string message;
+};
+
+/// Draws one frame at each advance(). Needs a current OpenGL context, also when it is destroyed;
+/// the context of Dear ImGui and the framebuffer stay as they were.
+class ExportRun {
+  public:
+    /// `options`: with an order. The settings give size, theme and layers.
+    ExportRun(const Options& options, ViewSettings settings);
+    ~ExportRun();
+    ExportRun(const ExportRun&) = delete;
+    ExportRun& operator=(const ExportRun&) = delete;
+
+    /// Does the next part of the work: opens the input, or makes one frame. With `waits` it blocks
+    /// until that is done; otherwise it returns while the input is being opened.
+    void advance(bool waits);
+    /// Complete, or failed.
+    bool done() const { return phase_ == Phase::Done; }
+    const std::optional<ExportFailure>& failure() const { return failure_; }
+    /// Frames made so far, and of all; 0 until that is known.
+    std::size_t made() const { return made_; }
+    std::size_t total() const { return plan_.places.size(); }
+    /// The sentence at the end: "Saved 29 frames as out.gif.".
+    std::string doneText() const;
+
+  private:
+    enum class Phase : std::uint8_t { Starting, Opening, Planning, Frames, Done };
+
+    void carryOut(bool waits);
+    void start();
+    void open(bool waits);
+    void plan();
+    void makeFrame();
+    Status checkSize() const;
+    Status goTo(const std::string& place);
+    Status openStep(std::size_t step);
+    void aimAtStep(const teach::LessonStep& step, std::size_t number);
+    void placeCamera();
+    Status addFrame(std::optional<std::size_t> step);
+    Status addShapes(ExportFrame& frame);
+    void draw(int frames);
+    void fail(int code, std::string message);
+    Session& session() { return application_->session(); }
+    UiState& ui() { return application_->commands().ui; }
+
+    Options options_;
+    ViewSettings settings_;
+    ExportOrder order_;
+    const ExportFormat* format_;
+    glm::ivec2 size_;
+    ImGuiContext* context_ = nullptr;  ///< Of application_.
+    std::unique_ptr<Application> application_;
+    Target target_{0};
+    std::unique_ptr<FrameWriter> writer_;
+    FramePlan plan_;
+    std::vector<std::size_t> steps_;  ///< Of the lesson, from 0; one per frame.
+    teach::LessonRuns runs_;
+    InputSpec opened_;  ///< Input of the last step.
+    Picture pixels_;
+    Phase phase_ = Phase::Starting;
+    std::size_t made_ = 0;
+    std::optional<ExportFailure> failure_;
+};
+
+}  // namespace se::view

@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# Exports frames as a user or a script would, and opens them with other programs.
+#   export_test.sh PROGRAM CASE    runs one case, in an empty folder of its own; exits with 77 (skipped)
+#                                  where OpenGL or the other program is missing
+set -uo pipefail
+program=$(realpath "$1")
+here=$(cd "$(dirname "$0")" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+export XDG_CONFIG_HOME=$folder/config XDG_STATE_HOME=$folder/state
+failed=0
+
+fail() {
+    echo "FAIL: $*"
+    failed=1
+}
+
+# expect CODE ARGUMENTS...: runs `spiraling-edge export`; its output is in `out` and `err` afterwards.
+expect() {
+    local wanted=$1 code=0
+    shift
+    "$program" export "$@" >out 2>err </dev/null || code=$?
+    [ "$code" != 4 ] || [ "$wanted" = 4 ] || { echo "skipped: $(cat err)"; exit 77; }
+    [ "$code" = "$wanted" ] || fail "\`spiraling-edge export $*\` ended with $code, not $wanted: $(cat err)"
+}
+says() { grep -qF -- "$2" "$1" || fail "'$2' is not in $1: $(head -c 2000 "$1")"; }
+is() { [ "$1" = "$2" ] || fail "$3: $1, not $2"; }
+needs() { command -v "$1" >/dev/null || { echo "skipped: $1 is not installed"; exit 77; }; }
+files() { find "$1" -type f | wc -l; }
+# alike A B: less than 3 percent of the pixels differ visibly.
+alike() {
+    local pixels off
+    pixels=$(identify -format '%[fx:w*h]' "$1")
+    off=$(compare -metric AE -fuzz 10% "$1" "$2" null: 2>&1)
+    awk "BEGIN { exit !($off < 0.03 * $pixels) }" || fail "$off of $pixels pixels of $1 and $2 differ"
+}
+
+one_picture_has_the_size_and_the_look() {
+    needs identify
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o a.png --size 640x400 --scale 1.5
+    is "$(identify -format '%wx%h %[channels]' a.png)" "960x600 srgb" "the picture"
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o b.png --size 640x400 --background none
+    is "$(identify -format '%wx%h %[channels]' b.png)" "640x400 srgba" "without a background"
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o c.png --size 640x400 --theme light --labels off
+    cmp -s a.png c.png && fail "theme and labels have no effect"
+    is "$(files .)" 5 "files"
+}
+
+a_range_has_one_camera_and_captions() {
+    needs compare
+    expect 0 scene:figure-8 --from 9.sphere.1 --to 9.emit.4 -o frames/ --size 640x400
+    is "$(find frames -name '*.png' | wc -l)" 8 "frames"
+    is "$(wc -l <frames/captions.txt)" 8 "captions"
+    says frames/captions.txt "$(printf '002.png\t9.sphere.2\tq lies 0.26303 outside')"
+    # What no decision changes is at the same place.
+    alike frames/005.png frames/006.png
+    alike frames/007.png frames/008.png
+    expect 0 scene:figure-8 --around 9 -o p.png --captions off --size 320x240
+    [ -s p-001.png ] && [ -s p-026.png ] || fail "no numbered files: $(ls)"
+    [ ! -e p-captions.txt ] || fail "captions in spite of off"
+    expect 0 scene:figure-8 --from 0 --to 5 --unit pivot -o q.png --size 320x240
+    is "$(find . -name 'q-*.png' | wc -l)" 6 "ends of pivots"
+}
+
+a_lesson_is_exported_step_by_step() {
+    expect 0 removal -o steps/ --steps 1,3-4 --size 320x240
+    is "$(find steps -name '*.png' | wc -l)" 3 "steps"
+    says steps/captions.txt "Four candidates: "
+    expect 2 removal -o x.png --steps 40
+    says err "expected steps from 1 to"
+    expect 2 removal -o x.png --goto 5
+    says err "a lesson has --steps"
+    printf '# A\n```se lesson\nversion = 1\ninput = "scene:figure-8"\n```\n## B\nText.\n```se step\nat = "9.sphere.7"\n```\n' >a.lesson.md
+    expect 3 a.lesson.md -o x.png
+    says err "a.lesson.md:9: at: "
+    printf '# A\n' >b.lesson.md
+    expect 3 b.lesson.md -o x.png
+    says err "b.lesson.md"
+    [ ! -e x.png ] || fail "a file in spite of the error"
+}
+
+wrong_orders_are_refused_before_any_work() {
+    expect 2 scene:figure-8 -o x.jpg
+    says err "expected a name that ends in .png"
+    expect 2 scene:figure-8 -o x.png --size 0x0
+    says err "--size"
+    expect 2 scene:figure-8 -o x.png --from 9
+    expect 2 scene:figure-8 -o x.png --goto 9 --around 9
+    expect 2 scene:figure-8 -o x.png --from 10 --to 9
+    says err "9 is before 10"
+    expect 2 scene:figure-8 -o x.png --from 9.sphere.9 --to 10
+    says err "pivot 9 has 4 decisions of sphere, not 9"
+    expect 2 scene:figure-8 -o nowhere/x.png
+    expect 2 scene:figure-8 -o ./
+    says err "a folder is for several frames"
+    expect 2 scene:figure-8 --steps 1 -o x.png
+    says err "--steps is for lessons"
+    expect 3 missing.ply -o x.png
+    is "$(files .)" 2 "files (out and err)"
+}
+
+a_drawing_looks_as_the_picture() {
+    needs rsvg-convert
+    needs compare
+    local scene at
+    for scene in figure-8:9.sphere.2 figure-12:35.split.1 torus:50% sphere:100%; do
+        at=${scene#*:}
+        for theme in dark light; do
+            expect 0 "scene:${scene%:*}" --goto "$at" --theme $theme -o a.svg
+            expect 0 "scene:${scene%:*}" --goto "$at" --theme $theme -o a.png
+            rsvg-convert a.svg -o b.png || fail "rsvg-convert refuses the drawing of $scene"
+            alike a.png b.png
+        done
+    done
+}
+
+a_drawing_has_layers_text_and_points() {
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o a.svg
+    for part in 'id="triangles"' 'id="edge-ring"' 'id="circumsphere-of-a-test"' 'id="labels"' \
+        'data-point="46"' '>S first</text>' '.used{fill:#56b4e9}' '<title>q lies 0.26303'; do
+        says a.svg "$part"
+    done
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o b.svg --captions off --labels off --background none
+    ! grep -qE '<title>|<text|class="view"' b.svg || fail "captions, labels or background"
+}
+
+the_old_file_stays_if_the_new_one_fails() {
+    ln -s /dev/full full.png
+    expect 5 scene:figure-8 --goto 9 -o full.png --size 320x240
+    says err "full.png"
+    echo old >a.png
+    expect 2 scene:figure-8 --goto 9.sphere.9 -o a.png
+    is "$(cat a.png)" old "the old file"
+}
+
+grep -qx "$2() {" "$here/export_test.sh" || fail "there is no case $2"
+[ "$failed" = 1 ] || "$2"
+[ "$failed" = 0 ] && echo "ok: $2"
+exit "$failed"
