@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFormats{
     ExportFormat{".png", "Picture", FrameContent::Pixels, false, false, success, openPngWriter},
+    ExportFormat{".svg", "Drawing", FrameContent::Shapes, false, false, success, openSvgWriter},
 };
 
 }  // namespace

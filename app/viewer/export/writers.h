@@ -6,5 +6,6 @@
 namespace se::view {
 
 Result<std::unique_ptr<FrameWriter>> openPngWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openSvgWriter(const ExportTarget& target);
 
 }  // namespace se::view

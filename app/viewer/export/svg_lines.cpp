@@ -1,0 +1,179 @@
+// Sheets, spheres and lines. Parts of lines that triangles hide are cut off, or drawn faintly, as
+// by the renderer.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "svg_canvas.h"
+
+namespace se::view {
+
+namespace {
+
+// Those of render/line_pass.cpp and render/renderer.cpp.
+constexpr float kHiddenAlpha = 0.34F;
+constexpr float kHiddenDashEms = 0.4F;
+constexpr float kTowardEye = 0.12F;
+/// Pixels between two looks at what hides a line.
+constexpr float kLook = 2.5F;
+/// Below this opacity nothing is drawn.
+constexpr float kInvisible = 0.01F;
+
+/// A part of a line, as shares of it.
+struct LinePart {
+    float from = 0.0F;
+    float to = 1.0F;
+    bool hidden = false;
+};
+
+/// The parts of a line that triangles hide, and those that they do not.
+std::vector<LinePart> partsOf(SvgCanvas& canvas, const glm::vec3& a, const glm::vec3& b) {
+    const int count =
+        std::clamp(static_cast<int>(glm::distance(glm::vec2(a), glm::vec2(b)) / kLook), 1, 2000);
+    std::vector<LinePart> parts;
+    for (int i = 0; i < count; ++i) {
+        const float from = static_cast<float>(i) / static_cast<float>(count);
+        const float to = static_cast<float>(i + 1) / static_cast<float>(count);
+        const bool hidden = canvas.depth().hides(glm::mix(a, b, 0.5F * (from + to)));
+        if (!parts.empty() && parts.back().hidden == hidden) {
+            parts.back().to = to;
+        } else {
+            parts.push_back({from, to, hidden});
+        }
+    }
+    return parts;
+}
+
+/// Dashes that fit the length, with half a dash at either end.
+std::string dashesOf(float dash, float length) {
+    if (!(dash > 0.0F) || length <= 1.5F * dash) return {};
+    const float periods = std::max(1.0F, std::floor(length / (2.0F * dash) + 0.5F));
+    const float period = length / periods;
+    return fmt::format(" stroke-dasharray=\"{:.2g}\" stroke-dashoffset=\"{:.2g}\"", 0.5F * period,
+                       0.25F * period);
+}
+
+/// The head of an arrow at the middle of a line (shaders/line.frag).
+void drawHead(SvgCanvas& canvas, const Line& line, const ColorPair& color, glm::vec2 a,
+              glm::vec2 b) {
+    const float size = line.arrow * canvas.em() * canvas.markZoom();
+    const float length = glm::distance(a, b);
+    if (!(size > 0.0F) || length <= 1.1F * size) return;
+    const glm::vec2 way = (b - a) / length;
+    const glm::vec2 across(-way.y, way.x);
+    const glm::vec2 middle = 0.5F * (a + b);
+    const glm::vec2 back = middle - 0.42F * size * way;
+    std::string data = "M";
+    appendPlace(data, middle + 0.5F * size * way);
+    data += 'L';
+    appendPlace(data, back + 0.484F * size * across);
+    data += ' ';
+    appendPlace(data, back - 0.484F * size * across);
+    canvas.addPath(fillOf(canvas, color, line.color.a) + " stroke=\"none\"", data + 'z');
+}
+
+void drawPart(SvgCanvas& canvas, const Line& line, const ColorPair& color, glm::vec2 a, glm::vec2 b,
+              bool hidden) {
+    const float width = std::max(1.0F, line.width * canvas.em() * canvas.markZoom());
+    const float alpha = line.color.a * (hidden ? kHiddenAlpha : 1.0F);
+    if (alpha < kInvisible) return;
+    const float dash = canvas.em() * (hidden ? std::max(line.dash, kHiddenDashEms) : line.dash);
+    const std::string attributes =
+        strokeOf(canvas, color, alpha, width) + dashesOf(dash, glm::distance(a, b));
+    std::string data = "M";
+    appendPlace(data, a);
+    data += 'L';
+    appendPlace(data, b);
+    canvas.addPath(attributes, data);
+}
+
+void drawLine(SvgCanvas& canvas, std::size_t i) {
+    const Line& line = canvas.in().list.lines[i];
+    const float bias = kTowardEye * canvas.in().model.spacing;
+    const auto a = canvas.screen().at(line.from, bias);
+    const auto b = canvas.screen().at(line.to, bias);
+    if (!a || !b) return;
+    const ColorPair color = SvgCanvas::colors(line, canvas.counterpart(&DrawList::lines, i));
+    if (line.depth == Depth::OnTop) {
+        drawPart(canvas, line, color, glm::vec2(*a), glm::vec2(*b), false);
+        return drawHead(canvas, line, color, glm::vec2(*a), glm::vec2(*b));
+    }
+    for (const LinePart& part : partsOf(canvas, *a, *b)) {
+        if (part.hidden && line.depth == Depth::Tested) continue;
+        drawPart(canvas, line, color, glm::vec2(glm::mix(*a, *b, part.from)),
+                 glm::vec2(glm::mix(*a, *b, part.to)), part.hidden);
+    }
+    if (!canvas.depth().hides(glm::mix(*a, *b, 0.5F)))
+        drawHead(canvas, line, color, glm::vec2(*a), glm::vec2(*b));
+}
+
+void drawSheet(SvgCanvas& canvas, std::size_t i) {
+    const Sheet& sheet = canvas.in().list.sheets[i];
+    std::string data = "M";
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = canvas.screen().at(sheet.corners[k]);
+        if (!at) return;
+        if (k > 0) data += k == 1 ? 'L' : ' ';
+        appendPlace(data, glm::vec2(*at));
+    }
+    // Between the stripes of a hatched one it is clearer.
+    const float alpha = sheet.color.a * (sheet.hatched ? 0.64F : 1.0F);
+    if (alpha < kInvisible) return;
+    const ColorPair color = SvgCanvas::colors(sheet, canvas.counterpart(&DrawList::sheets, i));
+    canvas.addPath(fillOf(canvas, color, alpha) + " stroke=\"none\"", data + 'z');
+}
+
+/// Clear in the middle, denser at the rim (shaders/shell.frag).
+void drawSphere(SvgCanvas& canvas, std::size_t i) {
+    const Sphere& sphere = canvas.in().list.spheres[i];
+    const auto center = canvas.screen().at(sphere.center);
+    if (!center) return;
+    const CameraMatrices& camera = canvas.in().camera;
+    const float away = glm::length(camera.eye - sphere.center);
+    if (!camera.orthographic && away <= sphere.radius) return;
+    const float reach =
+        camera.orthographic ? 1.0F : std::sqrt(away * away - sphere.radius * sphere.radius);
+    const float radius =
+        0.5F * canvas.in().size.y * camera.projection[1][1] * sphere.radius / reach;
+    const ColorPair color = SvgCanvas::colors(sphere, canvas.counterpart(&DrawList::spheres, i));
+    const std::string name = fmt::format("{}sphere-{}", canvas.prefix(), i);
+    std::string stops;
+    for (const float at : {0.0F, 0.5F, 0.7F, 0.8F, 0.9F, 0.95F, 1.0F}) {
+        const float rim = 1.0F - std::sqrt(1.0F - at * at);
+        const float alpha = std::min(1.0F, sphere.color.a * (0.6F + 3.0F * rim * rim * rim));
+        stops += fmt::format(
+            "<stop offset=\"{}\" stop-color=\"currentColor\" stop-opacity=\"{:.2g}\"/>", at, alpha);
+    }
+    // A gradient has no class of a fill: it takes the color of the group.
+    canvas.add(
+        fmt::format("<g color=\"{}\"><radialGradient id=\"{}\">{}</radialGradient>"
+                    "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" stroke=\"none\" "
+                    "fill=\"url(#{})\"/></g>",
+                    hexColor(color.color), name, stops, center->x, center->y, radius, name));
+}
+
+}  // namespace
+
+void drawSvgLayers(SvgCanvas& canvas) {
+    const DrawList& list = canvas.in().list;
+    for (std::size_t k = 0; k < list.layers.size(); ++k) {
+        const LayerStart& layer = list.layers[k];
+        const bool last = k + 1 == list.layers.size();
+        const LayerStart end = last ? LayerStart{{},
+                                                 list.lines.size(),
+                                                 list.sheets.size(),
+                                                 list.spheres.size(),
+                                                 list.sprites.size()}
+                                    : list.layers[k + 1];
+        canvas.beginGroup(nameOfTitle(layer.title));
+        for (std::size_t i = layer.sheets; i < end.sheets; ++i) drawSheet(canvas, i);
+        for (std::size_t i = layer.spheres; i < end.spheres; ++i) drawSphere(canvas, i);
+        for (std::size_t i = layer.lines; i < end.lines; ++i) drawLine(canvas, i);
+        canvas.endGroup();
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,60 @@
+/// Pieces of SVG as text: numbers, escaped words, and colors as classes of a style sheet.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scene/palette.h"
+
+namespace se::view {
+
+/// Appends a length in pixels, with one digit after the point where it is not 0.
+void appendPixels(std::string& out, float value);
+/// Appends "12.3 45.6".
+void appendPlace(std::string& out, glm::vec2 place);
+/// Text with the signs of XML escaped, also for values of attributes.
+std::string escapedXml(std::string_view text);
+/// A layer's title as a name: "Edge ring" is "edge-ring".
+std::string nameOfTitle(std::string_view title);
+/// "#56b4e9"
+std::string hexColor(const Color& color);
+
+/// A color of one theme, and of the other where both are needed.
+struct ColorPair {
+    Color color;
+    Color other;
+};
+
+/// The classes of colors of a file, in the order of their first use. Colors of the palette have
+/// the name of their meaning, "used"; others a number. Opacity is not a part of them.
+class SvgClasses {
+  public:
+    /// `both`: the style sheet has the colors of the other theme, too.
+    SvgClasses(Theme theme, bool both) : theme_(theme), both_(both) {}
+
+    /// The class that fills with a color, and the one that draws lines in it.
+    const std::string& fill(const ColorPair& color) { return classOf(color, false); }
+    const std::string& line(const ColorPair& color) { return classOf(color, true); }
+    /// The rules of all classes: of the theme, or of the other.
+    std::string sheet(bool other = false) const;
+
+  private:
+    struct Rule {
+        std::string name;
+        ColorPair color;
+        bool line = false;
+    };
+    const std::string& classOf(const ColorPair& color, bool line);
+    std::string meaningOf(const Color& color) const;
+
+    Theme theme_;
+    bool both_;
+    std::map<std::string, std::size_t> known_;
+    std::vector<Rule> rules_;
+};
+
+}  // namespace se::view
