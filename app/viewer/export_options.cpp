@@ -80,7 +80,7 @@ Status adoptLesson(Options& o, int& code) {
     const bool placed = order.lesson || order.range || o.session || o.camera || !o.alert.empty();
     if (!placed && o.goTo.empty()) o.goTo = "100%";
     if (order.range) o.goTo = "0";
-    return checkExport(order);
+    return checkExport(order, o.picture.cutOut);
 }
 
 }  // namespace se::view

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
 #include "commands/command_actions.h"
@@ -49,10 +50,11 @@ Theme otherTheme(Theme theme) { return theme == Theme::Dark ? Theme::Light : The
 
 /// The steps to export, from 0.
 std::vector<std::size_t> chosenSteps(const ExportOrder& order) {
-    std::vector<std::size_t> steps;
+    std::vector<std::size_t> steps(order.lesson->lesson.steps.size());
+    std::iota(steps.begin(), steps.end(), std::size_t{0});
+    if (order.steps.empty()) return steps;
+    steps.clear();
     for (const std::size_t step : order.steps) steps.push_back(step - 1);
-    for (std::size_t i = 0; steps.empty() && i < order.lesson->lesson.steps.size(); ++i)
-        steps.push_back(i);
     return steps;
 }
 
@@ -248,19 +250,48 @@ void ExportRun::makeFrame() {
     if (order_.lesson) step = steps_[made_];
     const Status there = step ? openStep(*step) : goTo(plan_.places[made_]);
     if (!there) return fail(step ? kExitInput : kExitUsage, there.error().message);
-    if (const Status added = addFrame(step); !added)
-        return fail(kExitInternal, added.error().message);
-    if (++made_ < total()) return;
+    const Status added = step ? addStep(*step) : addFrame(nullptr, false);
+    // Of a lesson, an answer that the run does not give has been reported already.
+    if (!added && !done()) return fail(kExitInternal, added.error().message);
+    if (done() || ++made_ < total()) return;
     if (const Status finished = writer_->finish(); !finished)
         return fail(kExitInternal, finished.error().message);
     phase_ = Phase::Done;
 }
 
-Status ExportRun::addFrame(std::optional<std::size_t> step) {
+/// The frame of a step; on a page, that of the answer to its question as well.
+Status ExportRun::addStep(std::size_t step) {
+    const LessonFile& file = *order_.lesson;
+    FrameStep of{file.lesson, step, teach::settingOf(file.lesson, step).names, file.folder};
+    const bool asks =
+        file.lesson.steps[step].question && format_->content == FrameContent::BothThemes;
+    if (!asks) return addFrame(&of, false);
+    const Result<teach::RightAnswer> right = teach::rightAnswer(file.lesson, step, runs_);
+    if (!right) {
+        fail(kExitInput, stepPlace(file, step, "") + "answer: " + right.error().message);
+        return right.error();
+    }
+    of.right = &right.value();
+    if (const Status added = addFrame(&of, false); !added) return added;
+    goToAnswer(step);
+    return addFrame(&of, true);
+}
+
+/// Goes to where the question of a step is answered: to the end of the pivot, without a position.
+void ExportRun::goToAnswer(std::size_t step) {
+    const std::string place = teach::settingOf(order_.lesson->lesson, step).answerPlace;
+    if (!place.empty() && goTo(place)) return;
+    session().moves().finishPivot();
+    session().waitUntilDone();
+}
+
+Status ExportRun::addFrame(const FrameStep* step, bool answer) {
     ExportFrame frame;
+    frame.answer = answer;
+    frame.step = step;
     frame.address = session().event() != nullptr ? toString(session().address()) : "";
     frame.caption = sentenceAt(session());
-    if (step) frame.title = order_.lesson->lesson.steps[*step].title;
+    if (step != nullptr) frame.title = step->lesson.steps[step->step].title;
     ui().picture.captionText = frame.title;
     if (format_->content != FrameContent::Pixels) return addShapes(frame);
     draw(1);

@@ -57,7 +57,9 @@ class ExportRun {
     Status openStep(std::size_t step);
     void aimAtStep(const teach::LessonStep& step, std::size_t number);
     void placeCamera();
-    Status addFrame(std::optional<std::size_t> step);
+    void goToAnswer(std::size_t step);
+    Status addStep(std::size_t step);
+    Status addFrame(const FrameStep* step, bool answer);
     Status addShapes(ExportFrame& frame);
     void draw(int frames);
     void fail(int code, std::string message);

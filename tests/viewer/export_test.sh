@@ -66,6 +66,8 @@ a_range_has_one_camera_and_captions() {
 a_lesson_is_exported_step_by_step() {
     expect 0 removal -o steps/ --steps 1,3-4 --size 320x240
     is "$(find steps -name '*.png' | wc -l)" 3 "steps"
+    expect 0 removal -o all.svg --size 320x240
+    is "$(find . -name 'all-*.svg' | wc -l)" 8 "steps of the whole lesson"
     says steps/captions.txt "Four candidates: "
     expect 2 removal -o x.png --steps 40
     says err "expected steps from 1 to"
@@ -78,6 +80,104 @@ a_lesson_is_exported_step_by_step() {
     expect 3 b.lesson.md -o x.png
     says err "b.lesson.md"
     [ ! -e x.png ] || fail "a file in spite of the error"
+}
+
+# seconds COMMAND...: of the processor.
+seconds() {
+    local TIMEFORMAT='%U %S'
+    { time "$@" >/dev/null 2>&1; } 2>&1 | awk '{ print $1 + $2 }'
+}
+
+many_frames_cost_less_than_many_processes() {
+    expect 0 scene:figure-8 --goto 9 -o a.png
+    local one all
+    one=$(seconds "$program" export scene:figure-8 --goto 9 -o a.png)
+    all=$(seconds "$program" export scene:figure-8 --around 9 -o frames/)
+    is "$(find frames -name '*.png' | wc -l)" 26 "frames"
+    echo "26 frames: $all s of the processor; one: $one s"
+    awk "BEGIN { exit !($all < 26 * $one / 2) }" || fail "26 frames cost $all s, one costs $one s"
+}
+
+an_interrupted_export_leaves_the_old_file() {
+    expect 0 scene:figure-8 --goto 9 -o a.html --size 320x240
+    echo old >a.html
+    "$program" export scene:torus --from 1 --to 60 -o a.html >/dev/null 2>&1 &
+    local work=$!
+    sleep 1.5
+    kill -TERM $work 2>/dev/null || fail "it ended before"
+    wait $work && fail "it ended well"
+    is "$(cat a.html)" old "the old file"
+    is "$(find . -name '.*' -type f | wc -l)" 0 "parts of files"
+}
+
+# dom FILE: the page once its scripts have run.
+dom() {
+    timeout 100 chromium --headless --no-sandbox --disable-gpu --window-size=1400,900 \
+        --host-resolver-rules='MAP * ~NOTFOUND' --virtual-time-budget=4000 --dump-dom "file://$PWD/$1" 2>/dev/null
+}
+
+a_page_is_one_file_of_a_lesson() {
+    expect 0 removal -o p.html
+    is "$(grep -c '<section class="step"' p.html)" 8 "steps"
+    is "$(grep -c '<form class="ask">' p.html)" 4 "questions"
+    [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 8 steps"
+    ! grep -qE '(src|href)="(http|//|file)' p.html || fail "the page loads something"
+    [ "$(sed -n '/^"use strict"/,$p' p.html | wc -c)" -lt 30000 ] || fail "the script is long"
+    says p.html ".view{fill:#e8eaed}"
+    says p.html ".view{fill:#1e2126}"
+    printf '# A <b> & "c"\n```se lesson\nversion = 1\ninput = "scene:figure-8"\n```\n## <script>x</script>\n<i>T</i> [a](javascript:x)\n' >a.lesson.md
+    expect 0 a.lesson.md -o a.html
+    ! grep -qE '<script>x|<i>|href="javascript' a.html || fail "a lesson's text is markup"
+    expect 3 b.lesson.md -o a.html
+    expect 0 scene:figure-8 --from 9.sphere.1 --to 9.sphere.4 -o r.html --captions off
+    is "$(grep -c '<section class="step"' r.html)" 4 "frames"
+    is "$(grep -c '<figcaption>' r.html)" 0 "captions in spite of off"
+}
+
+a_page_is_answered_in_a_browser() {
+    needs chromium
+    expect 0 removal -o p.html
+    # Keys, a click at a point of the picture, the check, and the file that is saved.
+    cat >>p.html <<'JS'
+<script>
+window.addEventListener("load", () => {
+  const said = [];
+  const key = (name) => document.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true }));
+  const now = () => document.querySelector(".step.now");
+  said.push(document.querySelectorAll(".step.now").length, location.hash);
+  key("PageDown"); said.push(location.hash, now().dataset.title);
+  const click = (point) => {
+    const box = now().querySelector('.before [data-point="' + point + '"]').getBoundingClientRect();
+    const at = { clientX: (box.left + box.right) / 2, clientY: (box.top + box.bottom) / 2, bubbles: true };
+    now().querySelector(".before svg").dispatchEvent(new MouseEvent("click", at));
+  };
+  click(31);
+  said.push(now().querySelector(".answer").value);
+  now().querySelector("[type=submit]").click();
+  said.push(now().querySelector(".says").textContent);
+  click(31); click(46);
+  now().querySelector("[type=submit]").click();
+  said.push(now().querySelector(".says").textContent, now().querySelector(".after").hidden);
+  URL.createObjectURL = (blob) => { blob.text().then((text) => { document.body.dataset.result = text; }); return "#2"; };
+  document.getElementById("save").click();
+  key("End"); said.push(location.hash); key("ArrowLeft"); said.push(location.hash);
+  document.body.dataset.said = said.join("|");
+});
+</script>
+JS
+    dom p.html >dom.html
+    python3 - <<'PYTHON' || fail "the page cannot be read"
+import html, re
+dom = open("dom.html").read()
+field = lambda name: html.unescape(re.search('data-%s="([^"]*)"' % name, dom).group(1))
+open("said", "w").write(field("said"))
+open("a.result.json", "w").write(field("result"))
+PYTHON
+    says said "1||#2|Which of them go?|s|Not right. Not in the answer: s. Missing: 1."
+    says said "|Right. The answer is q."
+    says said "|false|#8|#7"
+    "$program" lesson results a.result.json >table || fail "the program does not read the result"
+    says table "100 %"
 }
 
 wrong_orders_are_refused_before_any_work() {

@@ -14,9 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Series, captioned, transparent.
 constexpr std::array kFormats{
-    ExportFormat{".png", "Picture", FrameContent::Pixels, false, false, success, openPngWriter},
-    ExportFormat{".svg", "Drawing", FrameContent::Shapes, false, false, success, openSvgWriter},
+    ExportFormat{".png", "Picture", FrameContent::Pixels, false, false, true, success,
+                 openPngWriter},
+    ExportFormat{".svg", "Drawing", FrameContent::Shapes, false, false, true, success,
+                 openSvgWriter},
+    ExportFormat{".html", "Page", FrameContent::BothThemes, true, false, false, success,
+                 openPageWriter},
 };
 
 }  // namespace
@@ -42,12 +47,14 @@ std::string exportExtensions() {
     return wordList(all, "or");
 }
 
-Status checkExport(const ExportOrder& order) {
+Status checkExport(const ExportOrder& order, bool cutOut) {
     const ExportFormat* format = exportFormatOf(order.path);
     if (format == nullptr)
         return Error{order.path.string() + ": expected a name that ends in " + exportExtensions()};
     if (namesFolder(order.path) && !order.several())
         return Error{order.path.string() + ": a folder is for several frames; name a file"};
+    if (cutOut && !format->transparent)
+        return Error{order.path.string() + ": has no transparent background; .png and .svg have"};
     if (const Status possible = format->possible(); !possible)
         return Error{order.path.string() + ": " + possible.error().message};
     if (!namesFolder(order.path)) return AtomicFile::check(order.path);

@@ -44,8 +44,9 @@ struct ExportFormat {
     std::string_view extension;
     std::string_view title;
     FrameContent content = FrameContent::Pixels;
-    bool series = false;     ///< One file holds all frames; otherwise each has a file of its own.
-    bool captioned = false;  ///< The caption is a part of the picture.
+    bool series = false;       ///< One file holds all frames; otherwise each has a file of its own.
+    bool captioned = false;    ///< The caption is a part of the picture.
+    bool transparent = false;  ///< The background can be left out.
     /// The reason why this machine cannot write it, and what to install.
     Status (*possible)();
     Result<std::unique_ptr<FrameWriter>> (*open)(const ExportTarget& target);
@@ -60,7 +61,7 @@ std::string exportExtensions();
 bool namesFolder(const std::filesystem::path& path);
 
 /// Fails early, before any work: an unknown extension, a missing program, a place that cannot be
-/// written.
-Status checkExport(const ExportOrder& order);
+/// written, or no background where there must be one.
+Status checkExport(const ExportOrder& order, bool cutOut);
 
 }  // namespace se::view

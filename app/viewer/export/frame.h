@@ -1,7 +1,7 @@
 /// One frame of an export: its pixels, its shapes and its words.
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <span>
@@ -36,6 +36,7 @@ struct FrameStep {
     const teach::Lesson& lesson;
     std::size_t step = 0;  ///< From 0.
     std::vector<teach::NamedPoint> names;
+    std::filesystem::path folder;               ///< Of the lesson's images.
     const teach::RightAnswer* right = nullptr;  ///< Of its question; null: none.
 };
 
@@ -46,6 +47,7 @@ struct ExportFrame {
     std::string caption;                  ///< Sentence of the decision.
     Picture pixels;                       ///< Empty for formats of shapes.
     const FrameShapes* shapes = nullptr;  ///< Null for formats of pixels.
+    bool answer = false;                  ///< The answer to the question of the frame before.
     const FrameStep* step = nullptr;      ///< Null: of a run.
 };
 

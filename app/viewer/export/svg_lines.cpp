@@ -147,12 +147,12 @@ void drawSphere(SvgCanvas& canvas, std::size_t i) {
         stops += fmt::format(
             "<stop offset=\"{}\" stop-color=\"currentColor\" stop-opacity=\"{:.2g}\"/>", at, alpha);
     }
-    // A gradient has no class of a fill: it takes the color of the group.
-    canvas.add(
-        fmt::format("<g color=\"{}\"><radialGradient id=\"{}\">{}</radialGradient>"
-                    "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" stroke=\"none\" "
-                    "fill=\"url(#{})\"/></g>",
-                    hexColor(color.color), name, stops, center->x, center->y, radius, name));
+    // A gradient takes the color of the group: its stops have no class of a fill.
+    canvas.add(fmt::format(
+        "<g class=\"{}\"><radialGradient id=\"{}\">{}</radialGradient>"
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" stroke=\"none\" "
+        "fill=\"url(#{})\"/></g>",
+        canvas.classes().current(color), name, stops, center->x, center->y, radius, name));
 }
 
 }  // namespace

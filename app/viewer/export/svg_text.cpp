@@ -24,6 +24,15 @@ constexpr std::array kMeanings{
     Meaning{"view", &Palette::background},
 };
 
+/// One row per SvgPaint.
+struct PaintRow {
+    std::string_view property;
+    std::string_view suffix;  ///< Of classes named after a meaning.
+    char letter;              ///< Of the others.
+};
+constexpr std::array kPaints{PaintRow{"fill", "", 'f'}, PaintRow{"stroke", "-line", 'l'},
+                             PaintRow{"color", "-color", 'c'}};
+
 unsigned byteOf(float share) {
     return static_cast<unsigned>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }
@@ -99,25 +108,27 @@ std::string SvgClasses::meaningOf(const Color& color) const {
     return {};
 }
 
-const std::string& SvgClasses::classOf(const ColorPair& color, bool line) {
-    std::string key = (line ? "l" : "f") + hexColor(color.color);
+const std::string& SvgClasses::classOf(const ColorPair& color, SvgPaint paint) {
+    const PaintRow& row = kPaints[static_cast<std::size_t>(paint)];
+    std::string key = std::string(row.property) + hexColor(color.color);
     if (both_) key += hexColor(color.other);
     if (const auto found = known_.find(key); found != known_.end())
         return rules_[found->second].name;
     std::string name = meaningOf(color.color);
-    if (!name.empty() && line) name += "-line";
+    if (!name.empty()) name += row.suffix;
     const bool taken = std::any_of(rules_.begin(), rules_.end(),
                                    [&](const Rule& each) { return each.name == name; });
-    if (name.empty() || taken) name = (line ? "l" : "f") + std::to_string(rules_.size());
+    if (name.empty() || taken) name = row.letter + std::to_string(rules_.size());
     known_.emplace(std::move(key), rules_.size());
-    rules_.push_back({std::move(name), color, line});
+    rules_.push_back({std::move(name), color, paint});
     return rules_.back().name;
 }
 
 std::string SvgClasses::sheet(bool other) const {
     std::string text;
     for (const Rule& each : rules_) {
-        text += fmt::format(".{}{{{}:{}}}", each.name, each.line ? "stroke" : "fill",
+        text += fmt::format(".{}{{{}:{}}}", each.name,
+                            kPaints[static_cast<std::size_t>(each.paint)].property,
                             hexColor(other ? each.color.other : each.color.color));
     }
     return text;

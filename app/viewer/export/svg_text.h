@@ -1,6 +1,7 @@
 /// Pieces of SVG as text: numbers, escaped words, and colors as classes of a style sheet.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <map>
 #include <string>
@@ -29,6 +30,9 @@ struct ColorPair {
     Color other;
 };
 
+/// What a class of a color sets.
+enum class SvgPaint : std::uint8_t { Fill, Line, Current };
+
 /// The classes of colors of a file, in the order of their first use. Colors of the palette have
 /// the name of their meaning, "used"; others a number. Opacity is not a part of them.
 class SvgClasses {
@@ -36,9 +40,10 @@ class SvgClasses {
     /// `both`: the style sheet has the colors of the other theme, too.
     SvgClasses(Theme theme, bool both) : theme_(theme), both_(both) {}
 
-    /// The class that fills with a color, and the one that draws lines in it.
-    const std::string& fill(const ColorPair& color) { return classOf(color, false); }
-    const std::string& line(const ColorPair& color) { return classOf(color, true); }
+    /// The class that fills with a color, draws lines in it, or makes it the current color.
+    const std::string& fill(const ColorPair& color) { return classOf(color, SvgPaint::Fill); }
+    const std::string& line(const ColorPair& color) { return classOf(color, SvgPaint::Line); }
+    const std::string& current(const ColorPair& color) { return classOf(color, SvgPaint::Current); }
     /// The rules of all classes: of the theme, or of the other.
     std::string sheet(bool other = false) const;
 
@@ -46,9 +51,9 @@ class SvgClasses {
     struct Rule {
         std::string name;
         ColorPair color;
-        bool line = false;
+        SvgPaint paint = SvgPaint::Fill;
     };
-    const std::string& classOf(const ColorPair& color, bool line);
+    const std::string& classOf(const ColorPair& color, SvgPaint paint);
     std::string meaningOf(const Color& color) const;
 
     Theme theme_;

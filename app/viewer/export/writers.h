@@ -7,5 +7,6 @@ namespace se::view {
 
 Result<std::unique_ptr<FrameWriter>> openPngWriter(const ExportTarget& target);
 Result<std::unique_ptr<FrameWriter>> openSvgWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openPageWriter(const ExportTarget& target);
 
 }  // namespace se::view

@@ -1,0 +1,27 @@
+/// Text of lessons as HTML, with everything escaped.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "teach/lesson_text.h"
+
+namespace se::view {
+
+/// Where links and images of a text lead.
+struct PageLinks {
+    std::map<std::string, std::size_t> steps;  ///< Number of the step that shows an address.
+    std::filesystem::path folder;              ///< Of the lesson's images.
+};
+
+/// The blocks as paragraphs, lists, code and images; images are put into the text. Links lead to
+/// steps of the page and to the web, no others.
+std::string pageText(const std::vector<teach::TextBlock>& blocks, const PageLinks& links);
+
+/// Bytes as text of four signs for three.
+std::string base64Of(std::string_view bytes);
+
+}  // namespace se::view

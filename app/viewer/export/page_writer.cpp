@@ -1,0 +1,214 @@
+// A page of one file, without the network: each frame is a step with its drawing in the colors of
+// both themes, its text and its question. page.css and page.js are a part of it.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "page_text.h"
+#include "run/embedded_files.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "svg_frame.h"
+#include "teach/result.h"
+#include "writers.h"
+
+namespace se::view {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON that may stand in an element of a script: nothing in it ends the element.
+std::string scriptJson(const Json& value) {
+    std::string text;
+    for (const char sign : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+        if (sign == '<') {
+            text += "\\u003c";
+        } else {
+            text += sign;
+        }
+    }
+    return text;
+}
+
+/// One step of the page.
+struct PageStep {
+    std::size_t number = 0;  ///< Of the lesson, or of the frame, from 1.
+    std::string title;
+    std::string caption;
+    std::string address;
+    std::string drawing;
+    std::string after;  ///< Drawing of the answer; empty: none.
+    std::string afterCaption;
+    std::vector<teach::TextBlock> text;
+    std::string question;  ///< Form; empty: none.
+};
+
+/// The question of a step, for page.js.
+Json questionJson(const FrameStep& step) {
+    const teach::Question& question = *step.lesson.steps[step.step].question;
+    Json names = Json::object();
+    for (const teach::NamedPoint& each : step.names) names[each.name] = each.point;
+    Json right = Json::object();
+    const teach::Answer& answer = step.right->answer;
+    if (answer.choice) {
+        right["choice"] = teach::optionLetter(*answer.choice);
+    } else if (answer.number) {
+        right["number"] = *answer.number;
+    } else {
+        right["points"] = answer.points;
+    }
+    return {{"step", step.step + 1},    {"title", step.lesson.steps[step.step].title},
+            {"kind", question.kind},    {"names", names},
+            {"right", right},           {"within", question.within},
+            {"text", step.right->text}, {"reason", step.right->reason}};
+}
+
+/// The form of a question.
+std::string formOf(const FrameStep& step) {
+    const teach::Question& question = *step.lesson.steps[step.step].question;
+    std::string fields;
+    if (question.kind == "choice") {
+        for (std::size_t i = 0; i < question.options.size(); ++i) {
+            const std::string letter = teach::optionLetter(i);
+            fields += fmt::format(
+                "<label><input type=\"radio\" name=\"q{0}\" value=\"{1}\"> {1}: {2}</label>\n",
+                step.step + 1, letter, escapedXml(question.options[i]));
+        }
+    } else if (question.kind == "number") {
+        fields = "<label>Number <input class=\"answer\" type=\"number\" step=\"any\"></label>\n";
+    } else {
+        const bool one = question.kind == "point";
+        fields = fmt::format(
+            "<label>{}: click in the picture, or type <input class=\"answer\" type=\"text\" "
+            "autocomplete=\"off\"></label>\n",
+            one ? "One point" : "Points");
+    }
+    return "<form class=\"ask\">\n" + fields +
+           "<button type=\"submit\">Check</button><button type=\"button\" class=\"show\">Show the "
+           "answer</button>\n<p class=\"says\" role=\"status\" "
+           "aria-live=\"polite\"></p>\n</form>\n";
+}
+
+class PageWriter : public FrameWriter {
+  public:
+    explicit PageWriter(const ExportTarget& target)
+        : target_(target), classes_(target.theme, true) {}
+
+    Status add(const ExportFrame& frame) override {
+        const std::string prefix = fmt::format("s{}{}-", steps_.size() + (frame.answer ? 0U : 1U),
+                                               frame.answer ? "a" : "");
+        Result<std::string> drawn = svgFrame(*frame.shapes, classes_, prefix);
+        if (!drawn) return Error{target_.path.string() + ": " + drawn.error().message};
+        const std::string svg = drawing(*frame.shapes, drawn.value(), frame.caption);
+        if (frame.answer) {
+            steps_.back().after = svg;
+            steps_.back().afterCaption = frame.caption;
+            return success();
+        }
+        PageStep step;
+        step.number = steps_.size() + 1;
+        step.title = frame.title.empty() ? frame.address : frame.title;
+        if (step.title.empty()) step.title = "Start";
+        step.caption = frame.caption;
+        step.address = frame.address;
+        step.drawing = svg;
+        if (frame.step != nullptr) addLesson(*frame.step, step);
+        if (!step.address.empty()) links_.steps.emplace(step.address, steps_.size() + 1);
+        steps_.push_back(std::move(step));
+        return success();
+    }
+
+    Status finish() override { return writeFileAtomically(target_.path, page()); }
+
+  private:
+    void addLesson(const FrameStep& from, PageStep& step) {
+        const teach::Lesson& lesson = from.lesson;
+        step.number = from.step + 1;
+        if (steps_.empty()) step.text = teach::textBlocks(lesson.text);
+        for (teach::TextBlock& each : teach::textBlocks(lesson.steps[from.step].text))
+            step.text.push_back(std::move(each));
+        hash_ = lesson.hash;
+        links_.folder = from.folder;
+        if (from.right == nullptr) return;
+        step.question = formOf(from);
+        questions_.push_back(questionJson(from));
+    }
+
+    std::string drawing(const FrameShapes& shapes, const std::string& elements,
+                        const std::string& caption) {
+        return fmt::format(
+            "<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"{2}\" {3}>"
+            "<rect class=\"{4}\" width=\"100%\" height=\"100%\"/>{5}</svg>\n",
+            shapes.size.x, shapes.size.y, escapedXml(caption), kSvgLook,
+            classes_.fill({shapes.background, shapes.otherBackground}), elements);
+    }
+
+    std::string captionOf(const std::string& address, const std::string& caption) const {
+        if (!target_.captions) return {};
+        return fmt::format("<figcaption>{}{}{}</figcaption>\n", escapedXml(address),
+                           address.empty() ? "" : ": ", escapedXml(caption));
+    }
+
+    std::string sectionOf(const PageStep& step, std::size_t number) const {
+        std::string figures = "<div class=\"before\">" + step.drawing +
+                              captionOf(step.address, step.caption) + "</div>\n";
+        if (!step.after.empty())
+            figures += "<div class=\"after\" hidden>" + step.after +
+                       captionOf("", step.afterCaption) + "</div>\n";
+        return fmt::format(
+            "<section class=\"step\" data-step=\"{0}\" data-title=\"{1}\" aria-label=\"{1}\">\n"
+            "<h2>{2}. {1}</h2>\n<figure>{3}</figure>\n<div class=\"text\">{4}{5}</div>\n"
+            "</section>\n",
+            step.number, escapedXml(step.title), number, figures, pageText(step.text, links_),
+            step.question);
+    }
+
+    std::string page() const {
+        std::string sections;
+        for (std::size_t i = 0; i < steps_.size(); ++i) sections += sectionOf(steps_[i], i + 1);
+        const Json lesson{{"title", target_.name},
+                          {"name", target_.path.stem().string()},
+                          {"hash", hash_},
+                          {"questions", questions_}};
+        const bool dark = target_.theme == Theme::Dark;
+        const std::string style = std::string(embeddedFile("page.css")) + classes_.sheet(dark) +
+                                  "\n@media screen and (prefers-color-scheme: dark) {" +
+                                  classes_.sheet(!dark) + "}\n";
+        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+               "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+               "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
+               "<title>" +
+               escapedXml(target_.name) + "</title>\n<style>\n" + style +
+               "</style>\n</head>\n<body>\n<main>\n<h1>" + escapedXml(target_.name) + "</h1>\n" +
+               sections + "</main>\n" + std::string(kBar) +
+               "<script type=\"application/json\" id=\"lesson\">" + scriptJson(lesson) +
+               "</script>\n<script>\n" + std::string(embeddedFile("page.js")) +
+               "</script>\n</body>\n</html>\n";
+    }
+
+    static constexpr std::string_view kBar =
+        "<nav id=\"steps\" hidden aria-label=\"Steps\">\n"
+        "<button id=\"back\">Back</button><button id=\"next\">Next</button>\n"
+        "<span id=\"where\" role=\"status\" aria-live=\"polite\"></span>\n"
+        "<span class=\"keep\" id=\"keep\" hidden><input id=\"person\" aria-label=\"Name, if you "
+        "like\" placeholder=\"Name, if you like\"><button id=\"save\">Save "
+        "answers</button></span>\n"
+        "</nav>\n";
+
+    ExportTarget target_;
+    SvgClasses classes_;
+    PageLinks links_;
+    std::vector<PageStep> steps_;
+    Json questions_ = Json::array();
+    std::string hash_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<FrameWriter>> openPageWriter(const ExportTarget& target) {
+    return std::unique_ptr<FrameWriter>(std::make_unique<PageWriter>(target));
+}
+
+}  // namespace se::view
