@@ -11,13 +11,14 @@ run=(
     libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
     libcmark-dev libtomlplusplus-dev                   # lessons
     libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
+    libcgif-dev                                        # animations
     libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if necessary
     fonts-dejavu-core fonts-inter
 )
 test=(
     doctest-dev libbenchmark-dev
     libnanoflann-dev     # the baseline of the neighbor search
-    admesh assimp-utils  # other programs, to test written and read files
+    admesh assimp-utils librsvg2-bin ffmpeg  # other programs, to test written and read files
     clang-format-14 clang-tidy-16
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )

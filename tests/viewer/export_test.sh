@@ -82,6 +82,39 @@ a_lesson_is_exported_step_by_step() {
     [ ! -e x.png ] || fail "a file in spite of the error"
 }
 
+# probe FIELD FILE: of the first video stream or the container, as ffprobe finds it.
+probe() { ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width,height:format=duration -of default=nw=1 "$2" | sed -n "s/^$1=//p"; }
+
+an_animation_has_its_frames() {
+    needs ffprobe
+    for name in a.gif a.mp4; do
+        expect 0 scene:figure-8 --from 9.sphere.1 --to 9.emit.4 -o $name --size 641x401 --fps 4
+        is "$(probe nb_read_frames $name)" 8 "frames of $name"
+        is "$(probe duration $name)" 2.000000 "duration of $name"
+    done
+    is "$(probe width a.gif)x$(probe height a.gif)" 641x401 "size of a.gif"
+    is "$(probe width a.mp4)x$(probe height a.mp4)" 642x402 "even size of a.mp4"
+    needs compare
+    expect 0 scene:figure-8 --goto 9.emit.2 -o b.png --place '{"address": "9.emit.2"}'
+    expect 0 scene:figure-8 --goto 9.emit.2 -o b.gif --captions off --place '{"address": "9.emit.2"}'
+    convert 'b.gif[0]' b2.png
+    alike b.png b2.png
+    expect 2 scene:figure-8 --around 9 -o b.gif --background none
+    says err "no transparent background"
+}
+
+a_video_says_what_it_needs() {
+    mkdir fake
+    echo old >a.mp4
+    PATH=$PWD/fake expect 2 scene:figure-8 --around 9 -o a.mp4
+    says err "needs ffmpeg (apt-get install ffmpeg); .gif and .html need nothing"
+    printf '#!/bin/sh\nhead -c 100000 >/dev/null\necho "out of luck" >&2\nexit 1\n' >fake/ffmpeg
+    chmod +x fake/ffmpeg
+    PATH=$PWD/fake:$PATH expect 5 scene:figure-8 --around 9 -o a.mp4
+    says err "a.mp4: ffmpeg ended early: out of luck"
+    is "$(cat a.mp4)" old "the old file"
+}
+
 # seconds COMMAND...: of the processor.
 seconds() {
     local TIMEFORMAT='%U %S'
@@ -99,14 +132,14 @@ many_frames_cost_less_than_many_processes() {
 }
 
 an_interrupted_export_leaves_the_old_file() {
-    expect 0 scene:figure-8 --goto 9 -o a.html --size 320x240
-    echo old >a.html
-    "$program" export scene:torus --from 1 --to 60 -o a.html >/dev/null 2>&1 &
+    expect 0 scene:figure-8 --goto 9 -o a.gif --size 320x240
+    echo old >a.gif
+    "$program" export scene:torus --from 1 --to 60 -o a.gif >/dev/null 2>&1 &
     local work=$!
     sleep 1.5
     kill -TERM $work 2>/dev/null || fail "it ended before"
     wait $work && fail "it ended well"
-    is "$(cat a.html)" old "the old file"
+    is "$(cat a.gif)" old "the old file"
     is "$(find . -name '.*' -type f | wc -l)" 0 "parts of files"
 }
 

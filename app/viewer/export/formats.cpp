@@ -22,6 +22,10 @@ constexpr std::array kFormats{
                  openSvgWriter},
     ExportFormat{".html", "Page", FrameContent::BothThemes, true, false, false, success,
                  openPageWriter},
+    ExportFormat{".gif", "Animation", FrameContent::Pixels, true, true, false, gifPossible,
+                 openGifWriter},
+    ExportFormat{".mp4", "Video", FrameContent::Pixels, true, true, false, mp4Possible,
+                 openMp4Writer},
 };
 
 }  // namespace
