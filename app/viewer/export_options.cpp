@@ -35,12 +35,10 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     };
     add("--export", raw.path);
     auto* from = add("--from", raw.from);
-    auto* to = add("--to", raw.to)->needs(from);
-    from->needs(to);
-    add("--around", raw.around)->excludes(from)->excludes("--goto");
-    from->excludes("--goto");
+    from->needs(add("--to", raw.to)->needs(from));
+    add("--around", raw.around)->excludes(from);
     add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(frameUnitNames()));
-    add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around")->excludes("--goto");
+    add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
     add("--fps", raw.perSecond)->check(CLI::Range(0.1, kMostPerSecond));
 }
@@ -48,6 +46,9 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
 void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
     requireExport(app, raw);
     if (app.count("--export") == 0) return;
+    const bool ranged = !raw.from.empty() || !raw.around.empty() || !raw.steps.empty();
+    if (ranged && app.count("--goto") > 0)
+        throw CLI::ValidationError("--goto", "is one frame; --from, --around and --steps are more");
     ExportOrder order;
     order.path = raw.path;
     if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);

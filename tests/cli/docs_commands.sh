@@ -3,8 +3,8 @@
 #   docs_commands.sh PROGRAM [PAGE...]   PAGE: a path below the checkout; without it, all pages
 # Command lines stand in blocks that begin with ```sh. Each page gets an empty folder, with stand-ins
 # for the inputs that pages name. Lines of spiraling-edge run as they stand; lines of
-# spiraling-edge-viewer, and of `spiraling-edge view` and `render`, with --list-actions, which reads
-# the options and opens no window. A comment `<!-- not run: REASON -->` before a block keeps its
+# spiraling-edge-viewer, and of `spiraling-edge view`, `render` and `export`, with --list-actions, which
+# reads the options and opens no window. A comment `<!-- not run: REASON -->` before a block keeps its
 # lines from running. Options in running text, `--option`, must be in the help of a verb.
 set -uo pipefail
 export LC_ALL=C
@@ -62,7 +62,7 @@ lines() {
 run() {
     local command=$1 code=0
     case $command in
-        spiraling-edge-viewer* | "spiraling-edge view"* | "spiraling-edge render"*)
+        spiraling-edge-viewer* | "spiraling-edge view"* | "spiraling-edge render"* | "spiraling-edge export"*)
             if [ ! -x "$viewer" ]; then
                 not_run+=("$command (there is no viewer)")
                 return

@@ -68,8 +68,7 @@ constexpr std::array kExportOptions{
     PassedOption{"--background", "none", "A transparent background"},
     PassedOption{"--labels", "on|off", "Names and values beside points (default on)"},
     PassedOption{"--captions", "on|off",
-                 "Sentences of the decisions: in captions.txt, below an animation, in an SVG and "
-                 "on a page (default on)"},
+                 "Sentences: in captions.txt, below an animation, on a page (default on)"},
     PassedOption{"--fps", "N", "Frames a second of an animation (default 2)"},
 };
 
@@ -131,9 +130,9 @@ ExitCode exportVerb(const Arguments& words) {
     app.add_option("IN", input,
                    "Points, a session, scene:ID, a lesson (.lesson.md), or the id of a lesson")
         ->required();
-    addOutputOption(app, "-o,--output", output,
-                    "File to write; its extension is the format. A range or lesson as pictures: "
-                    "numbered files, or a folder of them")
+    addOutputOption(
+        app, "-o,--output", output,
+        "File to write, by its extension; several pictures are numbered, or in a folder")
         ->type_name("OUT")
         ->required();
     for (std::size_t i = 0; i < kExportOptions.size(); ++i) {
