@@ -16,6 +16,7 @@
 #include "render/context.h"
 #include "scene/decision_view.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "window_export.h"
 
 namespace se::view {
 
@@ -314,6 +315,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     sampling_.carryOut();
     compare_.carryOut();
     mesh_.carryOut();
+    export_->carryOut();
     document_.carryOut(ui_.requests);
     lesson_.carryOut();
     ui_.unsaved = document_.unsaved();

@@ -29,6 +29,8 @@ struct InputProgress {
     bool settled = true;       ///< All of them are drawn.
 };
 
+class WindowExport;
+
 class Application {
   public:
     Application(const Options& options, const ViewSettings& settings);
@@ -142,6 +144,7 @@ class Application {
     CompareController compare_;
     MeshController mesh_;
     LessonController lesson_;
+    std::unique_ptr<WindowExport> export_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;

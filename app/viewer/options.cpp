@@ -24,18 +24,6 @@ namespace se::view {
 
 namespace {
 
-/// Greatest width and height of what is drawn.
-constexpr int kMostPixels = 16384;
-
-/// Reads "1280x800".
-std::optional<glm::ivec2> sizeFromString(const std::string& text) {
-    glm::ivec2 size(0);
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
-    if (size.x < 320 || size.y < 240 || std::max(size.x, size.y) > kMostPixels) return std::nullopt;
-    return size;
-}
-
 std::vector<std::string> ruleSetNames() {
     const auto names = paramSetNames();
     return {names.begin(), names.end()};
@@ -172,7 +160,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
 
 /// Throws the errors that CLI11 reports as wrong usage.
 void takeOver(const RawOptions& raw, Options& o) {
-    o.size = sizeFromString(raw.size.empty() ? "1280x800" : raw.size);
+    o.size = pictureSize(raw.size.empty() ? "1280x800" : raw.size);
     if (!o.size) {
         throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
     }

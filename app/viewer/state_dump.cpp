@@ -256,6 +256,15 @@ void dumpLesson(json& out, const LessonPanel& panel) {
     out["tries"] = walk.state().tries;
     if (walk.state().grade) out["answered_right"] = walk.state().grade->right;
     if (walk.question() != nullptr && !walk.asks()) out["right_answer"] = walk.right().text;
+/// The dialog Export, and its work.
+void dumpExportForm(json& out, const UiState& ui) {
+    const ExportForm& form = ui.exported;
+    out["export_dialog"] = ui.fileBrowser && ui.browser == BrowserTask::Export;
+    out["export_format"] = std::string(exportFormats()[form.format].extension);
+    out["export_working"] = form.working;
+    out["export_made"] = form.made;
+    out["export_complaint"] = form.complaint;
+    out["export_question"] = ui.browsing.overwrite.empty() ? "" : ui.browsing.error;
 }
 
 void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) {
@@ -337,6 +346,7 @@ std::string Application::stateDump(const InputProgress& input) const {
     out["piece_inside"] = ui_.piece.inside.size();
     dumpGrowth(out, ui_.growth);
     dumpMeshForm(out, ui_);
+    dumpExportForm(out, ui_);
     dumpComparison(out, session_, ui_.compare);
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["point_tint"] = std::string(rowOf(ui_.settings.pointTint).name);

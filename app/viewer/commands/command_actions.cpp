@@ -172,6 +172,13 @@ void saveMesh(C& c) {
     openBrowser(c, BrowserTask::SaveMesh);
 }
 
+void exportFrames(C& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to export.");
+    pause(c);
+    c.ui.exported.open();
+    openBrowser(c, BrowserTask::Export);
+}
+
 void copyCommand(C& c) {
     if (!c.session.ready())
         return c.session.messages().say("There is no run to copy the command of.");

@@ -39,6 +39,8 @@ void toBookmark(CommandContext& c, std::size_t place);
 void saveAs(CommandContext& c);
 /// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);
+/// Opens the dialog for the export of frames.
+void exportFrames(CommandContext& c);
 /// Copies the command line that makes that mesh to the clipboard.
 void copyCommand(CommandContext& c);
 /// Opens the dialog for saving sampled points.

@@ -70,7 +70,8 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
         findCommand("file.savepoints")->run(context);
         return true;
     }
-    if (command.id == "file.savemesh" || command.id == "file.copycommand") {
+    if (command.id == "file.savemesh" || command.id == "file.copycommand" ||
+        command.id == "file.export") {
         context.ui.growth.complaint = "There is no mesh yet: choose Use these points first.";
         return true;
     }

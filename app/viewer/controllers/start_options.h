@@ -42,7 +42,7 @@ struct Options {
     std::optional<CameraPose> camera;  ///< Camera of --place.
     bool resetLayout = false;
     std::optional<glm::ivec2> size;
-    std::filesystem::path screenshot;  ///< Empty: open a window.
+    std::filesystem::path screenshot;     ///< Empty: open a window.
     std::optional<ExportOrder> exported;  ///< Frames to write instead of opening a window.
     PictureLook picture;
     int frames = 0;        ///< Quit after that number of frames; 0: when closed.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/stepper/event.h"
@@ -32,6 +33,14 @@ std::optional<FrameUnit> frameUnitFromName(std::string_view name) {
     const auto found = std::find(kUnits.begin(), kUnits.end(), name);
     if (found == kUnits.end()) return std::nullopt;
     return static_cast<FrameUnit>(found - kUnits.begin());
+}
+
+std::optional<glm::ivec2> pictureSize(const std::string& text) {
+    glm::ivec2 size(0);
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
+    if (size.x < 320 || size.y < 240 || std::max(size.x, size.y) > kMostPixels) return std::nullopt;
+    return size;
 }
 
 Result<FrameRange> rangeAround(const std::string& address) {

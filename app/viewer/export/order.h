@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@
 #include "teach/lesson.h"
 
 namespace se::view {
+
+/// Greatest width and height of what is drawn.
+inline constexpr int kMostPixels = 16384;
 
 /// Distance of two frames of a range.
 enum class FrameUnit : std::uint8_t {
@@ -53,6 +57,9 @@ struct ExportOrder {
     /// More than one frame is possible.
     bool several() const { return range.has_value() || lesson != nullptr; }
 };
+
+/// Reads "1280x800"; empty unless both sides are within the limits of a picture.
+std::optional<glm::ivec2> pictureSize(const std::string& text);
 
 /// Reads "2,4-6": numbers from 1 to `count`, ascending. Fails with a sentence.
 Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_t count);

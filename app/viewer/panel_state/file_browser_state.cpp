@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "jobs/open_lesson.h"
+#include "export/formats.h"
 #include "run/strings.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/read_points.h"
@@ -72,6 +73,8 @@ bool isListed(const fs::path& path, BrowserTask task) {
             return path.string().ends_with(teach::kResultExtension);
         case BrowserTask::SaveLesson:
             return isLessonFile(path.string());
+        case BrowserTask::Export:
+            return !lowerExtension(path).empty() && exportFormatOf(path) != nullptr;
     }
     return false;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare_page.h"
+#include "export_form.h"
 #include "file_browser_state.h"
 #include "growth_page.h"
 #include "input/go_to_box.h"
@@ -56,7 +57,7 @@ struct UiState {
     /// The text fields that are open or about to be, as bits of TypedField.
     unsigned typedFields() const {
         return (palette.open ? kPaletteField : kNoField) |
-               (fileBrowser && !mesh.waits() ? kBrowserField : kNoField) |
+               (fileBrowser && !mesh.waits() && !exported.working ? kBrowserField : kNoField) |
                (query.wantsKeyboard ? kQueryField : kNoField) |
                (ledger.wantsKeyboard ? kLedgerField : kNoField) |
                (prepare.wantsKeyboard ? kPrepareField : kNoField);
@@ -80,6 +81,7 @@ struct UiState {
     GrowthPage growth;
     LessonPanel lesson;
     MeshForm mesh;
+    ExportForm exported;
     ComparePage compare;
     LeaveQuestion leaving;
     bool quitting = false;  ///< No unsaved work: the window closes.

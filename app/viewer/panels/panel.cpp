@@ -23,6 +23,9 @@ State& PanelContext::state() const {
                                      ui.watch, ui.browsing, ui.click, ui.compare, ui.facts, ui.goTo,
                                      ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.lesson, ui.look,
                                      ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
+                                     ui.watch, ui.browsing, ui.click, ui.compare, ui.exported,
+                                     ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger,
+                                     ui.look, ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
                                      ui.prepare, ui.query, ui.section, ui.startPage, ui.subjectMenu,
                                      ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
@@ -36,6 +39,7 @@ template std::vector<Breakpoint>& PanelContext::state() const;
 template CommandPalette& PanelContext::state() const;
 template ComparePage& PanelContext::state() const;
 template DoubleClickFilter& PanelContext::state() const;
+template ExportForm& PanelContext::state() const;
 template FactsCache& PanelContext::state() const;
 template FileBrowsing& PanelContext::state() const;
 template GoToBox& PanelContext::state() const;

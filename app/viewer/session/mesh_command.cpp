@@ -184,12 +184,14 @@ MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
     return meshCommand(spec, target);
 }
 
-std::string meshStem(const Session& session) {
+std::string inputStem(const Session& session) {
     assert(session.ready());
     const std::string& source = session.input().spec().source.empty()
                                     ? session.model().name
                                     : session.input().spec().source;
-    return stemOf(source, session.model().points.size()) + "-mesh";
+    return stemOf(source, session.model().points.size());
 }
+
+std::string meshStem(const Session& session) { return inputStem(session) + "-mesh"; }
 
 }  // namespace se::view

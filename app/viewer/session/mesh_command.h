@@ -22,6 +22,8 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target);
 /// The line for the open input. Requires session.ready().
 MeshCommand meshCommand(const Session& session, const MeshTarget& target);
 
+/// The name of the input as the beginning of a file's name, "torus". Requires session.ready().
+std::string inputStem(const Session& session);
 /// A file name without folder and extension for the mesh of the open input: "torus-mesh". Requires
 /// session.ready().
 std::string meshStem(const Session& session);

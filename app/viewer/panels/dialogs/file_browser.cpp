@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "export_fields.h"
 #include "input/key_routing.h"
 #include "mesh_fields.h"
 #include "panel_state/ui_state.h"
@@ -73,12 +74,28 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     std::error_code error;
     const bool session = context.ui().browser == BrowserTask::SaveSession;
     const bool own = session && path == context.ui().sessionPath;
+    const bool points = context.ui().browser == BrowserTask::SavePoints;
+    ExportForm& exported = context.state<ExportForm>();
+    const bool frames = context.ui().browser == BrowserTask::Export;
+    const fs::path path = frames ? fs::path(exported.withFormat(typed.string()))
+                                 : withExtension(typed, points ? ".ply" : kSessionExtension);
+    std::error_code error;
+    const bool own = !points && !frames && path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
         state.overwrite = path;
         state.error = path.filename().string() + " exists already. Save again to replace it.";
         return;
     }
     target.request = path.string();
+    state.overwrite.clear();
+    state.error.clear();
+    if (frames) {
+        exported.path = path.string();
+        exported.ask = ExportAsk::Save;
+        return;
+    }
+    (points ? context.state<GrowthPage>().savePath : context.requests().saveSessionAs) =
+        path.string();
     context.ui().fileBrowser = false;
 }
 
@@ -110,6 +127,12 @@ std::string lessonStem(const PanelContext& context) {
     }
     const std::string name = fs::path(walk.source()).filename().string();
     return name.substr(0, name.size() - teach::kLessonExtension.size());
+/// The input and the position, "torus-9-sphere-2.png".
+std::string exportName(const PanelContext& context) {
+    const Session& session = context.session();
+    std::string place = session.event() != nullptr ? toString(session.address()) : "start";
+    std::replace(place.begin(), place.end(), '.', '-');
+    return context.state<ExportForm>().withFormat(inputStem(session) + "-" + place);
 }
 
 /// The proposed name: that of the session, otherwise that of the input.
@@ -123,6 +146,7 @@ std::string proposedName(const PanelContext& context) {
     if (context.ui().browser == BrowserTask::SaveResult)
         return lessonStem(context) + std::string(teach::kResultExtension);
     const bool lesson = context.ui().browser == BrowserTask::SaveLesson;
+    if (context.ui().browser == BrowserTask::Export) return exportName(context);
     const std::string& session = context.ui().sessionPath;
     if (!session.empty() && !lesson) return fs::path(session).filename().string();
     if (!context.session().ready()) return {};
@@ -133,13 +157,15 @@ std::string proposedName(const PanelContext& context) {
     return fs::path(name).stem().string() + extension;
 }
 
-/// The folder of the open file, otherwise the working directory, otherwise home.
+/// The folder of the last export or mesh, of the open file, otherwise the working directory,
+/// otherwise home.
 fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
     const std::string& source = context.session().input().spec().source;
     const bool file = !source.empty() && !isScene(source) && !isSample(source);
-    const fs::path saved = savedMesh(context);
+    const bool exports = ui.browser == BrowserTask::Export;
+    const fs::path saved = exports ? fs::path(ui.exported.path) : savedMesh(context);
     const fs::path near = !saved.empty()            ? saved
                           : !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
                           : file                    ? fs::path(source)
@@ -168,6 +194,12 @@ bool saving(const PanelContext& context) {
     return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
            task == BrowserTask::SaveMesh || task == BrowserTask::SaveResult ||
            task == BrowserTask::SaveLesson;
+           task == BrowserTask::SaveMesh || task == BrowserTask::Export;
+}
+
+/// A question or work replaces the fields: input is disabled.
+bool dialogWaits(const PanelContext& context) {
+    return meshDialogWaits(context) || exportDialogWaits(context);
 }
 
 /// Texts in which the tasks differ.
@@ -203,6 +235,9 @@ Words wordsFor(BrowserTask task) {
                     "No results in this folder."};
         case BrowserTask::SaveLesson:
             return {"Save as lesson###browser", "name of the lesson", "No lessons in this folder."};
+        case BrowserTask::Export:
+            return {"Export###browser", "name of the file: " + exportExtensions(),
+                    "No exports in this folder."};
         case BrowserTask::Open:
             break;
     }
@@ -213,7 +248,8 @@ Words wordsFor(BrowserTask task) {
 /// The input line, with its button.
 void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const bool save = saving(context);
-    const bool waits = meshDialogWaits(context);
+    const bool exports = context.ui().browser == BrowserTask::Export;
+    const bool waits = dialogWaits(context);
     ImGui::BeginDisabled(waits);
     ImGui::SetNextItemWidth(-5.0F * context.em);
     // A click beside the line must not take the keyboard focus away.
@@ -225,7 +261,8 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
                                    state.path, ImGuiInputTextFlags_EnterReturnsTrue | select);
     if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
     ImGui::SameLine();
-    const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
+    const bool pressed = ImGui::Button(exports ? "Export" : save ? "Save" : "Open", {-1.0F, 0.0F});
+    if (exports) nameItem(context, "export go");
     ImGui::EndDisabled();
     // Enter takes the keyboard focus from the line: if the name is refused, the next one is typed
     // there.
@@ -255,7 +292,8 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
         drawMeshFields(context, state.path,
                        path.empty() ? path : context.state<MeshForm>().withFormat(path));
     }
-    ImGui::BeginDisabled(meshDialogWaits(context));
+    if (context.ui().browser == BrowserTask::Export) drawExportFields(context, state.path);
+    ImGui::BeginDisabled(dialogWaits(context));
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
         if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
         const std::vector<BrowserEntry> entries = state.entries;
@@ -314,8 +352,9 @@ void drawFileBrowser(const PanelContext& context) {
         state.task == BrowserTask::Open ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // After a question the input line has the keyboard focus again.
-    state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
-    state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    state.settling = dialogWaits(context) ? 2 : std::max(0, state.settling - 1);
+    // Unless the click was into another text field.
+    state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     ImGui::End();
 }
 

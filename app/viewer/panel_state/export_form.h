@@ -1,0 +1,50 @@
+/// Choices and requests of the dialog Export. No ImGui.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "export/formats.h"
+
+namespace se::view {
+
+/// Frames that the dialog offers.
+enum class ExportFrames : std::uint8_t {
+    Picture,  ///< What the view shows.
+    Pivot,    ///< All decisions of the pivot at the cursor.
+    Range,    ///< `from` to `to`.
+};
+
+/// Request of a frame, carried out at its end.
+enum class ExportAsk : std::uint8_t { None, Save, Cancel };
+
+struct ExportForm {
+    std::size_t format = 0;  ///< A position in exportFormats().
+    ExportFrames frames = ExportFrames::Picture;
+    std::string from;
+    std::string to;
+    FrameUnit unit = FrameUnit::SubStep;
+    std::string size = "1280x800";
+    ExportAsk ask = ExportAsk::None;
+    std::string path;  ///< The file that `ask` names.
+
+    // Set by the export.
+    bool working = false;
+    std::size_t made = 0;
+    std::size_t total = 0;  ///< 0: not known yet.
+    std::string complaint;  ///< Reason why nothing was exported; empty: no problem.
+
+    /// Clears the messages of the previous use of the dialog; choices stay.
+    void open();
+    /// Takes the format of the name's extension, if it has one.
+    void followName(const std::string& name);
+    /// Chooses a format; a name with another extension gets its extension.
+    void choose(std::size_t place, std::string& name);
+    /// The typed name, with the extension of the format unless it has one of those.
+    std::string withFormat(const std::string& typed) const;
+    /// The order of these choices, for `path`; `address`: of the cursor. Fails with a sentence.
+    Result<ExportOrder> order(const std::string& address) const;
+};
+
+}  // namespace se::view

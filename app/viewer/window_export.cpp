@@ -1,0 +1,74 @@
+#include "window_export.h"
+
+#include <utility>
+
+#include "controllers/document.h"
+#include "export_run.h"
+#include "panel_state/ui_state.h"
+
+namespace se::view {
+
+namespace {
+
+bool isExportOpen(const UiState& ui) { return ui.fileBrowser && ui.browser == BrowserTask::Export; }
+
+}  // namespace
+
+WindowExport::WindowExport(CommandContext& context) : c_(context) {}
+
+WindowExport::~WindowExport() = default;
+
+void WindowExport::carryOut() {
+    ExportForm& form = c_.ui.exported;
+    const ExportAsk ask = std::exchange(form.ask, ExportAsk::None);
+    if (ask == ExportAsk::Save && !run_ && c_.session.ready()) begin();
+    if (!run_) return;
+    // A closed dialog cancels as its button does.
+    if (ask == ExportAsk::Cancel || !isExportOpen(c_.ui)) {
+        form.complaint = "Cancelled.";
+        c_.session.messages().say("The export was cancelled.");
+        return end();
+    }
+    run_->advance(false);
+    form.made = run_->made();
+    form.total = run_->total();
+    if (!run_->done()) return;
+    if (const auto& failure = run_->failure()) {
+        form.complaint = failure->message;
+    } else {
+        c_.ui.fileBrowser = false;
+        c_.session.messages().say(run_->doneText());
+    }
+    end();
+}
+
+/// Begins with the input, position, camera and layers of the window.
+void WindowExport::begin() {
+    ExportForm& form = c_.ui.exported;
+    const Session& session = c_.session;
+    const std::string address = session.event() != nullptr ? toString(session.address()) : "";
+    Result<ExportOrder> order = form.order(address);
+    form.complaint = order ? "" : order.error().message;
+    if (!order) return;
+    Options options;
+    options.session = captureSession(c_);
+    options.session->with = {};
+    options.session->alert.clear();
+    options.input = options.session->input;
+    options.exported = order.value();
+    options.noConfig = true;
+    ViewSettings settings = c_.ui.settings;
+    settings.width = pictureSize(form.size)->x;
+    settings.height = pictureSize(form.size)->y;
+    settings.uiScale = 1.0;
+    run_ = std::make_unique<ExportRun>(options, settings);
+    form.working = true;
+    form.made = form.total = 0;
+}
+
+void WindowExport::end() {
+    run_.reset();
+    c_.ui.exported.working = false;
+}
+
+}  // namespace se::view

@@ -1,0 +1,33 @@
+/// The export of the window: connects the dialog, the open run and the work.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "commands/commands.h"
+
+namespace se::view {
+
+class ExportRun;
+
+class WindowExport {
+  public:
+    explicit WindowExport(CommandContext& context);
+    ~WindowExport();
+    WindowExport(const WindowExport&) = delete;
+    WindowExport& operator=(const WindowExport&) = delete;
+
+    /// Carries out the requests of the dialog, and the next part of the work. Once per frame of the
+    /// window, with its OpenGL context.
+    void carryOut();
+    bool busy() const { return run_ != nullptr; }
+
+  private:
+    void begin();
+    void end();
+
+    CommandContext& c_;
+    std::unique_ptr<ExportRun> run_;
+};
+
+}  // namespace se::view
