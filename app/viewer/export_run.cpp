@@ -176,6 +176,7 @@ void ExportRun::placeCamera() {
     if (options_.camera || options_.session) return;
     const Model& model = session().model();
     std::vector<glm::vec3> places;
+    places.reserve(plan_.points.size());
     for (const Index p : plan_.points) places.push_back(model.place[p]);
     if (places.empty()) return;
     glm::vec3 normal(0.0F);

@@ -12,7 +12,7 @@ namespace se::view {
 
 namespace {
 
-constexpr float kMostPixels = 2048.0F;
+constexpr float kMostDepthPixels = 2048.0F;
 constexpr float kFarthest = 2.0F;
 constexpr std::uint32_t kNobody = 0xffffffffU;
 /// Depth by which a triangle has to be nearer, so that it does not hide what lies on it.
@@ -43,7 +43,7 @@ std::optional<glm::vec3> ScreenSpace::at(const glm::vec3& position, float bias) 
 }
 
 DepthPicture::DepthPicture(glm::vec2 size)
-    : scale_(std::min(1.0F, kMostPixels / std::max(size.x, size.y))),
+    : scale_(std::min(1.0F, kMostDepthPixels / std::max(size.x, size.y))),
       size_(glm::ivec2(glm::ceil(size * scale_))) {
     const auto count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
     depth_.assign(count, kFarthest);

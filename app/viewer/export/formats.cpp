@@ -47,6 +47,7 @@ const ExportFormat* exportFormatOf(const fs::path& path) {
 
 std::string exportExtensions() {
     std::vector<std::string> all;
+    all.reserve(kFormats.size());
     for (const ExportFormat& each : kFormats) all.emplace_back(each.extension);
     return wordList(all, "or");
 }

@@ -74,6 +74,7 @@ LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {
 Selection selectionOfStep(const teach::LessonStep& step,
                           const std::vector<teach::NamedPoint>& names) {
     std::vector<Index> points;
+    points.reserve(step.select.size());
     for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
     if (points.size() == 1) return Selection::ofPoint(points[0]);
     if (points.size() == 2) return Selection::ofEdge(points[0], points[1]);

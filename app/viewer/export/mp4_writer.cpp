@@ -95,6 +95,7 @@ class VideoProcess {
         posix_spawn_file_actions_adddup2(&actions, errors_.descriptor(), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions, errors_.descriptor(), STDERR_FILENO);
         std::vector<char*> pointers;
+        pointers.reserve(words.size() + 1);
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
         const int problem =

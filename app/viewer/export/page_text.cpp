@@ -45,9 +45,12 @@ std::string spansText(const TextBlock& block, const PageLinks& links) {
     std::string all;
     for (const TextSpan& span : block.spans) {
         std::string text = escapedXml(span.text);
-        if (span.code && block.kind != TextBlockKind::Code) text = "<code>" + text + "</code>";
-        if (span.strong) text = "<strong>" + text + "</strong>";
-        if (span.emphasized) text = "<em>" + text + "</em>";
+        const auto wrap = [&](std::string_view tag) {
+            text = fmt::format("<{0}>{1}</{0}>", tag, text);
+        };
+        if (span.code && block.kind != TextBlockKind::Code) wrap("code");
+        if (span.strong) wrap("strong");
+        if (span.emphasized) wrap("em");
         all += span.link.empty() ? text : linked(span, text, links);
     }
     return all;

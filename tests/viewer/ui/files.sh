@@ -48,6 +48,7 @@ press ctrl+minus; says em 16\.0
 
 # Another key for an action; a used one is reassigned at the second press.
 press ctrl+p; type_text "change keys"; press Return; says key_editor true
+click 640 400 5; click 640 400 5  # down the list
 read -r x y w h < <(tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' | sed -nE 's/.*"key run\.unit": \[([^]]*)\].*/\1/p' | tr -d ,)
 click $((x + w / 2)) $((y + h / 2)); press y; says changed_keys 1
 click $((x + w / 2)) $((y + h / 2)); press n; says changed_keys 1
