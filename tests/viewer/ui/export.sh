@@ -53,3 +53,4 @@ click_on "export cancel"; says export_working false; says export_complaint 'Canc
 [ "$(ls | wc -l)" = 2 ] || fail "an export that was cancelled left a file: $(ls)"
 press Escape; says export_dialog false
 stop
+well
