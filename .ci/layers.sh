@@ -69,6 +69,8 @@ no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line mus
 # viewer
 no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
+mapfile -t not_export < <(printf '%s\n' "${viewer[@]}" | grep -v '^app/viewer/export/')
+no "$(include 'cgif')" "only export/ may use cgif" "${not_export[@]}"
 # Rooms of the viewer, from the bottom: a room may include those before it; those of one step do not
 # know each other.
 steps=(run jobs scene 'render|layers' rows session 'layout|input' export panel_state commands panels controllers)
