@@ -178,7 +178,7 @@ while read -r folder; do
     [ "$files" -le 40 ] || breach "over 40 sources: $folder ($files)"
 done < <(find core app tests -type d)
 lines=$(cat docs/*.md | wc -l)
-[ "$lines" -le 1960 ] || breach "docs/*.md have $lines lines, over 1960"
+[ "$lines" -le 1990 ] || breach "docs/*.md have $lines lines, over 1990"
 while read -r line; do breach "over 120 columns: $line"; done < <(
     grep -nHP '^(?!\|).{121,}' README.md CONTRIBUTING.md docs/*.md | cut -d: -f1,2)
 lines=$(wc -l <README.md)

@@ -24,8 +24,6 @@ namespace {
 
 constexpr const char* kStartWindow = "##start";
 constexpr const char* kViewWindow = "##view";
-/// Height of the sentence below a view alone, in em.
-constexpr float kCaption = 3.6F;
 
 }  // namespace
 
@@ -37,7 +35,8 @@ Application::Application(const Options& options, const ViewSettings& settings)
       sampling_(commands_),
       compare_(commands_),
       mesh_(commands_),
-      lesson_(commands_, document_) {
+      lesson_(commands_, document_),
+      export_(std::make_unique<WindowExport>(commands_)) {
     compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
@@ -135,7 +134,7 @@ bool Application::animating() const {
            painter_.unfinished() || ui_.look.blinking() || ui_.click.waiting() ||
            compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
            sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
-           ui_.cameraMove.active() || lesson_.moving();
+           ui_.cameraMove.active() || lesson_.moving() || export_->busy();
 }
 
 std::string Application::title() const {

@@ -5,6 +5,13 @@
 
 namespace se::view {
 
+namespace {
+
+/// Height of the sentence below a view alone, in em.
+constexpr float kCaption = 3.6F;
+
+}  // namespace
+
 /// The scale of text and panels. Present is read from a distance: it is so large that at most
 /// kPresentLines em fit the height of the window, whatever its resolution.
 float Application::scaleIn(glm::ivec2 size) const {

@@ -221,6 +221,9 @@ Status ExportRun::openStep(std::size_t step) {
     if (!moved) return Error{stepPlace(file, step, "at") + moved.error().message};
     ui().settings.layers = layersOfStep(settings_.layers, file.lesson.steps[step]);
     session().select(selectionOfStep(file.lesson.steps[step], setting.names));
+    names_ = setting.names;
+    pointNames_ = teach::pointNames(names_);
+    session().giveNames(pointNames_);
     const bool first = step == steps_.front();
     if (fresh || first || !file.lesson.steps[step].frame.empty() ||
         !file.lesson.steps[step].camera.empty() || !file.lesson.steps[step].view.empty())

@@ -78,7 +78,9 @@ class ExportRun {
     FramePlan plan_;
     std::vector<std::size_t> steps_;  ///< Of the lesson, from 0; one per frame.
     teach::LessonRuns runs_;
-    InputSpec opened_;  ///< Input of the last step.
+    InputSpec opened_;                      ///< Input of the last step.
+    std::vector<teach::NamedPoint> names_;  ///< Of that step.
+    std::vector<PointName> pointNames_;     ///< They refer to `names_`.
     Picture pixels_;
     Phase phase_ = Phase::Starting;
     std::size_t made_ = 0;

@@ -256,6 +256,8 @@ void dumpLesson(json& out, const LessonPanel& panel) {
     out["tries"] = walk.state().tries;
     if (walk.state().grade) out["answered_right"] = walk.state().grade->right;
     if (walk.question() != nullptr && !walk.asks()) out["right_answer"] = walk.right().text;
+}
+
 /// The dialog Export, and its work.
 void dumpExportForm(json& out, const UiState& ui) {
     const ExportForm& form = ui.exported;

@@ -4,11 +4,11 @@
 #include "lesson.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "commands/camera_actions.h"
 #include "commands/command_actions.h"
+#include "export/lesson_frames.h"
 #include "scene/decision_view.h"
 #include "session/bookmarked_lesson.h"
 #include "session/view_position.h"
@@ -31,17 +31,6 @@ std::filesystem::file_time_type writeTimeOf(const std::filesystem::path& path) {
     std::error_code error;
     const auto time = std::filesystem::last_write_time(path, error);
     return error ? std::filesystem::file_time_type{} : time;
-}
-
-/// The selection of points by name.
-std::optional<Selection> selectionOf(const std::vector<std::string>& words,
-                                     const std::vector<teach::NamedPoint>& names) {
-    std::array<Index, 3> points{};
-    if (words.empty() || words.size() > points.size()) return std::nullopt;
-    for (std::size_t i = 0; i < words.size(); ++i) points[i] = teach::pointOf(words[i], names);
-    if (words.size() == 1) return Selection::ofPoint(points[0]);
-    if (words.size() == 2) return Selection::ofEdge(points[0], points[1]);
-    return Selection::ofTriangle({points[0], points[1], points[2]});
 }
 
 }  // namespace
@@ -205,7 +194,7 @@ void LessonController::enter() {
     walk().setPointCount(session.model().points.size());
     session.giveNames(walk().names());
     session.alerts().choose(std::nullopt);
-    session.select(selectionOf(step.select, walk().setting().names).value_or(Selection{}));
+    session.select(selectionOfStep(step, walk().setting().names));
     choices_.pinLayers(step);
     aiming_ = true;
     const bool plays = std::exchange(playsOnArrival_, false);

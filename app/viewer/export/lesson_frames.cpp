@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "jobs/open_lesson.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_read.h"
-#include "teach/lesson_runs.h"
 
 namespace se::view {
 
@@ -32,7 +32,9 @@ Result<std::shared_ptr<const LessonFile>> checkedLesson(teach::LessonReading rea
 Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source) {
     std::error_code error;
     const bool file = fs::exists(source, error);
-    const teach::EmbeddedLesson* built = teach::findEmbeddedLesson(source);
+    const bool named = source.starts_with(kLessonPrefix);
+    const teach::EmbeddedLesson* built =
+        teach::findEmbeddedLesson(named ? source.substr(kLessonPrefix.size()) : source);
     if (!file && built != nullptr)
         return checkedLesson(teach::readLesson(built->text, source), source, {});
     if (!source.ends_with(teach::kLessonExtension)) return std::shared_ptr<const LessonFile>();
@@ -49,20 +51,7 @@ std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view
 }
 
 Result<InputSpec> inputOfStep(const LessonFile& file, std::size_t step) {
-    const teach::StepSetting setting = teach::settingOf(file.lesson, step);
-    const Result<RunSettings> settings = teach::runSettings(setting);
-    if (!settings) return settings.error();
-    InputSpec spec;
-    spec.source = teach::lessonSource(setting.input, file.folder);
-    spec.neighbors = settings.value().prepare.neighbors;
-    spec.rules = settings.value().rules;
-    spec.choices = settings.value().choices;
-    spec.whatIf = settings.value().whatIf;
-    if (!spec.source.ends_with(teach::kLessonExtension)) return spec;
-    Result<PointFile> points = teach::readLessonPoints(spec.source);
-    if (!points) return points.error();
-    spec.points = std::make_shared<const PointFile>(std::move(points.value()));
-    return spec;
+    return inputOfStep(teach::settingOf(file.lesson, step), file.folder);
 }
 
 LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "jobs/open_lesson.h"
 #include "export/formats.h"
+#include "jobs/open_lesson.h"
 #include "run/strings.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/read_points.h"

@@ -23,7 +23,7 @@ enum class BrowserTask : std::uint8_t {
     SaveMesh,
     SaveResult,
     SaveLesson,
-    Export
+    Export,
 };
 
 struct BrowserEntry {

@@ -19,15 +19,12 @@ namespace se::view {
 template <class State>
 State& PanelContext::state() const {
     UiState& ui = commands.ui;
-    return std::get<State&>(std::tie(ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab,
-                                     ui.watch, ui.browsing, ui.click, ui.compare, ui.facts, ui.goTo,
-                                     ui.growth, ui.lasso, ui.leaving, ui.ledger, ui.lesson, ui.look,
-                                     ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
-                                     ui.watch, ui.browsing, ui.click, ui.compare, ui.exported,
-                                     ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving, ui.ledger,
-                                     ui.look, ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
-                                     ui.prepare, ui.query, ui.section, ui.startPage, ui.subjectMenu,
-                                     ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+    return std::get<State&>(
+        std::tie(ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing,
+                 ui.click, ui.compare, ui.exported, ui.facts, ui.goTo, ui.growth, ui.lasso,
+                 ui.leaving, ui.ledger, ui.lesson, ui.look, ui.mesh, ui.move, ui.navigation,
+                 ui.palette, ui.piece, ui.prepare, ui.query, ui.section, ui.startPage,
+                 ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;

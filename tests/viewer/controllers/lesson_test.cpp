@@ -21,6 +21,7 @@ struct LessonApp : test::HeadlessApp {
 
     LessonApp() : test::HeadlessApp("lesson-test") {}
     void settle() {
+        lesson.closeForOther();
         lesson.waitUntilDone();
         waitUntilDone();
         lesson.poll();
@@ -248,7 +249,6 @@ TEST_CASE("A lesson opens after something else was open, and a click there close
     app.open("lesson:spiral");
     app.goTo(1);
     app.document.open("scene:figure-8");
-    app.lesson.closeForOther();
     app.settle();
     CHECK_FALSE(app.walk().isOpen());
     CHECK(app.place() == "9.sphere.2");

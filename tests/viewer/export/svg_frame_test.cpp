@@ -91,7 +91,7 @@ TEST_CASE("Triangles are drawn from back to front, hidden ones not at all") {
 TEST_CASE("Points that a triangle hides are left out, others have their numbers") {
     FrontView view;
     view.list.cloudVisible = true;
-    view.list.cloudStyles.styles[0] = {kRed, 0.5F, Shape::Disc, false};
+    view.list.cloudStyles.styles[0] = {kRed, 0.5F, view::Shape::Disc, false};
     view.list.cloudStyleOf.resize(view.model->place.size());
     const std::size_t all = countOf(view.drawn(), "data-point");
     CHECK(all == view.model->place.size());
@@ -108,7 +108,7 @@ TEST_CASE("Labels are text, with the signs of markup escaped, and a mark knows i
     view.list.label({0, 0, 0}, "d < r & s", kRed);
     view.labels.push_back({0, {200, 200}, {{210, 190}, {60, 18}}, {213, 190}, 14.0F, true});
     view.list.layers = {{"Labels"}};
-    view.list.mark(view.model->place[7], Shape::RingedDisc, kRed, 1.0F);
+    view.list.mark(view.model->place[7], view::Shape::RingedDisc, kRed, 1.0F);
     const std::string svg = view.drawn();
     CHECK(svg.find(">d &lt; r &amp; s</text>") != std::string::npos);
     CHECK(svg.find("data-point=\"7\"") != std::string::npos);

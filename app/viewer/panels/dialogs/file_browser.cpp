@@ -70,23 +70,18 @@ SaveTarget saveTarget(const PanelContext& context) {
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
     if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
     const SaveTarget target = saveTarget(context);
-    const fs::path path = withExtension(typed, target.extension);
-    std::error_code error;
-    const bool session = context.ui().browser == BrowserTask::SaveSession;
-    const bool own = session && path == context.ui().sessionPath;
-    const bool points = context.ui().browser == BrowserTask::SavePoints;
     ExportForm& exported = context.state<ExportForm>();
     const bool frames = context.ui().browser == BrowserTask::Export;
     const fs::path path = frames ? fs::path(exported.withFormat(typed.string()))
-                                 : withExtension(typed, points ? ".ply" : kSessionExtension);
+                                 : withExtension(typed, target.extension);
     std::error_code error;
-    const bool own = !points && !frames && path == context.ui().sessionPath;
+    const bool session = context.ui().browser == BrowserTask::SaveSession;
+    const bool own = session && path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
         state.overwrite = path;
         state.error = path.filename().string() + " exists already. Save again to replace it.";
         return;
     }
-    target.request = path.string();
     state.overwrite.clear();
     state.error.clear();
     if (frames) {
@@ -94,8 +89,7 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
         exported.ask = ExportAsk::Save;
         return;
     }
-    (points ? context.state<GrowthPage>().savePath : context.requests().saveSessionAs) =
-        path.string();
+    target.request = path.string();
     context.ui().fileBrowser = false;
 }
 
@@ -127,6 +121,8 @@ std::string lessonStem(const PanelContext& context) {
     }
     const std::string name = fs::path(walk.source()).filename().string();
     return name.substr(0, name.size() - teach::kLessonExtension.size());
+}
+
 /// The input and the position, "torus-9-sphere-2.png".
 std::string exportName(const PanelContext& context) {
     const Session& session = context.session();
@@ -193,8 +189,7 @@ bool saving(const PanelContext& context) {
     const BrowserTask task = context.ui().browser;
     return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
            task == BrowserTask::SaveMesh || task == BrowserTask::SaveResult ||
-           task == BrowserTask::SaveLesson;
-           task == BrowserTask::SaveMesh || task == BrowserTask::Export;
+           task == BrowserTask::SaveLesson || task == BrowserTask::Export;
 }
 
 /// A question or work replaces the fields: input is disabled.
