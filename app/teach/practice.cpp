@@ -230,7 +230,8 @@ std::string practiceLesson(std::uint64_t seed) {
            "**remove** it (6.1 to 6.3);\n"
            "3. the **fan**, from *first* to *last* (6.4);\n"
            "4. the **next** pivot (6.5).\n\n"
-           "```se step\nminutes = 3\nframe = \"pivot\"\npin = [\"links\"]\n```\n\n```se ask\nkind = \"play\"\nat = "
+           "```se step\nminutes = 3\nframe = \"pivot\"\npin = [\"links\"]\n```\n\n```se ask\nkind "
+           "= \"play\"\nat = "
            "\"" +
            toString(task.address) + "\"\nuntil = \"" + toString(task.events.back().address) +
            "\"\nanswer = \"moves\"\n```\n";

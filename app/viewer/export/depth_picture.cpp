@@ -13,7 +13,7 @@ namespace se::view {
 namespace {
 
 constexpr float kMostDepthPixels = 2048.0F;
-constexpr float kFarthest = 2.0F;
+constexpr float kFarthestDepth = 2.0F;
 constexpr std::uint32_t kNobody = 0xffffffffU;
 /// Depth by which a triangle has to be nearer, so that it does not hide what lies on it.
 constexpr float kSlack = 2e-5F;
@@ -46,7 +46,7 @@ DepthPicture::DepthPicture(glm::vec2 size)
     : scale_(std::min(1.0F, kMostDepthPixels / std::max(size.x, size.y))),
       size_(glm::ivec2(glm::ceil(size * scale_))) {
     const auto count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
-    depth_.assign(count, kFarthest);
+    depth_.assign(count, kFarthestDepth);
     number_.assign(count, kNobody);
 }
 

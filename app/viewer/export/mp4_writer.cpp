@@ -21,7 +21,7 @@ namespace se::view {
 
 namespace {
 
-constexpr const char* kProgram = "ffmpeg";
+constexpr const char* kFfmpeg = "ffmpeg";
 constexpr const char* kNeeds = "needs ffmpeg (apt-get install ffmpeg); .gif and .html need nothing";
 
 bool isInPath(const std::string& program) {
@@ -99,7 +99,7 @@ class VideoProcess {
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
         const int problem =
-            ::posix_spawnp(&process_, kProgram, &actions, nullptr, pointers.data(), environ);
+            ::posix_spawnp(&process_, kFfmpeg, &actions, nullptr, pointers.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         ::close(ends[0]);
         if (problem == 0) return success();
@@ -152,7 +152,7 @@ class Mp4Writer : public FrameWriter {
     Status start() {
         const std::string size = fmt::format("{}x{}", target_.size.x, target_.size.y);
         return named(process_.start(
-            {kProgram, "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
+            {kFfmpeg, "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
              "-s", size, "-r", fmt::format("{}", target_.perSecond), "-i", "pipe:0",
              // Rows come from the bottom up; the format takes even sizes alone.
              "-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18",
@@ -180,7 +180,7 @@ class Mp4Writer : public FrameWriter {
 }  // namespace
 
 Status mp4Possible() {
-    if (isInPath(kProgram)) return success();
+    if (isInPath(kFfmpeg)) return success();
     return Error{kNeeds};
 }
 

@@ -15,7 +15,7 @@ namespace se::view {
 namespace {
 
 // Those of render/surface.cpp.
-constexpr float kPointBias = 0.12F;
+constexpr float kMarkBias = 0.12F;
 constexpr float kSolidDots = 0.8F;
 constexpr float kLeastAlpha = 0.02F;
 /// Ring around a mark in the color of the background: pixels beyond the mark, and opacity.
@@ -149,7 +149,7 @@ void drawPoint(SvgCanvas& canvas, std::size_t p, float marks) {
     const PointStyle* other = in.other != nullptr ? &in.other->cloudStyles.styles[which] : nullptr;
     const float strength = style.color.a * (style.onMesh ? marks : 1.0F);
     if (style.shape == Shape::Hidden || strength < kLeastAlpha) return;
-    const auto at = canvas.screen().at(in.model.place[p], kPointBias * in.model.spacing);
+    const auto at = canvas.screen().at(in.model.place[p], kMarkBias * in.model.spacing);
     if (!at || !Rect{{0.0F, 0.0F}, in.size}.contains(glm::vec2(*at))) return;
     if (canvas.depth().hides(*at)) return;
     const bool solid = drawnSolid(canvas.dots());

@@ -10,18 +10,18 @@ namespace se::view {
 
 namespace {
 
-struct Meaning {
+struct ColorClass {
     std::string_view name;
     Color Palette::*color;
 };
-constexpr std::array kMeanings{
-    Meaning{"pivot", &Palette::pivot},     Meaning{"used", &Palette::used},
-    Meaning{"first", &Palette::first},     Meaning{"last", &Palette::last},
-    Meaning{"test", &Palette::test},       Meaning{"rejected", &Palette::rejected},
-    Meaning{"unused", &Palette::unused},   Meaning{"done", &Palette::done},
-    Meaning{"mesh", &Palette::mesh},       Meaning{"mesh-edge", &Palette::meshEdge},
-    Meaning{"text", &Palette::text},       Meaning{"text-dim", &Palette::textDim},
-    Meaning{"view", &Palette::background},
+constexpr std::array kColorClasses{
+    ColorClass{"pivot", &Palette::pivot},     ColorClass{"used", &Palette::used},
+    ColorClass{"first", &Palette::first},     ColorClass{"last", &Palette::last},
+    ColorClass{"test", &Palette::test},       ColorClass{"rejected", &Palette::rejected},
+    ColorClass{"unused", &Palette::unused},   ColorClass{"done", &Palette::done},
+    ColorClass{"mesh", &Palette::mesh},       ColorClass{"mesh-edge", &Palette::meshEdge},
+    ColorClass{"text", &Palette::text},       ColorClass{"text-dim", &Palette::textDim},
+    ColorClass{"view", &Palette::background},
 };
 
 /// One row per SvgPaint.
@@ -102,7 +102,7 @@ std::string hexColor(const Color& color) {
 std::string SvgClasses::meaningOf(const Color& color) const {
     const Palette& palette = paletteOf(theme_);
     const std::string hex = hexColor(color);
-    for (const Meaning& each : kMeanings) {
+    for (const ColorClass& each : kColorClasses) {
         if (hexColor(palette.*each.color) == hex) return std::string(each.name);
     }
     return {};

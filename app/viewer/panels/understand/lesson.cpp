@@ -26,7 +26,7 @@ std::string minutesText(double minutes) {
 }
 
 /// The lessons of the program.
-void drawList(const PanelContext& context) {
+void drawLessons(const PanelContext& context) {
     const LessonPanel& panel = context.state<LessonPanel>();
     wrappedText("A lesson walks through a run step by step, and asks before it shows.");
     ImGui::Spacing();
@@ -160,7 +160,7 @@ void drawLesson(const PanelContext& context) {
         ImGui::ProgressBar(static_cast<float>(panel.share), {-1.0F, 0.0F}, "Opening the lesson");
     }
     const LessonWalk& walk = panel.walk;
-    if (!walk.isOpen()) return drawList(context);
+    if (!walk.isOpen()) return drawLessons(context);
     if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
     drawHead(context, walk);
     const float foot = 2.0F * ImGui::GetFrameHeightWithSpacing();

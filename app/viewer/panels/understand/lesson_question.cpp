@@ -64,8 +64,11 @@ void drawOptions(const PanelContext& context, LessonWalk& walk) {
     const std::vector<std::string>& options = walk.question()->options;
     for (std::size_t i = 0; i < options.size(); ++i) {
         const std::string letter = teach::optionLetter(i);
-        if (selectable(context, letter + "   " + options[i], walk.state().given.choice == i,
-                       "option " + letter))
+        std::string label;
+        for (const std::string& line :
+             wrapped(letter + "   " + options[i], ImGui::GetContentRegionAvail().x))
+            label += (label.empty() ? "" : "\n") + line;
+        if (selectable(context, label, walk.state().given.choice == i, "option " + letter))
             walk.type(letter);
     }
 }
