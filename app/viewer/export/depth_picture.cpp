@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
+#include "scene/clip.h"
+
 namespace se::view {
 
 namespace {
@@ -17,8 +19,6 @@ constexpr float kFarthestDepth = 2.0F;
 constexpr std::uint32_t kNobody = 0xffffffffU;
 /// Depth by which a triangle has to be nearer, so that it does not hide what lies on it.
 constexpr float kSlack = 2e-5F;
-
-float crossOf(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 

@@ -74,8 +74,11 @@ void drawLessonCaption(const PanelContext& context, const std::string& decision)
     ImGui::PushFont(chosen);
     for (const Paragraph& each : paragraphs) wrappedText(each.text, each.color);
     ImGui::PopFont();
-    if (ImGui::GetContentRegionAvail().y >= ImGui::GetTextLineHeight())
+    // The question comes first, and the text of the step is never smaller than the decision.
+    ImGui::PushFont(fonts.small);
+    if (!walk.asks() && ImGui::GetContentRegionAvail().y >= ImGui::GetTextLineHeight())
         dimText(fitted(decision, width));
+    ImGui::PopFont();
     ImGui::EndGroup();
     nameItem(context, "lesson caption");
 }
