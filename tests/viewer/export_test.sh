@@ -70,7 +70,7 @@ a_lesson_is_exported_step_by_step() {
     expect 0 removal -o steps/ --steps 1,3-4 --size 320x240
     is "$(find steps -name '*.png' | wc -l)" 3 "steps"
     expect 0 removal -o all.svg --size 320x240
-    is "$(find . -name 'all-*.svg' | wc -l)" 8 "steps of the whole lesson"
+    is "$(find . -name 'all-*.svg' | wc -l)" 9 "steps of the whole lesson"
     says steps/captions.txt "Four candidates: "
     expect 2 removal -o x.png --steps 40
     says err "expected steps from 1 to"
@@ -154,9 +154,9 @@ dom() {
 
 a_page_is_one_file_of_a_lesson() {
     expect 0 removal -o p.html
-    is "$(grep -c '<section class="step"' p.html)" 8 "steps"
-    is "$(grep -c '<form class="ask">' p.html)" 4 "questions"
-    [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 8 steps"
+    is "$(grep -c '<section class="step"' p.html)" 9 "steps"
+    is "$(grep -c '<form class="ask">' p.html)" 5 "questions"
+    [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 9 steps"
     ! grep -qE '(src|href)="(http|//|file)' p.html || fail "the page loads something"
     [ "$(sed -n '/^"use strict"/,$p' p.html | wc -c)" -lt 30000 ] || fail "the script is long"
     says p.html ".view{fill:#e8eaed}"
@@ -211,7 +211,7 @@ open("a.result.json", "w").write(field("result"))
 PYTHON
     says said "1||#2|Which of them go?|s|Not right. Not in the answer: s. Missing: 1."
     says said "|Right. The answer is q."
-    says said "|false|#8|#7"
+    says said "|false|#9|#8"
     "$program" lesson results a.result.json >table || fail "the program does not read the result"
     says table "100 %"
 }

@@ -55,7 +55,7 @@ Json questionJson(const FrameStep& step) {
         right["choice"] = teach::optionLetter(*answer.choice);
     } else if (answer.number) {
         right["number"] = *answer.number;
-    } else {
+    } else if (question.kind != "play") {
         right["points"] = answer.points;
     }
     return {{"step", step.step + 1},    {"title", step.lesson.steps[step.step].title},
@@ -84,8 +84,11 @@ std::string formOf(const FrameStep& step) {
             "autocomplete=\"off\"></label>\n",
             one ? "One point" : "Points");
     }
-    return "<form class=\"ask\">\n" + fields +
-           "<button type=\"submit\">Check</button><button type=\"button\" class=\"show\">Show the "
+    // A pivot is played in the viewer; a page shows its moves.
+    const bool plays = question.kind == "play";
+    const std::string check = plays ? "" : "<button type=\"submit\">Check</button>";
+    return "<form class=\"ask\">\n" + (plays ? "" : fields) + check +
+           "<button type=\"button\" class=\"show\">Show the "
            "answer</button>\n<p class=\"says\" role=\"status\" "
            "aria-live=\"polite\"></p>\n</form>\n";
 }

@@ -92,6 +92,7 @@ for i in range(n):
 size=1600x980 start --layout learn "$flawed"
 says doctor done
 says findings '.*"unscaled_normals".*"flipped_normals".*'
+says trials_ended true
 click_on "doctor fix all"
 says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals flipped" \]'
 says doctor done; says findings '\[\]'

@@ -38,6 +38,7 @@ says input "four points.xyz"
 says message "2 files were dropped; only the first was opened.*"
 
 # With an unsaved bookmark the program asks first.
+says alert_search done; says busy false
 press Home; says pivot 0 # it may have opened on its first alert
 press F10; says pivot 1
 press ctrl+b; says unsaved true

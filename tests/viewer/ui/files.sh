@@ -6,7 +6,7 @@ says start_page true
 says phase empty
 # Keys of the run do nothing here; Enter opens only items reached by arrows or Tab (start.sh).
 press F10 F5 f Return space 1 ctrl+b ctrl+z ctrl+s Home; says start_page true; says file_browser false
-click 490 150
+click_on "tile figure-1"
 says start_page false
 says input scene:figure-1; says layout learn
 press F2; says layout present; press F2; says layout debug

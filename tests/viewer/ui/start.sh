@@ -13,16 +13,17 @@ start
 says start_page true; says keyboard view
 picture before
 press Tab; says keyboard files
-press Tab; says keyboard scenes; chosen figure-1
+press Tab; says keyboard scenes; chosen lesson:tour
 picture first
 [ "$(differing before first)" -gt 200 ] || fail "one cannot see which tile has the keyboard"
-press Right; chosen figure-2; picture second
+press Right; chosen lesson:spiral; picture second
 [ "$(differing first second)" -gt 200 ] || fail "one cannot see that the arrow moves on"
-press Down Left; chosen figure-4; press Up; chosen figure-1
+press Down Left; chosen lesson:removal; press Up; chosen lesson:tour
 press Tab; says keyboard view
 press shift+Tab; says keyboard scenes
 press Escape; says keyboard view; says start_page true
-press Tab Tab; says keyboard scenes; chosen figure-1
+press Tab Tab; says keyboard scenes; chosen lesson:tour
+press Down Down Down; chosen figure-1
 press Right; chosen figure-2; press Return
 says phase ready; says input scene:figure-2; says keyboard view
 # It opens at the decision of the figure, beside its rule. The view has the focus: its keys work at

@@ -17,7 +17,7 @@ namespace se::view {
 namespace {
 
 constexpr float kLeastTile = 14.5F;       ///< Width in em.
-constexpr float kPicture = 7.4F;          ///< Height of the picture in a tile, in em.
+constexpr float kTilePicture = 7.4F;      ///< Height of the picture in a tile, in em.
 constexpr float kLessonTile = 4.0F;       ///< Height of the tile of a lesson, in em.
 constexpr std::size_t kEdgesBelow = 500;  ///< Triangles of a picture with edges.
 constexpr float kSide = 19.0F;            ///< Width of the column beside the tiles, in em.
@@ -134,7 +134,7 @@ void drawSceneTile(const PanelContext& context, const SceneTile& tile, ImVec2 si
     offerTile(context, tile, size);
     if (!ImGui::IsItemVisible()) return;
     const Rect area = lastItem();
-    const Rect picture{area.min, {area.size.x, kPicture * em}};
+    const Rect picture{area.min, {area.size.x, kTilePicture * em}};
     ImDrawList* list = ImGui::GetWindowDrawList();
     drawTilePlates(context, area, picture);
     drawPicture(context, list, tile, toVec2(picture.min), toVec2(picture.max()));
@@ -194,7 +194,7 @@ void drawTiles(const PanelContext& context) {
         const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
         const float share = (width + gap) / static_cast<float>(columns) - gap;
         const float sentence = sentenceHeight(context, page, std::floor(share) - 1.0F * em);
-        const ImVec2 size(std::floor(share), std::round((kPicture + 2.1F) * em + sentence));
+        const ImVec2 size(std::floor(share), std::round((kTilePicture + 2.1F) * em + sentence));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
         int column = 0;
         std::string_view part;
