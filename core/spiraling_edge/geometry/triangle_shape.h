@@ -76,6 +76,21 @@ inline bool isSteep(const PointSet& points, const Triangle& t, double cosine) {
            glm::dot(area, points.normal[t.b]) < limit || glm::dot(area, points.normal[t.c]) < limit;
 }
 
+/// True only if the triangle is far from a needle and within the angle of this cosine of each
+/// normal of its corners, by margins far above the rounding: neither flipped nor isSteep().
+inline bool clearlyFaces(const PointSet& points, const Triangle& t, double cosine) {
+    constexpr double kMargin = 1e-6;
+    const Vec3 ab = points.position[t.b] - points.position[t.a];
+    const Vec3 ac = points.position[t.c] - points.position[t.a];
+    const Vec3 area = glm::cross(ab, ac);
+    const double areaSq = glm::dot(area, area);
+    const double edges = glm::dot(ab, ab) + glm::dot(ac, ac);
+    if (!(areaSq > 1e-8 * edges * edges)) return false;
+    const double least = (cosine + kMargin) * std::sqrt(areaSq);
+    return glm::dot(area, points.normal[t.a]) > least &&
+           glm::dot(area, points.normal[t.b]) > least && glm::dot(area, points.normal[t.c]) > least;
+}
+
 /// Cosine of the angle between the normals of two triangles; 1 if one has no area.
 inline double normalsCosine(const PointSet& points, const Triangle& a, const Triangle& b) {
     const Vec3 m = areaVector(points, a);
@@ -87,7 +102,9 @@ inline double normalsCosine(const PointSet& points, const Triangle& a, const Tri
 /// True if the angle between two normals of any length is larger than the one with this cosine. The
 /// roots are taken separately: the product of the squares would overflow much earlier.
 inline bool encloseMore(const Vec3& m, const Vec3& n, double cosine) {
-    return glm::dot(m, n) < cosine * (std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n)));
+    const double along = glm::dot(m, n);
+    if (cosine <= 0.0 && along >= 0.0) return false;  // Most, and without a root.
+    return along < cosine * (std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n)));
 }
 
 /// FaultKind::Folded, for triangles at a common edge. The same whichever corner comes first.

@@ -191,6 +191,7 @@ std::size_t NearTriangles::addTested(const Triangle& t) {
 
 bool isFaulty(const PointSet& points, RepairState& m, Index t) {
     const Triangle mine = m.triangles[t];
+    if (clearlyFaces(points, mine, kRough)) return false;
     if (shapeFaults(points, mine) >= kFlippedFault) return true;
     if (!isSteep(points, mine, kRough)) return false;
     ConflictSearch search(points, m, {&mine, 1}, {t, t});

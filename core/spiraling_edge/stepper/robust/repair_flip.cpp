@@ -25,29 +25,39 @@ struct Quad : FlipQuad {
 };
 
 Quad quadAt(const RepairState& m, HalfEdge h) {
-    return {{cornerOf(m, h), cornerOf(m, following(h)), cornerOf(m, preceding(h)),
-             cornerOf(m, preceding(m.twin[h]))}};
+    const Triangle left = cornersFrom(m, h);
+    return {{left.a, left.b, left.c, cornersFrom(m, m.twin[h]).c}};
 }
 
 /// Faults of two triangles at the edge they share and at the four edges around them.
 class FlipScore {
   public:
-    FlipScore(const PointSet& points, RepairState& m, HalfEdge h)
-        : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quadAt(m, h)) {}
+    FlipScore(const PointSet& points, RepairState& m, HalfEdge h, const Quad& quad)
+        : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quad) {}
 
     /// Faults of the two triangles themselves.
-    int own() const { return faults(quad_.left(), quad_.right()); }
+    int own() const {
+        if (!own_) own_ = faults(quad_.left(), quad_.right());
+        return *own_;
+    }
     int before() const {
-        return own() + outerFold(following(h_), quad_.left()) +
-               outerFold(preceding(h_), quad_.left()) + outerFold(following(g_), quad_.right()) +
-               outerFold(preceding(g_), quad_.right());
+        if (!before_) {
+            const Vec3 left = areaOf(quad_.left());
+            const Vec3 right = areaOf(quad_.right());
+            before_ = own() + outerFold(following(h_), left) + outerFold(preceding(h_), left) +
+                      outerFold(following(g_), right) + outerFold(preceding(g_), right);
+        }
+        return *before_;
     }
     int after() const {
-        return faults(quad_.flippedU(), quad_.flippedV()) +
-               outerFold(preceding(h_), quad_.flippedU()) +
-               outerFold(following(g_), quad_.flippedU()) +
-               outerFold(following(h_), quad_.flippedV()) +
-               outerFold(preceding(g_), quad_.flippedV());
+        if (!after_) {
+            const Vec3 atU = areaOf(quad_.flippedU());
+            const Vec3 atV = areaOf(quad_.flippedV());
+            after_ = faults(quad_.flippedU(), quad_.flippedV()) + outerFold(preceding(h_), atU) +
+                     outerFold(following(g_), atU) + outerFold(following(h_), atV) +
+                     outerFold(preceding(g_), atV);
+        }
+        return *after_;
     }
     /// Triangles at the four points that the two given ones meet, or are a second layer of; counted
     /// until they are more than `most`.
@@ -73,16 +83,19 @@ class FlipScore {
     int faults(const Triangle& a, const Triangle& b) const {
         return shapeFaults(points_, a) + shapeFaults(points_, b) + (folded(points_, a, b) ? 2 : 0);
     }
-    int outerFold(HalfEdge side, const Triangle& mine) const {
+    /// As folded() takes it.
+    Vec3 areaOf(const Triangle& t) const { return areaVector(points_, fromLeastCorner(t)); }
+    int outerFold(HalfEdge side, const Vec3& mine) const {
         const HalfEdge other = m_.twin[side];
-        return other != kNone && folded(points_, mine, m_.triangles[other / 3]) ? 2 : 0;
+        if (other == kNone) return 0;
+        return encloseMore(mine, areaOf(m_.triangles[other / 3]), kFoldCosine) ? 2 : 0;
     }
 
     const PointSet& points_;
     RepairState& m_;
     HalfEdge h_, g_;
     Quad quad_;
-    mutable std::optional<int> conflictsBefore_;
+    mutable std::optional<int> own_, before_, after_, conflictsBefore_;
 };
 
 /// Cosine of the least angle of the two triangles.
@@ -190,11 +203,9 @@ void lookAhead(const PointSet& points, const RobustThresholds& thresholds, Repai
 }
 
 /// True if lookAhead() found that the edge stays, and it still has the same four points.
-bool stays(const RepairState& m, std::size_t place, HalfEdge h) {
-    const FlipsAhead& ahead = m.flipsAhead;
+bool stays(const FlipsAhead& ahead, std::size_t place, const Quad& q) {
     if (place < ahead.from || place - ahead.from >= ahead.stays.size()) return false;
-    return h < m.twin.size() && m.twin[h] != kNone &&
-           ahead.stays[place - ahead.from] == FlipQuad(quadAt(m, h));
+    return ahead.stays[place - ahead.from] == FlipQuad(q);
 }
 
 /// A conflict may move to triangles that are not examined, and come back: each triangle takes part
@@ -225,15 +236,12 @@ bool mayBeRough(const PointSet& points, const Quad& q) {
 }
 
 Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
-                HalfEdge h) {
-    // Other steps shorten the list, so that a side in the queue may no longer exist.
-    if (h >= m.twin.size() || m.twin[h] == kNone) return Gain::None;
-    const FlipScore score(points, m, h);
-    const Quad& q = score.quad();
+                HalfEdge h, const Quad& q) {
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return Gain::None;
     }
     if (clearlyStays(points, thresholds, q)) return Gain::None;
+    const FlipScore score(points, m, h, q);
     bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
     if (sound && mayBeRough(points, q)) {
         // No flip for any reason leaves more faults: asked before the search for conflicts, which
@@ -250,9 +258,8 @@ Gain gainOfFlip(const PointSet& points, const RobustThresholds& thresholds, Repa
     return gain == Gain::None || joined(m, q.x, q.y) ? Gain::None : gain;
 }
 
-void flipEdge(RepairState& m, HalfEdge h) {
+void flipEdge(RepairState& m, HalfEdge h, const Quad& q) {
     const HalfEdge g = m.twin[h];
-    const Quad q = quadAt(m, h);
     const HalfEdge vx = m.twin[following(h)];
     const HalfEdge xu = m.twin[preceding(h)];
     const HalfEdge uy = m.twin[following(g)];
@@ -282,8 +289,11 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         lookAhead(points, thresholds, m);
         const std::size_t place = m.queueFront++;
         const HalfEdge h = m.queue[place];
-        if (stays(m, place, h)) continue;
-        const Gain gain = gainOfFlip(points, thresholds, m, h);
+        // Other steps shorten the list, so that a side in the queue may no longer exist.
+        if (h >= m.twin.size() || m.twin[h] == kNone) continue;
+        const Quad q = quadAt(m, h);
+        if (stays(m.flipsAhead, place, q)) continue;
+        const Gain gain = gainOfFlip(points, thresholds, m, h, q);
         if (gain == Gain::None) continue;
         if (gain == Gain::Conflicts) {
             for (const HalfEdge side : {h, m.twin[h]}) {
@@ -291,8 +301,7 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
                                     static_cast<std::uint8_t>(m.conflictFlips[side / 3] + 1));
             }
         }
-        const Quad q = quadAt(m, h);
-        flipEdge(m, h);
+        flipEdge(m, h, q);
         ++m.flipped;
         return FlipEvidence{q.u, q.v, q.x, q.y};
     }

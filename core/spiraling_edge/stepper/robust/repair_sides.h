@@ -20,6 +20,14 @@ inline Index cornerOf(const RepairState& m, HalfEdge h) {
     return h % 3 == 0 ? t.a : (h % 3 == 1 ? t.b : t.c);
 }
 
+/// The corners of the triangle of a side, from the one that the side leaves on.
+inline Triangle cornersFrom(const RepairState& m, HalfEdge h) {
+    const Triangle& t = m.triangles[h / 3];
+    const HalfEdge k = h % 3;
+    if (k == 0) return t;
+    return k == 1 ? Triangle{t.b, t.c, t.a} : Triangle{t.c, t.a, t.b};
+}
+
 /// Calls visit(side) for the sides of one fan that leave its point, in both directions from
 /// `begin`.
 template <typename Visit>
