@@ -70,7 +70,7 @@ a_lesson_is_exported_step_by_step() {
     expect 0 removal -o steps/ --steps 1,3-4 --size 320x240
     is "$(find steps -name '*.png' | wc -l)" 3 "steps"
     expect 0 removal -o all.svg --size 320x240
-    is "$(find . -name 'all-*.svg' | wc -l)" 9 "steps of the whole lesson"
+    is "$(find . -name 'all-*.svg' | wc -l)" 10 "steps of the whole lesson"
     says steps/captions.txt "Four candidates: "
     expect 2 removal -o x.png --steps 40
     says err "expected steps from 1 to"
@@ -211,9 +211,10 @@ open("a.result.json", "w").write(field("result"))
 PYTHON
     says said "1||#2|Which of them go?|s|Not right. Not in the answer: s. Missing: 1."
     says said "|Right. The answer is q."
-    says said "|false|#9|#8"
+    says said "|false|#10|#9"
     "$program" lesson results a.result.json >table || fail "the program does not read the result"
     says table "100 %"
+    says table "s (1)"
 }
 
 wrong_orders_are_refused_before_any_work() {

@@ -18,6 +18,7 @@
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/stepper/event.h"
+#include "teach/practice.h"
 
 namespace se::view {
 
@@ -101,11 +102,19 @@ std::vector<ThumbnailFace> facesOf(const PointSet& points, std::span<const Trian
     return faces;
 }
 
-/// The mesh of a scene that works, as it is at the decision of a figure or of a lesson, otherwise
+/// An input as a tile shows it.
+struct TileInput {
+    PointFile file;
+    GivenStart start = {};
+    std::string_view at = {};       ///< The address at which the mesh is shown, or nothing.
+    std::string_view failure = {};  ///< What a scene of the gallery shows; empty for others.
+};
+
+/// The mesh of an input that works, as it is at the decision of a figure or of a lesson, otherwise
 /// half grown.
-void drawGrown(const PointSet& points, const PictureFrame& frame, std::string_view at,
-               const Scene& scene, SceneTile& tile) {
-    const auto address = addressFromString(at);
+void drawGrown(const PointSet& points, const PictureFrame& frame, const TileInput& input,
+               SceneTile& tile) {
+    const auto address = addressFromString(input.at);
     const std::uint32_t pivot = address ? address->pivot : 0;
     // A closed surface has two triangles for each point.
     const auto enough = [&](const State& state) {
@@ -113,7 +122,7 @@ void drawGrown(const PointSet& points, const PictureFrame& frame, std::string_vi
                          : state.triangles.size() >= points.position.size();
     };
     Params params;
-    params.start = startOfScene(scene.id);
+    params.start = input.start;
     tile.faces = facesOf(points, reconstruct(points, params, enough).state.triangles, {}, frame);
 }
 
@@ -139,10 +148,9 @@ Vec3 directionOf(const SceneTile& tile) {
     return tile.figure != nullptr ? tile.figure->view : usualDirection();
 }
 
-/// Points and mesh of a scene; `at`: the address at which the mesh is shown, or nothing.
-void drawScene(const Scene& scene, std::string_view at, const FailureScene* failing,
-               SceneTile& tile) {
-    const PointFile file = scene.build();
+/// Points and mesh of an input.
+void drawInput(const TileInput& input, SceneTile& tile) {
+    const PointFile& file = input.file;
     tile.dots = thumbnail(file, kDots, directionOf(tile));
     tile.reach = glm::vec2(0.0F);
     for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
@@ -150,8 +158,8 @@ void drawScene(const Scene& scene, std::string_view at, const FailureScene* fail
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
     const PictureFrame frame = frameOf(file, kDots, directionOf(tile));
-    if (failing == nullptr) return drawGrown(points, frame, at, scene, tile);
-    drawFailure(points, frame, failing->failure, tile);
+    if (input.failure.empty()) return drawGrown(points, frame, input, tile);
+    drawFailure(points, frame, input.failure, tile);
 }
 
 SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
@@ -160,24 +168,29 @@ SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
     tile.title = scene.title;
     tile.watch = scene.watch;
     tile.figure = figureOfScene(scene.id);
-    drawScene(scene, tile.figure != nullptr ? addressOfScene(scene.id) : std::string_view{},
-              failing, tile);
+    drawInput({scene.build(), startOfScene(scene.id),
+               tile.figure != nullptr ? addressOfScene(scene.id) : std::string_view{},
+               failing != nullptr ? failing->failure : std::string_view{}},
+              tile);
     return tile;
 }
 
-/// A lesson begins with a built-in scene, of the gallery or not.
+/// A lesson begins with a built-in scene, of the gallery or not, or with a pivot to practice.
 SceneTile tileOf(const LessonEntry& lesson) {
     SceneTile tile;
     tile.id = lesson.source;
     tile.title = lesson.title;
     tile.watch = lesson.text;
     tile.minutes = lesson.minutes;
+    if (const auto seed = teach::practiceSeed(lesson.input)) {
+        drawInput({teach::practiceFile(teach::practiceTask(*seed)), {}, lesson.at}, tile);
+        return tile;
+    }
     const std::string_view id = std::string_view(lesson.input).substr(kScenePrefix.size());
     if (const FailureScene* failing = galleryScene(id)) {
-        drawScene(failing->scene, lesson.at, failing, tile);
+        drawInput({failing->scene.build(), {}, lesson.at, failing->failure}, tile);
     } else if (const Scene* scene = findScene(id)) {
-        tile.figure = nullptr;
-        drawScene(*scene, lesson.at, nullptr, tile);
+        drawInput({scene->build(), startOfScene(id), lesson.at}, tile);
     }
     return tile;
 }
