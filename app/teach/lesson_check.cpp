@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "lesson_keys.h"
 #include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
@@ -96,7 +97,18 @@ class StepCheck {
                checkPlace(lines.of("at"), "at", step_.at);
     }
 
+    /// `words` are empty or an outcome that some decision can have.
+    bool checkOutcome(const KeyLines& lines, const std::string& key, const std::string& words) {
+        if (words.empty() || isPossibleOutcome(words)) return true;
+        const std::vector<std::string_view> known = outcomeWords();
+        return malformed(lines, key,
+                         "\"" + words + "\" is no outcome of a decision; the nearest is \"" +
+                             std::string(nearestWord(known, words)) +
+                             "\"; docs/lessons.md lists them");
+    }
+
     bool checkExpected() {
+        if (!checkOutcome(step_.lines, "expect", step_.expect)) return false;
         if (step_.expect.empty()) return true;
         const Status moved = goToPlace(*cursor_, step_.at.empty() ? setting_.at : step_.at);
         const Event* event = moved ? cursor_->event() : nullptr;
@@ -150,6 +162,9 @@ class StepCheck {
                                checkPlace(lines.of("why"), "why", question.why);
         if (!hasPlaces) return;
         if (!checkWords(lines, "answer", pointWords(question))) return;
+        for (const std::string& words : question.verdicts) {
+            if (!checkOutcome(lines, "verdicts", words)) return;
+        }
         const Result<RunRange> range = rangeOf(*cursor_, setting_, question);
         if (!range) {
             malformed(lines, "until", range.error().message);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -154,7 +155,8 @@ bool readOptions(const toml::node& node, Lesson& lesson);
 
 constexpr std::array kLessonKeys{
     KeyRow<Lesson>{"version", "1", readVersion},
-    KeyRow<Lesson>{"input", "a text: scene:ID, or the path of a file", readText<&Lesson::input>},
+    KeyRow<Lesson>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
+                   readText<&Lesson::input>},
     KeyRow<Lesson>{"options", "a table of neighbors, radius, reach and symmetric", readOptions},
     KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<&Lesson::rules>},
     KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<&Lesson::rules>},
@@ -174,7 +176,7 @@ constexpr std::array kStepKeys{
                        readPlay},
     KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
                        readText<&LessonStep::expect>},
-    KeyRow<LessonStep>{"input", "a text: scene:ID, or the path of a file",
+    KeyRow<LessonStep>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
                        readText<&LessonStep::input>},
     KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",
                        readNames<&LessonStep::names>},
@@ -249,13 +251,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 template <typename Target>
 std::string_view nearestKey(std::span<const KeyRow<Target>> rows, std::string_view word) {
-    constexpr std::size_t kLongestWord = 64;
-    const std::string_view cut = word.substr(0, kLongestWord);
-    return std::min_element(rows.begin(), rows.end(),
-                            [&](const KeyRow<Target>& a, const KeyRow<Target>& b) {
-                                return editDistance(a.name, cut) < editDistance(b.name, cut);
-                            })
-        ->name;
+    std::vector<std::string_view> names;
+    for (const KeyRow<Target>& row : rows) names.push_back(row.name);
+    return nearestWord(names, word);
 }
 
 /// Parses a block and reads each of its keys by its row.
@@ -263,9 +261,9 @@ template <typename Target>
 void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
                std::vector<LessonFault>& faults) {
     target.lines.block = block.line;
-    if (const std::size_t line = lineOfStrayBracket(block.toml); line > 0) {
-        faults.push_back({FaultSort::Malformed, block.line + line, "",
-                          "a bracket that does not belong there; a table is written as { ... }"});
+    if (const StraySign stray = strayTomlSign(block.toml); stray.line > 0) {
+        faults.push_back(
+            {FaultSort::Malformed, block.line + stray.line, "", std::string(stray.what)});
         return;
     }
     const toml::parse_result parsed = toml::parse(block.toml);
@@ -312,6 +310,15 @@ void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<Lesso
 
 void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults) {
     readBlock<Question>(block, kAskKeys, question, faults);
+}
+
+std::string_view nearestWord(std::span<const std::string_view> list, std::string_view word) {
+    assert(!list.empty());
+    constexpr std::size_t kLongestWord = 64;
+    const std::string_view cut = word.substr(0, kLongestWord);
+    return *std::min_element(list.begin(), list.end(), [&](std::string_view a, std::string_view b) {
+        return editDistance(a, cut) < editDistance(b, cut);
+    });
 }
 
 std::vector<LessonKey> lessonKeys() {

@@ -154,6 +154,14 @@ bool isOutcome(std::string_view words, std::string_view outcome) {
     return rest.empty() || rest.front() == ' ' || rest.front() == ',';
 }
 
+bool isPossibleOutcome(std::string_view words) {
+    const std::vector<std::string_view> known = outcomeWords();
+    // After "splits into" come numbers.
+    return std::any_of(known.begin(), known.end(), [&](std::string_view each) {
+        return isOutcome(words, each) || isOutcome(each, words);
+    });
+}
+
 std::span<const RunAnswer> runAnswers() { return kRunAnswers; }
 
 const RunAnswer* findRunAnswer(std::string_view name) {

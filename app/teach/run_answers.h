@@ -31,6 +31,8 @@ struct RunValue {
 
 /// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".
 bool isOutcome(std::string_view words, std::string_view outcome);
+/// True if some decision can have that outcome.
+bool isPossibleOutcome(std::string_view words);
 
 /// One row of the table of answers.
 struct RunAnswer {

@@ -33,25 +33,30 @@ std::size_t tokenLength(std::string_view text) {
 
 }  // namespace
 
-std::size_t lineOfStrayBracket(std::string_view toml) {
+StraySign strayTomlSign(std::string_view toml) {
+    constexpr std::string_view kBracket =
+        "a bracket that does not belong there; a table is written as { ... }";
+    constexpr std::string_view kLetter =
+        "a letter or sign that does not belong there; texts stand in \"quotation marks\"";
     std::string open;
     std::size_t line = 1;
     bool startsLine = true;
     while (!toml.empty()) {
         const std::size_t length = tokenLength(toml);
         const std::string_view token = toml.substr(0, length);
-        if (token == "[" && startsLine && open.empty()) return line;
+        if (static_cast<unsigned char>(token.front()) > 0x7F) return {line, kLetter};
+        if (token == "[" && startsLine && open.empty()) return {line, kBracket};
         if (token == "[") open += ']';
         if (token == "{") open += '}';
         if (token == "]" || token == "}") {
-            if (open.empty() || open.back() != token.front()) return line;
+            if (open.empty() || open.back() != token.front()) return {line, kBracket};
             open.pop_back();
         }
         line += static_cast<std::size_t>(std::count(token.begin(), token.end(), '\n'));
         startsLine = token == "\n" || (startsLine && (token == " " || token == "\t"));
         toml.remove_prefix(length);
     }
-    return 0;
+    return {};
 }
 
 }  // namespace se::teach

@@ -1,5 +1,6 @@
-/// Brackets of TOML. toml++ 3.3 asserts that no wrong bracket stands where a value or a key of a
-/// table begins, so wrong ones are found before it reads a block.
+/// Signs of TOML that toml++ 3.3 takes for granted: it asserts that no wrong bracket stands where a
+/// value or a key of a table begins, and its behavior is undefined for letters beyond ASCII outside
+/// of strings and comments. So wrong ones are found before it reads a block.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,13 @@
 
 namespace se::teach {
 
-/// Line, from 1, of the first bracket outside of strings and comments that closes no bracket of its
-/// kind, or that begins the header of a table, which no block of a lesson has; 0 if there is none.
-std::size_t lineOfStrayBracket(std::string_view toml);
+/// A wrong sign outside of strings and comments.
+struct StraySign {
+    std::size_t line = 0;   ///< From 1; 0: there is none.
+    std::string_view what;  ///< What is wrong, for the message.
+};
+/// The first bracket that closes no bracket of its kind, or that begins the header of a table,
+/// which no block of a lesson has; or the first byte beyond ASCII.
+StraySign strayTomlSign(std::string_view toml);
 
 }  // namespace se::teach

@@ -2,15 +2,19 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "lesson_files.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/verdict_table.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_skeleton.h"
+#include "teach/run_answers.h"
 
 namespace se::teach {
 namespace {
@@ -65,7 +69,7 @@ TEST_CASE("a question to play is answered by the moves of the run") {
 }
 
 TEST_CASE("every embedded lesson agrees with its runs, and has a length") {
-    CHECK(embeddedLessons().size() == 8);
+    CHECK(embeddedLessons().size() == 9);
     for (const EmbeddedLesson& each : embeddedLessons()) {
         CAPTURE(each.id);
         CHECK(checkedText(std::string(each.text)) == "good");
@@ -97,13 +101,35 @@ TEST_CASE("the example of docs/lessons.md agrees with its run") {
     CHECK(readLesson(example, "x").lesson.questions() == 1);
 }
 
+TEST_CASE("docs/lessons.md lists the outcomes of the paper's decisions") {
+    const Result<std::string> page =
+        readBytes(std::filesystem::path(SPIRALING_EDGE_DOCS) / "lessons.md");
+    REQUIRE(page.ok());
+    std::string list = page.value().substr(page.value().find("Outcomes: "));
+    std::replace(list.begin(), list.end(), '\n', ' ');
+    for (const std::string_view words : outcomeWords()) {
+        CAPTURE(std::string(words));
+        CHECK(isPossibleOutcome(words));
+    }
+    for (const VerdictRow& row : verdictTable()) {
+        const bool isBeyond = row.id == Verdict::Blocked || row.id == Verdict::WallComplete ||
+                              (row.id >= Verdict::WideGap && row.id <= Verdict::Covers) ||
+                              row.id >= Verdict::WhatIfKept;
+        CAPTURE(std::string(row.text));
+        if (!isBeyond) CHECK(has(list, " " + std::string(row.text)));
+    }
+    CHECK(isPossibleOutcome("splits into 19 and 13"));
+    CHECK_FALSE(isPossibleOutcome("split"));
+}
+
 TEST_CASE("a flipped expectation of any step is found") {
     for (const EmbeddedLesson& each : embeddedLessons()) {
         const Lesson lesson = readLesson(each.text, "x").lesson;
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             if (lesson.steps[i].expect.empty()) continue;
             Lesson flipped = lesson;
-            flipped.steps[i].expect = "another outcome";
+            const bool seed = lesson.steps[i].expect == "seed";
+            flipped.steps[i].expect = seed ? "freed" : "seed";
             LessonRuns runs({});
             const std::vector<LessonFault> faults = checkLesson(flipped, runs);
             REQUIRE(faults.size() == 1);
@@ -144,6 +170,9 @@ TEST_CASE("numbers and choices are checked against the run") {
     CHECK(askCheck(choice + verdicts + "answer = \"A\"") == "good");
     CHECK(has(askCheck(choice + verdicts + "answer = \"B\""), "disagrees"));
     CHECK(has(askCheck(choice + "answer = \"verdict\""), "is not one of the options"));
+    CHECK(has(askCheck(choice + "verdicts = [\"removed\", \"insight sphere\"]\nanswer = \"A\""),
+              "malformed x:17: verdicts: \"insight sphere\" is no outcome of a decision; the "
+              "nearest is \"inside sphere\""));
     CHECK(has(askCheck(choice + "answer = \"C\""), "malformed"));
 }
 
@@ -156,6 +185,9 @@ TEST_CASE("faults that only the run shows name line, key and what is there") {
     CHECK(has(stepCheck("until = \"9.sphere.5\""), "until: pivot 9 has"));
     CHECK(has(stepCheck("at = \"9.sphere.2\"\nexpect = \"inside sphere\""),
               "disagrees x:14: expect: the outcome there is \"removed\""));
+    CHECK(has(stepCheck("at = \"9.sphere.2\"\nexpect = \"remove\""),
+              "malformed x:14: expect: \"remove\" is no outcome of a decision; the nearest is "
+              "\"removed\""));
     CHECK(has(stepCheck("select = \"u\""), "select: u: no such name; add it to names"));
     CHECK(has(stepCheck("at = \"9.sphere.2\"\ncompare = \"--rule delay=off\""),
               "disagrees x:14: compare: both runs make the same triangles"));

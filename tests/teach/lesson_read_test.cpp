@@ -104,6 +104,8 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(stepWith("step", "select = [ # ]\n }")), ":14: a bracket that does not belong"},
         {lessonWith(stepWith("step", "names = { a = 1 ] }")),
          ":13: a bracket that does not belong"},
+        {lessonWith(stepWith("step", "hide = [\xC3\xA9]")), ":13: a letter or sign that does not"},
+        {lessonWith(stepWith("step", "\xC3\xA9 = 1")), ":13: a letter or sign that does not"},
         {lessonWith(stepWith("step", "at = }")), ":13: a bracket that does not belong"},
         {lessonWith(stepWith("step", "at = \"0\"\n [part]")),
          ":14: a bracket that does not belong"},

@@ -2,6 +2,7 @@
 #include "spiraling_edge/explain/figure_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/stepper/verdict_table.h"
 
 namespace se {
 namespace {
@@ -22,6 +24,11 @@ std::string ringText(const RingEvidence& e) {
                                                : "USED " + std::to_string(e.status);
     return (e.inserted ? "enters, " : "leaves, ") + status;
 }
+
+/// The words that effectText() begins with.
+constexpr std::array<std::string_view, 11> kEffectWords{
+    "made",   "enters",     "leaves", "passed over", "splits into", "joins",
+    "closed", "next pivot", "seed",   "stranded",    "freed"};
 
 /// The effect of an event that is no test.
 std::string effectText(const Event& event) {
@@ -103,6 +110,13 @@ std::size_t countOf(FaultKind kind, const PointSet& points, const std::vector<Tr
 std::string outcomeText(const Event& event) {
     const std::string_view verdict = endingText(event);
     return verdict.empty() ? effectText(event) : std::string(verdict);
+}
+
+std::vector<std::string_view> outcomeWords() {
+    std::vector<std::string_view> words;
+    for (const VerdictRow& row : verdictTable()) words.push_back(row.text);
+    words.insert(words.end(), kEffectWords.begin(), kEffectWords.end());
+    return words;
 }
 
 bool FigureCheck::holds() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/scenes/figures.h"
@@ -15,6 +16,9 @@ namespace se {
 /// "joins, a ring of 30", "closed", "next pivot", "seed", "stranded", "freed". Empty for events
 /// that change nothing.
 std::string outcomeText(const Event& event);
+
+/// The words that outcomes begin with: "kept", ..., "made", "splits into".
+std::vector<std::string_view> outcomeWords();
 
 /// An expectation and the decision at its address.
 struct CheckedExpectation {
