@@ -148,6 +148,10 @@ PracticeTask practiceTask(std::uint64_t seed) {
     }
 }
 
+std::vector<NamedPoint> practiceNames(const PracticeTask& task) {
+    return {{"p", task.p}, {"first", task.first}, {"last", task.last}};
+}
+
 PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove>& moves) {
     PracticeGrade grade;
     grade.rightMoves = movesAlike(moves, movesOf(task.solution));
@@ -162,7 +166,8 @@ PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove
     grade.section = stageSection(event->address.stage);
     grade.stage = stageName(event->address.stage);
     grade.address = toString(event->address);
-    grade.sentence = describe(*event);
+    const std::vector<NamedPoint> names = practiceNames(task);
+    grade.sentence = describe(*event, pointNames(names));
     return grade;
 }
 
@@ -172,7 +177,9 @@ LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGr
     answer.step = 1;
     answer.title = "Play a pivot";
     answer.kind = "play";
-    for (const PlayMove& each : moves) answer.given.push_back(moveText(each));
+    answer.tries = 0;
+    const std::vector<NamedPoint> names = practiceNames(task);
+    for (const PlayMove& each : moves) answer.given.push_back(moveText(each, names));
     if (!grade.right) answer.wrong = {grade.section + ' ' + grade.stage};
     answer.right = grade.right;
     answer.score =
@@ -180,14 +187,16 @@ LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGr
     return {"Practice", "practice 1", {}, {std::move(answer)}};
 }
 
-Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& name,
-                                        std::size_t pointCount) {
+Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& file,
+                                        const PracticeTask& task) {
+    const std::vector<NamedPoint> names = practiceNames(task);
+    const std::size_t pointCount = task.points->size();
     std::vector<PlayMove> moves;
     io::LineReader lines(text);
     while (lines.nextContent('#')) {
-        Result<PlayMove> move = moveFromText(lines.line());
+        Result<PlayMove> move = moveFromText(lines.line(), names);
         const auto fail = [&](const std::string& what) {
-            return io::errorAt(name, io::lineText(lines.number()), what);
+            return io::errorAt(file, io::lineText(lines.number()), what);
         };
         if (!move) return fail(move.error().message);
         for (const Index point : move.value().points) {
@@ -197,7 +206,7 @@ Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string
         }
         moves.push_back(std::move(move.value()));
     }
-    if (moves.empty()) return Error{name + ": expected moves, one a line, such as \"keep 12\""};
+    if (moves.empty()) return Error{file + ": expected moves, one a line, such as \"keep 12\""};
     return moves;
 }
 
@@ -221,9 +230,12 @@ std::string practiceLesson(std::uint64_t seed) {
     const std::string number = std::to_string(seed);
     const std::string pivot = std::to_string(task.address.pivot);
     return "# Practice " + number + "\n\n```se lesson\nversion = 1\ninput = \"" +
-           std::string(kPracticePrefix) + number + "\"\nview = \"top\"\n```\n\n## Play pivot " +
-           pivot + "\n\nThe pivot is " + std::to_string(task.p) + ", between first, " +
-           std::to_string(task.first) + ", and last, " + std::to_string(task.last) +
+           std::string(kPracticePrefix) + number +
+           "\"\nview = \"top\"\nnames = { p = " + std::to_string(task.p) +
+           ", first = " + std::to_string(task.first) + ", last = " + std::to_string(task.last) +
+           " }\n```\n\n## Play pivot " + pivot + "\n\nThe pivot p is " + std::to_string(task.p) +
+           ", between *first*, " + std::to_string(task.first) + ", and *last*, " +
+           std::to_string(task.last) +
            ". Do what the algorithm does with it, in its order:\n\n"
            "1. **start** and **end** move along the edge ring, where it is concave (6.1);\n"
            "2. each candidate between them, by increasing angle from *first*: **keep** or "

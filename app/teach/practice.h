@@ -47,6 +47,9 @@ inline constexpr std::string_view kPracticePrefix = "practice:";
 /// The seed in such a source; nothing if it is none.
 std::optional<std::uint64_t> practiceSeed(std::string_view source);
 
+/// The names of its points: p, first and last.
+std::vector<NamedPoint> practiceNames(const PracticeTask& task);
+
 /// The points of a task as a file with neighbor lists.
 PointFile practiceFile(const PracticeTask& task);
 /// The task of a seed as the text of a lesson with one question of kind `play`.
@@ -63,18 +66,19 @@ struct PracticeGrade {
     std::string section;   ///< "6.3"
     std::string stage;     ///< "sphere"
     std::string address;   ///< "5.sphere.2"
-    std::string sentence;  ///< The decision of the run in words.
+    std::string sentence;  ///< The decision of the run in words, with the names of the task.
 };
 /// Compares the moves of a user with the solution; any number of tries.
 PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove>& moves);
 
-/// A try as a result for `lesson results`, which sums up tasks of all seeds in one row.
+/// An answer as a result for `lesson results`, which sums up tasks of all seeds in one row. It does
+/// not know of tries before it.
 LessonResult practiceResult(const std::vector<PlayMove>& moves, const PracticeGrade& grade,
                             const PracticeTask& task);
 
-/// Reads moves, one a line; blank lines and what follows # are passed over. Fails with name and
-/// line, also if a point does not exist.
-Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& name,
-                                        std::size_t pointCount);
+/// Reads moves, one a line; blank lines and what follows # are passed over. Fails with the name of
+/// the file and the line, also if a point does not exist.
+Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string& file,
+                                        const PracticeTask& task);
 
 }  // namespace se::teach

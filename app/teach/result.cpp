@@ -45,6 +45,27 @@ GivenAnswer emptyAnswer(const Lesson& lesson, std::size_t step) {
     return answer;
 }
 
+std::string withoutText(const std::string& what) { return "without " + what; }
+
+/// The first wrong move, or the one that is missing.
+std::vector<std::string> wrongMoves(const Answer& given, const Answer& right,
+                                    const std::vector<NamedPoint>& names) {
+    const std::size_t alike = movesAlike(given.moves, right.moves);
+    if (alike < given.moves.size()) return {moveText(given.moves[alike], names)};
+    return {withoutText(moveText(right.moves[alike], names))};
+}
+
+/// FirstTry::mistakes of an answer that was graded.
+std::vector<std::string> mistakesIn(const GivenAnswer& answer, const Grade& grade,
+                                    const std::vector<NamedPoint>& names) {
+    if (answer.right) return {};
+    std::vector<std::string> mistakes = answer.wrong;
+    if (answer.kind != "points") return mistakes;
+    for (const std::string& name : namesOf(grade.missing, names))
+        mistakes.push_back(withoutText(name));
+    return mistakes;
+}
+
 Json jsonOfAnswer(const GivenAnswer& each) {
     Json answer{{"step", each.step}, {"title", each.title}, {"kind", each.kind}};
     if (each.isOfRoom()) {
@@ -54,10 +75,12 @@ Json jsonOfAnswer(const GivenAnswer& each) {
         answer["given"] = each.given;
         answer["wrong"] = each.wrong;
     }
+    if (each.first)
+        answer["first"] = {{"given", each.first->given}, {"mistakes", each.first->mistakes}};
     answer["right"] = each.right;
     answer["score"] = each.score;
     answer["seconds"] = each.seconds;
-    answer["tries"] = each.tries;
+    if (each.tries > 0) answer["tries"] = each.tries;
     return answer;
 }
 
@@ -130,6 +153,16 @@ void readRoom(FieldReader& fields, GivenAnswer& answer) {
     answer.rightOption = std::min(option, std::max<std::size_t>(answer.counts.size(), 1) - 1);
 }
 
+/// Reads the first try. Returns the problem; empty if there is none.
+std::string readFirstTry(const Json& object, const std::string& name, GivenAnswer& answer) {
+    if (!object.is_object()) return name + ": \"first\": expected given and mistakes";
+    FieldReader fields(object, name + ": \"first\"");
+    answer.first.emplace();
+    fields.texts("given", answer.first->given);
+    fields.texts("mistakes", answer.first->mistakes);
+    return fields.problem();
+}
+
 /// Reads one answer. Returns the problem; empty if there is none.
 std::string readGivenAnswer(const Json& object, const std::string& name, GivenAnswer& answer) {
     if (!object.is_object()) return name + ": \"answers\": expected objects";
@@ -140,14 +173,16 @@ std::string readGivenAnswer(const Json& object, const std::string& name, GivenAn
     fields.truth("right", answer.right);
     fields.number("score", answer.score);
     fields.number("seconds", answer.seconds);
-    fields.count("tries", answer.tries);
+    answer.tries = 0;
+    if (object.contains("tries")) fields.count("tries", answer.tries);
     if (object.contains("counts")) {
         readRoom(fields, answer);
     } else {
         fields.texts("given", answer.given);
         fields.texts("wrong", answer.wrong);
     }
-    return fields.problem();
+    if (!fields.problem().empty() || !object.contains("first")) return fields.problem();
+    return readFirstTry(object["first"], name, answer);
 }
 
 }  // namespace
@@ -163,6 +198,9 @@ GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& g
     if (!grade.right && grade.wrong.empty() && !hasPoints) answer.wrong = answer.given;
     answer.right = grade.right;
     answer.score = grade.score;
+    answer.first = FirstTry{answer.given, !grade.right && answer.kind == "play"
+                                              ? wrongMoves(given, right.answer, names)
+                                              : mistakesIn(answer, grade, names)};
     return answer;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,15 @@ namespace se::teach {
 /// Extension of a result's file.
 inline constexpr std::string_view kResultExtension = ".result.json";
 
+/// The first answer of a person to a question.
+struct FirstTry {
+    std::vector<std::string> given;
+    /// What is wrong with it: points, letters, numbers or the first wrong move; "without q" for a
+    /// point or a move that is missing. Empty if it is right.
+    std::vector<std::string> mistakes;
+    bool isRight() const { return mistakes.empty(); }
+};
+
 /// The answer to one question.
 struct GivenAnswer {
     std::size_t step = 0;  ///< Of the lesson, from 1.
@@ -21,9 +31,10 @@ struct GivenAnswer {
     std::vector<std::string> given;  ///< Names of points, a letter, or a number; of a room, none.
     std::vector<std::string> wrong;  ///< Of `given`, those that do not belong to the answer.
     bool right = false;
-    double score = 0.0;    ///< From 0 to 1.
-    double seconds = 0.0;  ///< Until the last try.
-    std::size_t tries = 1;
+    double score = 0.0;             ///< From 0 to 1.
+    double seconds = 0.0;           ///< Until the last try.
+    std::size_t tries = 1;          ///< 0: not counted.
+    std::optional<FirstTry> first;  ///< Nothing if it is not known, and of a room.
     /// Of a room: how many chose A, B, C and D; else empty.
     std::vector<std::size_t> counts;
     std::size_t rightOption = 0;  ///< Of a room, from 0.
@@ -39,7 +50,8 @@ struct LessonResult {
     std::vector<GivenAnswer> answers;
 };
 
-/// Grades an answer to the question of step number `step`, from 0. Requires a question there.
+/// Grades an answer, as the first one, to the question of step number `step`, from 0. Requires a
+/// question there.
 GivenAnswer gradedAnswer(const Lesson& lesson, std::size_t step, const Answer& given,
                          const RightAnswer& right);
 

@@ -25,9 +25,12 @@ void addRoom(const GivenAnswer& answer, QuestionSummary& row) {
         if (i == answer.rightOption) {
             row.right += hands;
             row.scores += static_cast<double>(hands);
+            row.rightAtFirst += hands;
         } else if (hands > 0) {
             row.wrong[optionLetter(i)] += hands;
+            row.mistakes[optionLetter(i)] += hands;
         }
+        row.firsts += hands;
     }
 }
 
@@ -38,6 +41,11 @@ void addPerson(const GivenAnswer& answer, QuestionSummary& row) {
     row.seconds += answer.seconds;
     row.timed += 1;
     for (const std::string& each : answer.wrong) row.wrong[each] += 1;
+    if (answer.first) {
+        row.firsts += 1;
+        row.rightAtFirst += answer.first->isRight() ? 1 : 0;
+        for (const std::string& each : answer.first->mistakes) row.mistakes[each] += 1;
+    }
     const bool isLetter = answer.kind == "choice" && answer.given.size() == 1 &&
                           answer.given[0].size() == 1 && answer.given[0][0] >= 'A' &&
                           answer.given[0][0] < static_cast<char>('A' + kLetters);
@@ -60,8 +68,29 @@ std::string csvField(std::string text) {
 std::string percentText(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
 std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(text.size(), width), ' ');
+    text.resize(std::max(text.size() + 1, width), ' ');
     return text;
+}
+
+using WordCounts = std::map<std::string, std::size_t>;
+
+std::string mostFrequentOf(const WordCounts& words) {
+    const auto most =
+        std::max_element(words.begin(), words.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == words.end() ? std::string() : most->first;
+}
+
+/// "t (3)"; "-" without any.
+std::string frequentText(const WordCounts& words) {
+    const std::string most = mostFrequentOf(words);
+    return most.empty() ? "-" : most + " (" + std::to_string(words.at(most)) + ")";
+}
+
+/// Two fields of CSV: the most frequent word and its count.
+std::string frequentFields(const WordCounts& words) {
+    const std::string most = mostFrequentOf(words);
+    return csvField(most) + ',' + std::to_string(most.empty() ? 0 : words.at(most));
 }
 
 }  // namespace
@@ -70,12 +99,12 @@ double QuestionSummary::rightShare() const { return meanOf(static_cast<double>(r
 double QuestionSummary::meanScore() const { return meanOf(scores, people); }
 double QuestionSummary::meanSeconds() const { return meanOf(seconds, timed); }
 
-std::string QuestionSummary::mostFrequentWrong() const {
-    const auto most =
-        std::max_element(wrong.begin(), wrong.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == wrong.end() ? std::string() : most->first;
+std::optional<double> QuestionSummary::rightAtFirstShare() const {
+    if (firsts == 0) return std::nullopt;
+    return meanOf(static_cast<double>(rightAtFirst), firsts);
 }
+std::string QuestionSummary::mostFrequentWrong() const { return mostFrequentOf(wrong); }
+std::string QuestionSummary::mostFrequentMistake() const { return mostFrequentOf(mistakes); }
 
 std::vector<QuestionSummary> summarize(std::span<const LessonResult> results) {
     std::map<std::tuple<std::string, std::string, std::size_t>, QuestionSummary> rows;
@@ -102,13 +131,14 @@ std::string summaryText(std::span<const QuestionSummary> rows) {
     for (const QuestionSummary& row : rows) {
         if (row.lesson + row.hash != lesson)
             text += row.lesson + " (" + row.hash +
-                    ")\n  step  answers  right  wrong most often  question\n";
+                    ")\n  step  answers  right  wrong most often  right at first  "
+                    "first mistake     question\n";
         lesson = row.lesson + row.hash;
-        const std::string wrong = row.mostFrequentWrong();
-        const std::string often =
-            wrong.empty() ? "-" : wrong + " (" + std::to_string(row.wrong.at(wrong)) + ")";
+        const std::optional<double> first = row.rightAtFirstShare();
         text += "  " + padded(std::to_string(row.step), 6) + padded(std::to_string(row.people), 9) +
-                padded(percentText(row.rightShare()), 7) + padded(often, 18) + row.title + "\n";
+                padded(percentText(row.rightShare()), 7) + padded(frequentText(row.wrong), 18) +
+                padded(first ? percentText(*first) : "-", 16) +
+                padded(frequentText(row.mistakes), 18) + row.title + "\n";
     }
     return text;
 }
@@ -116,15 +146,16 @@ std::string summaryText(std::span<const QuestionSummary> rows) {
 std::string summaryCsv(std::span<const QuestionSummary> rows) {
     std::string text =
         "lesson,hash,step,question,kind,answers,right,share_right,mean_score,mean_seconds,"
-        "wrong_most_often,wrong_count,A,B,C,D\r\n";
+        "wrong_most_often,wrong_count,share_right_first,first_mistake,first_mistake_count,"
+        "A,B,C,D\r\n";
     for (const QuestionSummary& row : rows) {
-        const std::string wrong = row.mostFrequentWrong();
+        const std::optional<double> first = row.rightAtFirstShare();
         text += csvField(row.lesson) + ',' + csvField(row.hash) + ',' + std::to_string(row.step) +
                 ',' + csvField(row.title) + ',' + csvField(row.kind) + ',' +
                 std::to_string(row.people) + ',' + std::to_string(row.right) + ',' +
                 shortNumber(row.rightShare()) + ',' + shortNumber(row.meanScore()) + ',' +
-                shortNumber(row.meanSeconds()) + ',' + csvField(wrong) + ',' +
-                std::to_string(wrong.empty() ? 0 : row.wrong.at(wrong));
+                shortNumber(row.meanSeconds()) + ',' + frequentFields(row.wrong) + ',' +
+                (first ? shortNumber(*first) : std::string()) + ',' + frequentFields(row.mistakes);
         for (std::size_t i = 0; i < kLetters; ++i)
             text += ',' + (i < row.counts.size() ? std::to_string(row.counts[i]) : std::string());
         text += "\r\n";

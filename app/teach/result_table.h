@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,13 +24,20 @@ struct QuestionSummary {
     double seconds = 0.0;  ///< Sum over `timed`.
     std::size_t timed = 0;
     std::map<std::string, std::size_t> wrong;  ///< Wrong points, letters or numbers, with counts.
-    std::vector<std::size_t> counts;           ///< Of all rooms and choices together, A to D.
+    std::size_t firsts = 0;  ///< Answers of which the first try is known: hands of a room, too.
+    std::size_t rightAtFirst = 0;
+    std::map<std::string, std::size_t> mistakes;  ///< FirstTry::mistakes, with counts.
+    std::vector<std::size_t> counts;              ///< Of all rooms and choices together, A to D.
 
     double rightShare() const;
+    /// The share of `firsts` that were right; nothing if none is known.
+    std::optional<double> rightAtFirstShare() const;
     double meanScore() const;
     double meanSeconds() const;
     /// The most frequent wrong point, letter or number; empty if there is none.
     std::string mostFrequentWrong() const;
+    /// The most frequent mistake at the first try; empty if there is none.
+    std::string mostFrequentMistake() const;
 };
 
 /// One row per question of each lesson, by title of the lesson, hash and step.

@@ -40,7 +40,7 @@ void compareWithRun(se::teach::Trace trace) {
 
 void readAndGradeMoves(std::string_view bytes) {
     static const se::teach::PracticeTask task = se::teach::practiceTask(7);
-    const auto moves = se::teach::readMoves(bytes, "input", task.points->size());
+    const auto moves = se::teach::readMoves(bytes, "input", task);
     demandTrace(moves.ok() || !moves.error().message.empty(), "an error without a message");
     if (!moves.ok()) return;
     const se::teach::PracticeGrade grade = se::teach::gradePractice(task, moves.value());

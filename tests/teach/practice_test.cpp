@@ -177,6 +177,7 @@ TEST_CASE("the first wrong decision is named with its section and sentence") {
     // A move of start that the run does not make, and a point that is no candidate.
     const PracticeGrade start = gradePractice(taskSeven(), solutionWith(0, "start 9"));
     CHECK(start.address == "24.limits.1");
+    CHECK(start.sentence.find("start = first") != std::string::npos);
     CHECK(start.sentence.find("start stays") != std::string::npos);
     CHECK(gradePractice(taskSeven(), solutionWith(1, "keep 21")).section == "6.1");
 }
@@ -198,10 +199,12 @@ TEST_CASE("missing and surplus moves are wrong") {
 
 TEST_CASE("an answer file has a move a line, and faults have their line") {
     const auto fault = [](std::string_view text) {
-        return readMoves(text, "a.txt", 35).error().message;
+        return readMoves(text, "a.txt", taskSeven()).error().message;
     };
-    CHECK(readMoves("# mine\n\nend 24  # why\nkeep 34\n", "a.txt", 35).value() ==
+    CHECK(readMoves("# mine\n\nend 24  # why\nkeep 34\n", "a.txt", taskSeven()).value() ==
           std::vector<PlayMove>{moveOf("end 24"), moveOf("keep 34")});
+    CHECK(readMoves("fan first 20 24 last", "a.txt", taskSeven()).value() ==
+          std::vector<PlayMove>{moveOf("fan 27 20 24 29")});
     CHECK(fault("end 24\n\nkeep 35\n") == "a.txt: line 3: 35: there are 35 points, from 0");
     CHECK(fault("end 24\nkeep\n") == "a.txt: line 2: keep: expected one point");
     CHECK(fault("# nothing\n") == "a.txt: expected moves, one a line, such as \"keep 12\"");
@@ -217,6 +220,8 @@ TEST_CASE("thirty results of practice make one row, with the section most often 
         const PracticeGrade grade = gradePractice(task, moves);
         const std::string json = resultJson(practiceResult(moves, grade, task));
         results.push_back(resultFromJson(json, "x").value());
+        CHECK(results.back().answers[0].tries == 0);
+        CHECK_FALSE(results.back().answers[0].first.has_value());
     }
     const std::vector<QuestionSummary> rows = summarize(results);
     REQUIRE(rows.size() == 1);
@@ -225,6 +230,7 @@ TEST_CASE("thirty results of practice make one row, with the section most often 
     CHECK(rows[0].kind == "play");
     CHECK(rows[0].mostFrequentWrong() == "6.5 advance");
     CHECK(rows[0].wrong.at("6.5 advance") >= 10);
+    CHECK_FALSE(rows[0].rightAtFirstShare().has_value());
 }
 
 }  // namespace se::teach

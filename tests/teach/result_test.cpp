@@ -53,6 +53,10 @@ TEST_CASE("a result reads back as it was written") {
     CHECK(person.wrong == std::vector<std::string>{"t"});
     CHECK(person.score == doctest::Approx(0.5));
     CHECK(person.tries == 2);
+    REQUIRE(person.first.has_value());
+    CHECK(person.first->given == std::vector<std::string>{"q", "t"});
+    CHECK(person.first->mistakes == std::vector<std::string>{"t"});
+    CHECK_FALSE(back.value().answers[1].first.has_value());
     const GivenAnswer& room = back.value().answers[1];
     CHECK(room.counts == std::vector<std::size_t>{3, 12, 1, 0});
     CHECK(room.rightOption == 1);
@@ -74,6 +78,8 @@ TEST_CASE("bad results are refused with the field") {
         {"\"seconds\": 12.5", "\"seconds\": \"long\"", "seconds"},
         {"\"tries\": 2", "\"tries\": -2", "tries"},
         {"\"given\": [", "\"given\": [3, ", "given"},
+        {"\"mistakes\": [", "\"mistakes\": [3", "mistakes"},
+        {"\"first\": {", "\"first\": 3, \"second\": {", "first"},
         {"\"right\":", "\"counts\": [1, 2], \"right_option\": \"C\", \"right\":", "right_option"},
         {"{", "", "format"},
     };
@@ -110,9 +116,25 @@ TEST_CASE("results are summed up per question, persons and rooms together") {
     CHECK(all[0].right == 6);
     CHECK(summaryText(all).find("60 %") != std::string::npos);
     CHECK(summaryCsv(all).find(",10,6,0.6,") != std::string::npos);
+    CHECK(all[0].rightAtFirstShare() == doctest::Approx(0.6));
+    CHECK(all[0].mistakes.at("t") == 2);
+    CHECK(all[0].mistakes.at("without q") == 1);
+    CHECK(all[0].mostFrequentMistake() == "t");
+    CHECK(summaryCsv(all).find(",0.6,t,2,") != std::string::npos);
     results.push_back(results[0]);
     results.back().hash = "another";
     CHECK(summarize(results).size() == 2);
+}
+
+TEST_CASE("the first try of a person counts beside the last one") {
+    const Lesson lesson = figure8Lesson();
+    std::vector<LessonResult> results{resultWith(lesson, {46}), resultWith(lesson, {46})};
+    results[0].answers[0].first = resultWith(lesson, {31}).answers[0].first;
+    const std::vector<QuestionSummary> rows = summarize(results);
+    CHECK(rows[0].rightShare() == 1.0);
+    CHECK(rows[0].rightAtFirstShare() == 0.5);
+    CHECK(rows[0].wrong.empty());
+    CHECK(rows[0].mistakes == std::map<std::string, std::size_t>{{"s", 1}, {"without q", 1}});
 }
 
 TEST_CASE("fields of CSV are quoted, and are no formulas") {

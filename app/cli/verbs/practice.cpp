@@ -62,7 +62,8 @@ std::string taskText(const PracticeTask& task) {
     for (const std::vector<Index>& ring : task.stack)
         text += fmt::format("Stacked edge ring: {}\n", fmt::join(ring, " "));
     text +=
-        "All steps of the rings are edges of the mesh. All normals are (0, 0, 1), and z = 0.\n\n";
+        "All steps of the rings are edges of the mesh. All normals are (0, 0, 1), and z = 0, so\n"
+        "counterclockwise is from +x to +y. The lesson one-pivot solves a task move by move.\n\n";
     for (Index i = 0; i < points.size(); ++i) {
         const Vec3& x = points.position[i];
         text += fmt::format("{:>3}  {:>6.3f} {:>6.3f}  {}\n", i, x.x, x.y, statusText(task, i));
@@ -72,10 +73,11 @@ std::string taskText(const PracticeTask& task) {
         text += fmt::format("  {:<6}  {}\n", row.name, row.help);
     text += fmt::format(
         "One `keep` or `remove` for each neighbor between first and last that is not DONE, by\n"
-        "increasing angle from first; none for points that start or end move to. For example\n"
-        "  start 4\n  keep 7\n  remove 2\n  fan {} 4 7 {}\n  next 4\n"
+        "increasing angle from first; none for points that start or end move to. A point is\n"
+        "written by its number, p, first and last by their names, too. For example\n"
+        "  start 4\n  keep 7\n  remove 2\n  fan first 4 7 last\n  next last\n"
         "  spiraling-edge practice --seed {} --answer FILE\n",
-        task.first, task.last, task.seed);
+        task.seed);
     return text;
 }
 
@@ -110,9 +112,10 @@ PracticeJson solutionJson(const PracticeTask& task) {
 }
 
 std::string solutionText(const PracticeTask& task) {
+    const std::vector<teach::NamedPoint> names = teach::practiceNames(task);
     std::string text;
     for (const teach::RunMove& each : task.solution) {
-        text += fmt::format("{:<24}  # {} ({})\n", teach::moveText(each.move),
+        text += fmt::format("{:<24}  # {} ({})\n", teach::moveText(each.move, names),
                             toString(each.event.address), stageSection(each.event.address.stage));
     }
     return text;
@@ -123,16 +126,18 @@ std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& ta
     const Result<std::string> bytes = readBytes(piped ? "/dev/stdin" : path);
     if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
     Result<std::vector<PlayMove>> moves =
-        teach::readMoves(bytes.value(), piped ? "standard input" : path, task.points->size());
+        teach::readMoves(bytes.value(), piped ? "standard input" : path, task);
     if (!moves) throw Failure(ExitCode::Input, moves.error().message);
     return std::move(moves.value());
 }
 
-std::string gradeText(const PracticeGrade& grade, const std::vector<PlayMove>& moves) {
+std::string gradeText(const PracticeGrade& grade, const std::vector<PlayMove>& moves,
+                      const PracticeTask& task) {
     if (grade.right) return fmt::format("right: all {} moves\n", moves.size());
     const std::size_t wrong = grade.rightMoves;
     const std::string given =
-        wrong < moves.size() ? teach::moveText(moves[wrong]) + ": wrong" : "missing";
+        wrong < moves.size() ? teach::moveText(moves[wrong], teach::practiceNames(task)) + ": wrong"
+                             : "missing";
     return fmt::format("move {}, {}\n  {} ({}, {})\n", wrong + 1, given, grade.sentence,
                        grade.address, grade.section);
 }
@@ -156,7 +161,7 @@ ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask&
     if (!arguments.result.empty()) {
         writeOutput(arguments.result, teach::resultJson(teach::practiceResult(moves, grade, task)));
     }
-    writeOutput("-", arguments.json ? gradeJson(grade) : gradeText(grade, moves));
+    writeOutput("-", arguments.json ? gradeJson(grade) : gradeText(grade, moves, task));
     return grade.right ? ExitCode::Good : ExitCode::CheckFailed;
 }
 

@@ -77,6 +77,7 @@
     return {
       right: right, score: question.kind === "point" ? (right ? 1 : 0) : share,
       wrong: wrong.map((point) => nameOf(question, point)),
+      without: question.right.points.filter((point) => !answer.points.includes(point)).map((point) => nameOf(question, point)),
       missing: question.right.points.length - common
     };
   }
@@ -102,10 +103,12 @@
       return;
     }
     const result = grade(question, answer);
-    const tries = (answers.get(question.step) || { tries: 0 }).tries + 1;
+    const before = answers.get(question.step) || { tries: 0 };
+    const without = question.kind === "points" ? result.without.map((name) => "without " + name) : [];
     answers.set(question.step, {
       step: question.step, title: question.title, kind: question.kind, given: answer.given, wrong: result.wrong,
-      right: result.right, score: result.score, seconds: Math.round((Date.now() - question.since) / 100) / 10, tries: tries
+      right: result.right, score: result.score, seconds: Math.round((Date.now() - question.since) / 100) / 10,
+      tries: before.tries + 1, first: before.first || { given: answer.given, mistakes: result.wrong.concat(without) }
     });
     document.getElementById("keep").hidden = false;
     if (result.right) return reveal(step, question, form, "Right. ");

@@ -184,6 +184,7 @@ void LessonWalk::record(teach::GivenAnswer answer) {
         all.begin(), all.end(), answer.step,
         [](const teach::GivenAnswer& each, std::size_t step) { return each.step < step; });
     if (place != all.end() && place->step == answer.step) {
+        if (!answer.isOfRoom() && place->first) answer.first = place->first;
         *place = std::move(answer);
     } else {
         all.insert(place, std::move(answer));

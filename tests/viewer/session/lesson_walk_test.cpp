@@ -69,6 +69,10 @@ TEST_CASE("A wrong answer leaves the question open, a right one shows it, and tr
     const teach::GivenAnswer& answer = walk.result().answers.front();
     CHECK(answer.right);
     CHECK(answer.tries == 2);
+    REQUIRE(answer.first.has_value());
+    CHECK(answer.first->given == std::vector<std::string>{"3", "4", "8"});
+    CHECK(answer.first->mistakes ==
+          std::vector<std::string>{"8", "without 5", "without 6", "without 7"});
     CHECK(answer.step == 2);
     CHECK(answer.seconds == doctest::Approx(12.0));
     CHECK(walk.result().hash == walk.lesson().hash);
