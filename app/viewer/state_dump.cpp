@@ -184,6 +184,8 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     if (const Session* other = now->other()) {
         out["other_address"] =
             other->event() != nullptr ? toString(other->address()) : std::string("start");
+        out["other_decision"] =
+            other->event() != nullptr ? describe(*other->event(), other->names()) : std::string{};
         out["other_rules"] = other->input().spec().rules;
     }
     if (page.why) out["compare_why"] = selectionText(*page.why);

@@ -66,6 +66,16 @@ void CompareController::shareSelection() {
     c_.session.select(selected_);
     other->select(selected_);
     other->highlights().hover(c_.session.highlights().hovered());
+    shareNames(*other);
+}
+
+/// Gives the other run the names of a lesson, and names or numbers: points have the same numbers in
+/// both.
+void CompareController::shareNames(Session& other) const {
+    const std::span<const PointName> names = c_.session.givenNames();
+    const std::span<const PointName> there = other.givenNames();
+    if (names.data() != there.data() || names.size() != there.size()) other.giveNames(names);
+    other.showNames(c_.ui.settings.names);
 }
 
 void CompareController::makeShades() {
@@ -109,6 +119,7 @@ void CompareController::fill(bool onPaper) {
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
     if (other != nullptr) {
+        shareNames(*other);
         CommandContext context{*other, c_.playback, c_.camera, c_.ui};
         painter_->fill(context, onPaper, mine);
     } else {

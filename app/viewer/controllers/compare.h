@@ -48,6 +48,7 @@ class CompareController {
     bool inLayout() const { return c_.ui.layoutPreset == LayoutPreset::Compare; }
     void rememberBefore();
     void shareSelection();
+    void shareNames(Session& other) const;
     void makeShades();
     void begin(CompareWith with);
     void askWhy(const Selection& what);

@@ -96,6 +96,7 @@ class Session {
         givenNames_ = names;
         ++revision_;
     }
+    std::span<const PointName> givenNames() const { return givenNames_; }
     const PivotRecord& record() const {
         assert(ready());
         return *record_;

@@ -48,6 +48,26 @@ press Next; says question shown; says address 1.sphere.11
 press Next; says lesson_step 3; press Prior; says lesson_step 2; says question shown
 stop
 
+# The second run of `compare` has the names of the lesson.
+cat >"$work/names.lesson.md" <<LESSON
+# Names
+\`\`\`se lesson
+version = 1
+input = "scene:torus"
+names = { here = 0, there = 534 }
+\`\`\`
+## Two runs
+Beside each other.
+\`\`\`se step
+at = "1.sphere.1"
+compare = "--rule next=start"
+\`\`\`
+LESSON
+start "$work/names.lesson.md"
+says layout compare; says decision ".*there.*"; says other_decision ".*there.*"
+picture names
+stop
+
 # With a question open nothing tells of what follows: two lessons whose runs part after it.
 for run in a b; do
     rule=
