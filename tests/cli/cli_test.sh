@@ -1610,13 +1610,16 @@ bad_traces_are_malformed_input() {
 conformance_is_written() {
     local trace input start
     expect 0 figures --conformance made
-    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "25 25" "inputs and traces"
+    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "26 26" "inputs and traces"
     for trace in made/*.setrace; do
         input=${trace%.setrace}
         start=()
         [ ! -f "$input.start.json" ] || start=(--start "$input.start.json")
         expect 0 diff "$trace" "$input.ply" --upto ring ${start[@]+"${start[@]}"}
     done
+    expect 0 run made/opposing-normals.ply -q --rule opposing=off --trace opposing.setrace -o x.ply
+    expect 1 diff opposing.setrace made/opposing-normals.ply
+    says out "is what --rule opposing=off gives"
     expect 2 figures --conformance missing/folder
     says err "cannot be made"
     expect 2 figures 8 --conformance made
@@ -1666,9 +1669,9 @@ lessons_are_listed_and_shown() {
     expect 0 lesson list
     says out "tour               1.5 min"
     says out "class               20 min   5 questions  Twenty minutes in class"
-    is "$(wc -l <out)" 8 "lessons"
+    is "$(wc -l <out)" 9 "lessons"
     expect 0 lesson list --json
-    is "$(grep -c '"minutes"' out)" 8 "lessons in JSON"
+    is "$(grep -c '"minutes"' out)" 9 "lessons in JSON"
     expect 0 lesson show removal
     says out "2. Which of them go? (2 minutes)"
     says out "     A  q"
@@ -1685,12 +1688,15 @@ lessons_are_listed_and_shown() {
 
 lessons_are_checked() {
     local each
-    expect 0 lesson check tour spiral neighbor-ring removal split-join start-order-cost why-a-hole class
-    is "$(grep -c ': good: ' out)" 8 "good lessons"
+    expect 0 lesson check tour spiral neighbor-ring removal split-join start-order-cost why-a-hole one-pivot class
+    is "$(grep -c ': good: ' out)" 9 "good lessons"
     expect 0 lesson new scene:figure-8 -o good.lesson.md
     sed 's/^expect = "seed"/expect = "joins"/' good.lesson.md >wrong.lesson.md
     expect 1 lesson check good.lesson.md wrong.lesson.md
     says out 'expect: the outcome there is "seed"'
+    sed 's/^expect = "seed"/expect = "seeds"/' good.lesson.md >word.lesson.md
+    expect 3 lesson check word.lesson.md
+    says out '"seeds" is no outcome of a decision; the nearest is "seed"'
     sed 's/^at = "1.seed.1"/att = "1.seed.1"/' good.lesson.md >bad.lesson.md
     expect 3 lesson check bad.lesson.md wrong.lesson.md
     grep -qE '^bad.lesson.md:[0-9]+: att: no such key; the nearest is at$' out || fail "$(cat out)"
@@ -1722,16 +1728,17 @@ lessons_begin_with_an_input() {
     expect 2 lesson new -
 }
 
-# Writes the result of one person with one answer: FILE GIVEN WRONG RIGHT.
+# Writes the result of one person with one answer: FILE GIVEN WRONG RIGHT [MORE].
 lesson_result() {
     printf '{"format": "spiraling-edge lesson result", "version": 1, "lesson": "L", "hash": "h", "answers": [
         {"step": 2, "title": "Q", "kind": "points", "given": [%s], "wrong": [%s], "right": %s, "score": 0.5,
-         "seconds": 10, "tries": 1}]}' "$2" "$3" "$4" >"$1"
+         "seconds": 10, "tries": 1%s}]}' "$2" "$3" "$4" "${5-}" >"$1"
 }
 
 pivots_are_played() {
     local seed
     expect 0 practice --seed 7
+    says out "fan first 4 7 last"
     says out "Pivot p = 22 between first = 27 and last = 29"
     says out " 20   0.355  0.651  UNUSED"
     says out "--seed 7 --answer FILE"
@@ -1746,6 +1753,7 @@ pivots_are_played() {
     expect 1 practice --seed 7 --answer wrong.txt
     says out "move 2, keep 17: wrong"
     says out "(24.sphere.1, 6.3)"
+    says right.txt "fan first 20 24 last"
     head -3 right.txt >part.txt
     expect 1 practice --seed 7 --answer part.txt
     says out "move 4, missing"
@@ -1765,8 +1773,9 @@ pivots_are_played() {
         "$program" practice --seed "$seed" --answer moves.txt --result "$seed.result.json" >>log
     done
     expect 0 lesson results [0-9]*.result.json -o class.csv
-    says out "  1     30       67 %   6.3 sphere (10)   Play a pivot"
+    says out "  1     30       67 %   6.3 sphere (10)   -               -                 Play a pivot"
     says class.csv "Practice,practice 1,1,Play a pivot,play,30,20,0.667,"
+    grep -q tries 1.result.json && fail "tries are counted by a program that does not know of them"
 }
 
 # lab_with_solution: a copy of the lab with its data and the solution, in the present folder.
@@ -1776,7 +1785,7 @@ lab_with_solution() {
     mkdir bin && ln -s "$program" bin/spiraling-edge
     export PATH=$PWD/bin:$PATH PYTHONDONTWRITEBYTECODE=1
     ./lab.py data --seed 4711 >out || fail "data: $(cat out)"
-    says out "26 inputs with traces are in data/"
+    says out "27 inputs with traces are in data/"
     cp -r stages stubs
     cp "$root"/tests/lab/reference/*.py stages
 }
@@ -1785,7 +1794,7 @@ lab_is_solved() {
     command -v python3 >/dev/null || return 0
     lab_with_solution
     ./lab.py hand-in >out || fail "the solution is wrong"
-    is "$(grep -c ': right at 970 pivots' out)" 6 "stages that are right"
+    is "$(grep -c ': right at 1132 pivots' out)" 6 "stages that are right"
     is "$(grep -c '"right": true' hand-in.json)" 6 "stages handed in"
     says hand-in.json '"seed": 4711'
     ./lab.py run data/mine.ply >out || fail "run"
@@ -1826,11 +1835,11 @@ VARIANTS
 }
 
 results_are_summed_up() {
-    lesson_result a.result.json '"q"' '' true
+    lesson_result a.result.json '"q"' '' true ', "first": {"given": ["s"], "mistakes": ["s", "without q"]}'
     lesson_result b.result.json '"t"' '"t"' false
     expect 0 lesson results a.result.json b.result.json -o class.csv
-    says out "  2     2        50 %   t (1)             Q"
-    says class.csv "L,h,2,Q,points,2,1,0.5,0.5,10,t,1,,,,"
+    says out "  2     2        50 %   t (1)             0 %             s (1)             Q"
+    says class.csv "L,h,2,Q,points,2,1,0.5,0.5,10,t,1,0,s,1,,,,"
     expect 0 lesson results a.result.json -o -
     says out "lesson,hash,step,question"
     lesson_result c.result.json '"q"' '' maybe

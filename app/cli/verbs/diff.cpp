@@ -7,6 +7,7 @@
 #include "output/output.h"
 #include "prepared_input.h"
 #include "progress.h"
+#include "spiraling_edge/prepare/prepare.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
 
@@ -90,6 +91,21 @@ std::string diffJson(const TraceComparison& comparison, const teach::RuleGuess& 
     return json.dump(2) + "\n";
 }
 
+/// The other value of `opposing`, if it gives the whole trace. It has a part in the lists only, so
+/// the input is prepared again.
+std::optional<RuleValue> guessOpposing(const Trace& trace, const InputArguments& input,
+                                       const PreparedInput& prepared,
+                                       std::optional<TraceStage> upto) {
+    const bool drops = !prepared.params.dropOpposingNormals;
+    PrepareOptions options = input.prepareOptions(prepared.file);
+    options.neighbors.dropOpposingNormals = drops;
+    Result<Prepared> other = prepare(prepared.file, options);
+    if (!other || other.value().points.size() != trace.points) return std::nullopt;
+    const SharedPoints points(std::move(other.value().points));
+    if (!teach::matchTrace(trace, points, prepared.params, upto).whole) return std::nullopt;
+    return RuleValue{"opposing", drops ? 1.0 : 0.0};
+}
+
 }  // namespace
 
 ExitCode diffVerb(const Arguments& words) {
@@ -121,6 +137,8 @@ ExitCode diffVerb(const Arguments& words) {
         guess = runWithProgress("trying rules", input, line, [&](const Progress& progress) {
             return teach::guessRules(trace, points, prepared.params, upto, progress);
         });
+        const auto opposing = guessOpposing(trace, arguments.input, prepared, upto);
+        if (opposing) guess.whole.push_back(*opposing);
     }
     std::string text = teach::differenceText(found);
     if (found.difference) text += teach::guessText(guess, trace);

@@ -95,12 +95,14 @@ def _row(file, properties):
 
 def read_points(path):
     """The points of a PLY file that `spiraling-edge run --with-lists` or `figures --conformance`
-    has written."""
+    has written. Neighbors whose normals oppose are left out, as by the rule `opposing`."""
     with open(path, "rb") as file:
         rows = {name: [_row(file, properties) for _ in range(count)]
                 for name, count, properties in _header(file)}
     vertices = rows["vertex"]
-    return Points([(v["x"], v["y"], v["z"]) for v in vertices],
-                  [(v["nx"], v["ny"], v["nz"]) for v in vertices],
+    normals = [(v["nx"], v["ny"], v["nz"]) for v in vertices]
+    agree = lambda a, b: sum(x * y for x, y in zip(normals[a], normals[b])) > 0.0
+    return Points([(v["x"], v["y"], v["z"]) for v in vertices], normals,
                   [v.get("scalar_se_type", 0) for v in vertices],
-                  [each["id"] for each in rows["se_neighbors"]])
+                  [[q for q in each["id"] if agree(p, q)]
+                   for p, each in enumerate(rows["se_neighbors"])])

@@ -25,7 +25,9 @@ const std::vector<ConformanceInput>& conformanceInputs();
 
 /// An input as its run gets it.
 struct ConformanceCase {
-    PointFile file;  ///< With the normals, types and neighbor lists of `points`.
+    /// With the normals, types and neighbor lists of `points`; with its own lists if `opposing`
+    /// leaves out some of them.
+    PointFile file;
     SharedPoints points;
     GivenStart start;
 };

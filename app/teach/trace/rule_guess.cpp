@@ -29,7 +29,7 @@ std::vector<double> valuesOf(const RuleSetting& setting) {
 std::vector<RuleValue> singleSettings(const Params& base) {
     std::vector<RuleValue> settings;
     for (const RuleSetting& setting : ruleSettings()) {
-        // `opposing` has a part in computed lists only, which are the same in both runs.
+        // `opposing` has a part in the lists only, which are made before, once for all runs.
         if (setting.beyondPaper || setting.name == "opposing") continue;
         for (const double value : valuesOf(setting)) {
             if (value != setting.get(base)) settings.push_back({std::string(setting.name), value});

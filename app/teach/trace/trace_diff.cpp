@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <unordered_map>
 
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
@@ -155,12 +156,55 @@ TraceReason sentenceReason(const Event& event) {
     return {kNone, false, std::move(text), event.address};
 }
 
-/// The decisions that led to the pivot: third points, seeds, and the advance of the pivot before.
-std::vector<TraceReason> pivotReasons(const std::vector<Event>& before,
-                                      const std::vector<Event>& events) {
-    std::vector<TraceReason> reasons;
+/// The last change of the rings about each point.
+using RingChanges = std::unordered_map<Index, Event>;
+
+void takeRingChanges(const std::vector<Event>& events, RingChanges& changes) {
+    for (const Event& event : events) {
+        if (const auto* ring = as<RingEvidence>(event))
+            changes.insert_or_assign(ring->point, event);
+    }
+}
+
+/// The last change about a point, if it entered or left as asked; null otherwise.
+const Event* lastChange(const RingChanges& changes, Index point, bool entered) {
+    const auto found = changes.find(point);
+    if (found == changes.end()) return nullptr;
+    return as<RingEvidence>(found->second)->inserted == entered ? &found->second : nullptr;
+}
+
+/// Why first or last of the same pivot differ: their point has left our ring, or ours has entered.
+void addNeighborReasons(const TracePivot& trace, const TracePivot& run, const RingChanges& changes,
+                        std::vector<TraceReason>& reasons) {
+    for (const auto side : {&TracePivot::first, &TracePivot::last}) {
+        if (trace.*side == run.*side) continue;
+        const Event* change = lastChange(changes, trace.*side, false);
+        if (change == nullptr) change = lastChange(changes, run.*side, true);
+        if (change != nullptr) reasons.push_back(sentenceReason(*change));
+    }
+}
+
+/// Where another pivot is next: the advance, what else changed the rings as a whole at the pivot
+/// before, and the removal of their pivot from our ring.
+void addAdvanceReasons(const TracePivot& trace, const std::vector<Event>& before,
+                       const RingChanges& changes, std::vector<TraceReason>& reasons) {
     if (const Event* advance = lastOf(before, Stage::Advance))
         reasons.push_back(sentenceReason(*advance));
+    for (const Event& event : before) {
+        if (isA<SplitEvidence>(event) || isA<JoinEvidence>(event) || isA<CloseEvidence>(event))
+            reasons.push_back(sentenceReason(event));
+    }
+    if (const Event* left = lastChange(changes, trace.p, false))
+        reasons.push_back(sentenceReason(*left));
+}
+
+/// The decisions that led to the pivot: the rings, the advance, third points and seeds.
+std::vector<TraceReason> pivotReasons(const TracePivot& trace, const TracePivot& run,
+                                      const std::vector<Event>& before, const RingChanges& changes,
+                                      const std::vector<Event>& events) {
+    std::vector<TraceReason> reasons;
+    if (trace.p == run.p) addNeighborReasons(trace, run, changes, reasons);
+    if (reasons.empty()) addAdvanceReasons(trace, before, changes, reasons);
     for (const Stage stage : {Stage::Seed, Stage::Insert}) {
         if (const Event* event = lastOf(events, stage)) reasons.push_back(sentenceReason(*event));
     }
@@ -208,7 +252,8 @@ std::vector<Index> pointsOf(const TracePivot& pivot, const TracePivot& both, Tra
 
 TraceDifference differenceAt(std::optional<TracePivot> trace, std::optional<TracePivot> run,
                              std::optional<TraceStage> stage, const std::vector<Event>& before,
-                             const std::vector<Event>& events, const PointSet& points) {
+                             const RingChanges& changes, const std::vector<Event>& events,
+                             const PointSet& points) {
     TraceDifference found;
     found.stage = stage;
     found.trace = std::move(trace);
@@ -218,8 +263,9 @@ TraceDifference differenceAt(std::optional<TracePivot> trace, std::optional<Trac
     } else if (!found.run) {
         found.what = "our run has ended, the trace goes on";
     } else if (!stage) {
-        found.what = "the pivots differ";
-        found.reasons = pivotReasons(before, events);
+        const bool same = found.trace->p == found.run->p;
+        found.what = same ? "the edge rings beside it differ" : "the pivots differ";
+        found.reasons = pivotReasons(*found.trace, *found.run, before, changes, events);
     } else if (*stage == TraceStage::Ring) {
         found.what = stageWhat(*stage);
         found.reasons = ringReasons(events);
@@ -265,6 +311,7 @@ Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& poi
     TracedRun run(points, params, detailOf(trace), true);
     TraceComparison comparison;
     std::vector<Event> before;
+    RingChanges changes;
     while (true) {
         const bool ended = comparison.alike == trace.pivots.size();
         if (ended && upto) return comparison;
@@ -272,6 +319,7 @@ Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& poi
                                   static_cast<double>(trace.pivots.size() + 1)))
             return Error{"cancelled"};
         before = run.events();
+        takeRingChanges(before, changes);
         std::optional<TracePivot> ours = run.next();
         if (ended && !ours) return comparison;
         std::optional<TracePivot> theirs;
@@ -284,8 +332,8 @@ Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& poi
                 continue;
             }
         }
-        comparison.difference =
-            differenceAt(std::move(theirs), std::move(ours), stage, before, run.events(), *points);
+        comparison.difference = differenceAt(std::move(theirs), std::move(ours), stage, before,
+                                             changes, run.events(), *points);
         comparison.difference->pivot = comparison.alike + 1;
         return comparison;
     }

@@ -144,7 +144,7 @@ constexpr std::string_view kSplitWords =
 
 constexpr auto kSettings = std::to_array<RuleSetting>({
     choice<&Params::dropOpposingNormals>(
-        "opposing", "3", "neighbors with an opposing normal are left out of computed lists", ""),
+        "opposing", "3", "neighbors with an opposing normal are left out of the lists", ""),
 
     rule<&PaperRules::tie>(
         "tie", "6.1", "which of two neighbors at the same angle stays",

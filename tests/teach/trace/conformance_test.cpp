@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "spiraling_edge/prepare/prepare.h"
 #include "teach/trace/rule_guess.h"
 #include "traced_scenes.h"
 
@@ -31,7 +32,21 @@ TEST_CASE("conformance inputs have distinct names") {
     std::set<std::string_view> names;
     for (const ConformanceInput& input : conformanceInputs()) names.insert(input.name);
     CHECK(names.size() == conformanceInputs().size());
-    CHECK(names.size() == 25);
+    CHECK(names.size() == 26);
+}
+
+TEST_CASE("one conformance input shows that neighbors with opposing normals are left out") {
+    std::vector<std::string_view> shown;
+    for (const ConformanceInput& input : conformanceInputs()) {
+        const ConformanceCase made = conformanceCase(input);
+        PrepareOptions all;
+        all.neighbors.dropOpposingNormals = false;
+        Params params;
+        params.start = made.start;
+        const SharedPoints kept(prepare(made.file, all).value().points);
+        if (traceText(kept, params) != traceText(made.points, params)) shown.push_back(input.name);
+    }
+    CHECK(shown == std::vector<std::string_view>{"opposing-normals"});
 }
 
 }  // namespace se::teach

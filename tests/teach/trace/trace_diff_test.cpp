@@ -57,6 +57,20 @@ TEST_CASE("another pivot is named with the decision that led to ours") {
           "  ours: The next pivot is 559, 2.advance.1 (6.5)\n");
 }
 
+TEST_CASE("another first or last is named with the point that left our ring, or entered it") {
+    const TracedScene scene = tracedScene("figure-12");
+    Trace trace = traceOf(scene, "");
+    // At pivot 46 start moves over 158, which leaves the ring. A trace that keeps it there has it
+    // before 51.
+    trace.pivots[46].first = 158;
+    CHECK(textOfDifference(scene, trace) ==
+          "after 46 pivots alike, pivot 47 (yours: point 51 between 158 and 103; ours: point 51 "
+          "between 48 and 103): the edge rings beside it differ\n"
+          "  ours: Point 158 leaves the ring: now DONE, 46.ring.3 (6.5)\n");
+    trace.pivots[46].first = 51;
+    CHECK(textOfDifference(scene, trace).find("48 ") != std::string::npos);
+}
+
 TEST_CASE("a trace that ends early differs, unless it is compared up to a stage") {
     const TracedScene scene = tracedScene("figure-8");
     Trace trace = traceOf(scene, "");
