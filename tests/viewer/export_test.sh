@@ -154,9 +154,9 @@ dom() {
 
 a_page_is_one_file_of_a_lesson() {
     expect 0 removal -o p.html
-    is "$(grep -c '<section class="step"' p.html)" 9 "steps"
+    is "$(grep -c '<section class="step"' p.html)" 10 "steps"
     is "$(grep -c '<form class="ask">' p.html)" 5 "questions"
-    [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 9 steps"
+    [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 10 steps"
     ! grep -qE '(src|href)="(http|//|file)' p.html || fail "the page loads something"
     [ "$(sed -n '/^"use strict"/,$p' p.html | wc -c)" -lt 30000 ] || fail "the script is long"
     says p.html ".view{fill:#e8eaed}"
