@@ -258,7 +258,8 @@ Status chooseComparison(Options& o) {
 }
 
 Status adoptLesson(Options& o) {
-    if (!isLesson(o.input.source)) return success();
+    // Of an export the lesson is read with its order.
+    if (o.exported || !isLesson(o.input.source)) return success();
     o.lesson = std::exchange(o.input.source, {});
     if (isLessonFile(o.lesson))
         o.lesson = std::filesystem::absolute(o.lesson).lexically_normal().string();

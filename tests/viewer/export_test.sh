@@ -156,6 +156,9 @@ a_page_is_one_file_of_a_lesson() {
     expect 0 removal -o p.html
     is "$(grep -c '<section class="step"' p.html)" 10 "steps"
     is "$(grep -c '<form class="ask">' p.html)" 5 "questions"
+    cp "$here/../../assets/lessons/one-pivot.lesson.md" mine.lesson.md
+    expect 0 mine.lesson.md -o mine.html
+    is "$(grep -c '<section class="step"' mine.html)" 10 "steps of a file, on a pivot to practice"
     [ "$(wc -c <p.html)" -lt 800000 ] || fail "$(wc -c <p.html) bytes for 10 steps"
     ! grep -qE '(src|href)="(http|//|file)' p.html || fail "the page loads something"
     [ "$(sed -n '/^"use strict"/,$p' p.html | wc -c)" -lt 30000 ] || fail "the script is long"
