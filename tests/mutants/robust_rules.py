@@ -200,7 +200,7 @@ TABLE = {
         ("flip.never-on-flat-wall",
          "return isFlatByNormals(points, thresholds, q) &&",
          "return !MUT && isFlatByNormals(points, thresholds, q) &&"),
-        ("flip.outer-folds-not-counted", "return other != kNone && folded", "return !MUT && other != kNone && folded"),
+        ("flip.outer-folds-not-counted", "if (other == kNone) return 0;", "if (MUT || other == kNone) return 0;"),
         ("flip.pinched",
          "if (q.x == q.y || m.pinched[q.u] ||",
          "if (MUT ? q.x == q.y : q.x == q.y || m.pinched[q.u] ||"),
