@@ -8,6 +8,7 @@
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/second_layer.h"
 #include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;
