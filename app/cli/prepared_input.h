@@ -8,7 +8,7 @@
 #include "options.h"
 #include "piece_input.h"
 #include "progress.h"
-#include "start_file.h"
+#include "start_arguments.h"
 
 namespace se::cli {
 

@@ -12,8 +12,8 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/scenes/figures.h"
-#include "start_file.h"
 #include "surface_input.h"
+#include "teach/start_file.h"
 #include "teach/trace/conformance.h"
 #include "teach/trace/setrace.h"
 #include "verbs.h"
@@ -155,7 +155,8 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
         const std::string path = (folder / input.name).string();
         writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
-        if (!made.start.empty()) writeOutput(path + ".start.json", startFileText(made.start));
+        if (!made.start.empty())
+            writeOutput(path + ".start.json", teach::startText(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
         writeOutput("-", fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
                                      input.shows));

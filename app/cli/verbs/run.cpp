@@ -19,7 +19,7 @@
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
-#include "start_file.h"
+#include "start_arguments.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -1,4 +1,4 @@
-/// The state that a run begins with: --start FILE.json, or that of a scene.
+/// The option --start: the state that a run begins with.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,14 +9,6 @@
 
 namespace se::cli {
 
-/// Reads a start from JSON (docs/file-formats.md). Throws Failure(Input) with the entry that is
-/// wrong and what was expected there.
-GivenStart readStartFile(const std::string& path);
-
-/// JSON of a start, which readStartFile() reads.
-std::string startFileText(const GivenStart& start);
-
-/// The option --start.
 class StartArguments {
   public:
     void addTo(CLI::App& app);
