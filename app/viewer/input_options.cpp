@@ -143,6 +143,10 @@ void addPreparing(CLI::App& app, Options& o, RawInput& raw) {
 }
 
 void addInputOptions(CLI::App& app, Options& o, RawInput& raw) {
+    app.add_option("--start", o.startFile,
+                   "Begin with the triangles and edge rings of this JSON file "
+                   "(docs/file-formats.md)")
+        ->type_name("FILE");
     addPiece(app, o, raw);
     addPreparing(app, o, raw);
     addGrowing(app, raw);

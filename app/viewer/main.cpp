@@ -285,7 +285,7 @@ int main(int argc, char** argv) {
         ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;
         Options& options = *parsed.options;
-        for (const auto adopt : {adoptLesson, adoptSession, adoptStandardInput}) {
+        for (const auto adopt : {adoptLesson, adoptSession, adoptStart, adoptStandardInput}) {
             if (const auto status = adopt(options); !status)
                 return fail(kExitInput, status.error().message);
         }

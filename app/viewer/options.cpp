@@ -19,6 +19,7 @@
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/start_file.h"
 
 namespace se::view {
 
@@ -107,7 +108,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         ->type_name("FILE");
     app.add_option("--with", o.withText,
                    "Compare with a run by the options that differ, as one word "
-                   "(\"--rules robust\"), or with a mesh file")
+                   "(\"--rules robust\"), or with a file: a mesh, or a trace (.setrace)")
         ->type_name("WHAT");
     app.add_flag("--focus", o.focus, "Start with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,
@@ -227,7 +228,7 @@ void chooseBenchScene(Options& o) {
 }  // namespace
 
 Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base) {
-    if (!text.starts_with('-')) return CompareWith::otherMesh(text);
+    if (!text.starts_with('-')) return CompareWith::otherFile(text);
     Options o;
     RawOptions raw;
     CLI::App app{"", "--with"};
@@ -254,6 +255,7 @@ Status chooseComparison(Options& o) {
     Result<CompareWith> with = compareWithFromText(o.withText, o.input);
     if (!with) return with.error();
     o.with = std::move(with.value());
+    if (o.with->kind == CompareWith::Kind::Trace && !o.layout) o.layout = LayoutPreset::Compare;
     return success();
 }
 
@@ -268,6 +270,12 @@ Status adoptLesson(Options& o) {
 
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
+    if (isTraceFile(path)) {
+        return Error{path +
+                     ": a trace is compared with its points: spiraling-edge-viewer POINTS "
+                     "--with " +
+                     path};
+    }
     const bool names = path.empty() || isScene(path) || isSample(path) || isStandardInput(path);
     if (names || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);
@@ -284,6 +292,7 @@ Status adoptSession(Options& o) {
         o.input.leftOut = kept.leftOut;
     }
     if (!o.input.scanner) o.input.scanner = kept.scanner;
+    if (o.input.start.empty()) o.input.start = kept.start;
     o.input.neighbors.symmetric = symmetric;
     if (!o.normalsGiven) o.input.normals = kept.normals;
     if (!o.wallsGiven) o.input.walls = kept.walls;
@@ -295,6 +304,14 @@ Status adoptSession(Options& o) {
         o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());
     }
     if (o.input.whatIf.empty()) o.input.whatIf = kept.whatIf;
+    return success();
+}
+
+Status adoptStart(Options& o) {
+    if (o.startFile.empty()) return success();
+    Result<GivenStart> start = teach::readStartFile(o.startFile);
+    if (!start) return start.error();
+    o.input.start = std::move(start.value());
     return success();
 }
 
@@ -334,6 +351,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         const bool ofLesson = app.count("--step") + app.count("--result") > 0;
         if (ofLesson && !isLesson(o.input.source))
             throw CLI::ValidationError("--step, --result", "need a lesson as FILE");
+        if (!o.startFile.empty() && (o.input.source.empty() || isLesson(o.input.source)))
+            throw CLI::ValidationError("--start", "needs points as FILE");
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }

@@ -30,6 +30,9 @@ ParsedOptions parseOptions(int argc, const char* const* argv);
 /// Fails with a sentence.
 Status adoptSession(Options& options);
 
+/// Reads the file of --start, if there is one. Fails with a sentence.
+Status adoptStart(Options& options);
+
 /// Takes FILE as a lesson if it is one.
 Status adoptLesson(Options& options);
 

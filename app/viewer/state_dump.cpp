@@ -175,12 +175,13 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     const Comparison* now = page.now;
     out["compare_with"] = nullptr;
     if (now == nullptr || !now->chosen()) return;
-    const bool mesh = now->with().kind == CompareWith::Kind::Mesh;
-    out["compare_with"] = mesh ? "mesh" : "run";
-    if (!mesh && run.ready())
+    constexpr std::array kKinds = {"", "run", "mesh", "trace"};
+    out["compare_with"] = kKinds[static_cast<std::size_t>(now->with().kind)];
+    if (!now->with().isFile() && run.ready())
         out["compare_other"] = differenceText(run.input().spec(), now->with().run);
     out["compare_working"] = now->working();
     out["compare_complaint"] = now->complaint();
+    out["compare_refusal"] = now->refusal();
     if (const Session* other = now->other()) {
         out["other_address"] =
             other->event() != nullptr ? toString(other->address()) : std::string("start");
@@ -202,6 +203,12 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     if (found->runs.first) {
         out["difference_a"] = addressOf(found->runs.first->a);
         out["difference_b"] = addressOf(found->runs.first->b);
+    }
+    if (found->trace) {
+        const TracedRun& traced = *found->trace;
+        out["trace_sentence"] = traced.replay.sentence(now->tracePosition(run));
+        out["trace_difference"] = teach::differenceText(traced.comparison);
+        out["trace_guess"] = traced.guess;
     }
     out["only_a"] = found->meshes.onlyA;
     out["only_b"] = found->meshes.onlyB;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 using namespace se;
@@ -64,7 +65,7 @@ TEST_CASE("Rules, layout and place are read, invalid ones are wrong usage") {
     }
 }
 
-TEST_CASE("--with has the options of another run, or names a mesh") {
+TEST_CASE("--with has the options of another run, or names a mesh or a trace") {
     const auto chosen = [](std::vector<const char*> words) {
         ParsedOptions parsed = parse(words);
         REQUIRE(parsed.options.has_value());
@@ -90,7 +91,14 @@ TEST_CASE("--with has the options of another run, or names a mesh") {
     CHECK(same.with->run.rules == "paper");
     const Options mesh = chosen({"scene:torus", "--with", "other.ply"});
     CHECK(mesh.with->kind == CompareWith::Kind::Mesh);
-    CHECK(mesh.with->mesh == "other.ply");
+    CHECK(mesh.with->path == "other.ply");
+    CHECK_FALSE(mesh.layout.has_value());
+    const Options trace = chosen({"scene:torus", "--with", "mine.setrace"});
+    CHECK(trace.with->kind == CompareWith::Kind::Trace);
+    CHECK(trace.layout == LayoutPreset::Compare);
+    ParsedOptions alone = parse({"mine.setrace"});
+    REQUIRE(alone.options.has_value());
+    CHECK_FALSE(adoptSession(*alone.options).ok());
     CHECK(parse({"scene:torus", "--with", "--rules dragons"}).exitCode == kExitUsage);
     CHECK(parse({"scene:torus", "--with", "--goto 3"}).exitCode == kExitUsage);
 }
@@ -210,4 +218,20 @@ TEST_CASE("A picture under the name of another format is refused") {
         CHECK(parse({"scene:sphere", "--screenshot", name}).exitCode == kExitUsage);
     }
     CHECK(parse({"scene:sphere", "--screenshot", "x.PNG"}).options.has_value());
+}
+
+TEST_CASE("A start is read from its file, and refused with the entry that is wrong") {
+    const std::filesystem::path file = test::ownPlace("start.json");
+    std::ofstream(file) << R"({"triangles": [[0, 2, 3]], "rings": [[0, 2, 3]]})";
+    const std::string path = file.string();
+    ParsedOptions parsed = parse({"points.ply", "--start", path.c_str()});
+    REQUIRE(parsed.options.has_value());
+    REQUIRE(adoptStart(*parsed.options).ok());
+    CHECK(parsed.options->input.start.triangles == std::vector<Triangle>{{0, 2, 3}});
+    std::ofstream(file) << R"({"rings": [[0, "two"]]})";
+    const Status refused = adoptStart(*parsed.options);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.error().message.find(path + ": rings[0][1]: expected") == 0);
+    std::filesystem::remove(file);
+    CHECK(parse({"lesson:tour", "--start", path.c_str()}).exitCode == kExitUsage);
 }

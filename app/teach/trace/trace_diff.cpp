@@ -355,22 +355,27 @@ TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Para
     return match;
 }
 
+std::string headText(const TraceDifference& found) {
+    const bool otherPivot = !found.stage && found.trace && found.run;
+    return "pivot " + std::to_string(found.pivot) + " (" +
+           (otherPivot ? "yours: " + pivotText(*found.trace) + "; ours: " + pivotText(*found.run)
+                       : pivotText(found.run ? *found.run : *found.trace)) +
+           "): " + found.what;
+}
+
+std::string reasonText(const TraceReason& reason) {
+    const std::string yours = reason.inTrace ? "yours has " : "yours has no ";
+    return (reason.point != kNone ? yours + std::to_string(reason.point) + ": ours "
+                                  : std::string("ours: ")) +
+           reason.decision + whereText(reason);
+}
+
 std::string differenceText(const TraceComparison& comparison) {
     const std::string alike = countedPivots(comparison.alike) + " alike";
     if (!comparison.difference) return "all " + alike + "\n";
-    const TraceDifference& found = *comparison.difference;
-    std::string text = "after " + alike + ", pivot " + std::to_string(found.pivot) + " (";
-    const bool otherPivot = !found.stage && found.trace && found.run;
-    text += otherPivot ? "yours: " + pivotText(*found.trace) + "; ours: " + pivotText(*found.run)
-                       : pivotText(found.run ? *found.run : *found.trace);
-    text += "): " + found.what + "\n";
-    for (const TraceReason& each : found.reasons) {
-        const std::string yours = each.inTrace ? "yours has " : "yours has no ";
-        text += each.point != kNone
-                    ? "  " + yours + std::to_string(each.point) + ": ours " + each.decision
-                    : "  ours: " + each.decision;
-        text += whereText(each) + "\n";
-    }
+    std::string text = "after " + alike + ", " + headText(*comparison.difference) + "\n";
+    for (const TraceReason& each : comparison.difference->reasons)
+        text += "  " + reasonText(each) + "\n";
     return text;
 }
 

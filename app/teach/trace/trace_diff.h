@@ -55,6 +55,10 @@ struct TraceMatch {
 TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Params& params,
                       std::optional<TraceStage> upto);
 
+/// "pivot 8 (point 11 between 1 and 3): the fans differ"
+std::string headText(const TraceDifference& difference);
+/// "yours has no 17: ours moved start to it, 8.limits.1 (6.1)"
+std::string reasonText(const TraceReason& reason);
 /// The difference in lines of text: "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the
 /// fans differ", then a line for each reason.
 std::string differenceText(const TraceComparison& comparison);

@@ -46,9 +46,15 @@ bool CompareController::poll() {
     if (waiting_ && c_.session.ready() && c_.session.input().phase() != SessionPhase::Loading)
         begin(*std::exchange(waiting_, std::nullopt));
     const bool changed = comparison_.poll(c_.session);
+    sayRefusal();
     if (comparison_.result() != shaded_) makeShades();
     shareSelection();
     return changed;
+}
+
+void CompareController::sayRefusal() {
+    if (std::exchange(refusal_, comparison_.refusal()) == comparison_.refusal()) return;
+    if (!refusal_.empty()) c_.session.messages().say(refusal_);
 }
 
 void CompareController::waitUntilDone() {
@@ -80,6 +86,7 @@ void CompareController::shareNames(Session& other) const {
 
 void CompareController::makeShades() {
     shaded_ = comparison_.result();
+    tracedState_.reset();
     shades_ = {};
     ghosts_ = {};
     c_.ui.compare.region.reset();
@@ -108,8 +115,8 @@ void CompareController::fill(bool onPaper) {
     shown_ = false;
     if (!inLayout() || !comparison_.chosen() || failed_) return;
     Session* other = comparison_.other();
-    const bool mesh = comparison_.with().kind == CompareWith::Kind::Mesh && shaded_ != nullptr;
-    if (other == nullptr && !mesh) return;
+    const bool file = comparison_.with().isFile() && shaded_ != nullptr;
+    if (other == nullptr && !file) return;
     if (!painter_) {
         painter_ = std::make_unique<ScenePainter>();
         if (const Status status = painter_->start(shaders_); !status) {
@@ -123,9 +130,24 @@ void CompareController::fill(bool onPaper) {
         CommandContext context{*other, c_.playback, c_.camera, c_.ui};
         painter_->fill(context, onPaper, mine);
     } else {
-        painter_->fillStill(shaded_->b, shaded_->runs.b.triangles, c_.ui.settings, mine);
+        fillFile(mine);
     }
     shown_ = true;
+}
+
+void CompareController::fillFile(const DifferenceLook* look) {
+    if (!shaded_->trace) {
+        return painter_->fillStill(shaded_->b, shaded_->runs.b.triangles, c_.ui.settings, look);
+    }
+    const TraceReplay& replay = shaded_->trace->replay;
+    const TracePosition position = comparison_.tracePosition(c_.session);
+    const std::span<const Triangle> fan = replay.fanOf(position.pivot);
+    const std::size_t laid = position.complete ? fan.size() : std::min(position.laid, fan.size());
+    if (!tracedState_ || tracedOf_ != shaded_ || tracedAt_ != position)
+        tracedState_ = replay.stateAt(position);
+    tracedOf_ = shaded_;
+    tracedAt_ = position;
+    painter_->fillTrace(c_, *tracedState_, replay.mesh().triangles, fan.subspan(laid), look);
 }
 
 bool CompareController::draw(glm::ivec2 size, float em) {
@@ -177,7 +199,22 @@ void CompareController::carryOut(CompareAsk ask) {
     showRegion((at.value_or(0) + count - 1) % count);
 }
 
+/// To our first decision that accounts for the difference.
+void CompareController::goToTraced(const std::optional<teach::TraceDifference>& difference) {
+    if (!difference)
+        return c_.session.messages().say("The trace and the run are the same from start to end.");
+    Address at{static_cast<std::uint32_t>(difference->pivot), Stage::Pivot, 0};
+    for (const teach::TraceReason& each : difference->reasons) {
+        if (!each.address) continue;
+        at = *each.address;
+        break;
+    }
+    c_.ui.requests.frame = FrameRequest::Pivot;
+    comparison_.goTo(c_.session, {difference->run ? std::optional(at) : std::nullopt, {}});
+}
+
 void CompareController::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
+    if (shaded_->trace) return goToTraced(shaded_->trace->comparison.difference);
     if (comparison_.with().kind == CompareWith::Kind::Mesh) {
         // A mesh has no decisions: go to the first triangle of the run that it lacks.
         const MadeMesh& run = shaded_->runs.a;
@@ -228,8 +265,7 @@ void CompareController::showRegion(std::size_t number) {
 
 void CompareController::swap() {
     const Session* other = comparison_.other();
-    if (other == nullptr)
-        return c_.session.messages().say("A mesh has no decisions to step through.");
+    if (other == nullptr) return c_.session.messages().say("B has no decisions to step through.");
     waiting_ = CompareWith::otherRun(c_.session.input().spec());
     c_.ui.requests.openSpec = other->input().spec();
     comparison_.cancel();

@@ -39,14 +39,17 @@ class CompareController {
     bool shows() const { return shown_; }
     const DrawList& list() const { return painter_->list(); }
     unsigned texture() const { return painter_->texture(); }
-    /// The other run; null if there is none, or a mesh.
+    /// The other run; null if there is none, or a file.
     Session* other() { return comparison_.other(); }
     const Comparison& comparison() const { return comparison_; }
 
   private:
     bool otherBusy() const;
-    bool inLayout() const { return c_.ui.layoutPreset == LayoutPreset::Compare; }
+    bool inLayout() const { return c_.ui.compare.isIn(c_.ui.layoutPreset); }
     void rememberBefore();
+    void sayRefusal();
+    void fillFile(const DifferenceLook* look);
+    void goToTraced(const std::optional<teach::TraceDifference>& difference);
     void shareSelection();
     void shareNames(Session& other) const;
     void makeShades();
@@ -62,10 +65,14 @@ class CompareController {
     CommandContext& c_;
     Comparison comparison_;
     std::optional<CompareWith> waiting_;
+    std::string refusal_;  ///< That was said last.
     std::filesystem::path shaders_;
     std::unique_ptr<ScenePainter> painter_;
     bool failed_ = false;  ///< The second view cannot be drawn.
     bool shown_ = false;
+    std::optional<DecisionState> tracedState_;  ///< Of tracedOf_, at tracedAt_.
+    const Compared* tracedOf_ = nullptr;
+    TracePosition tracedAt_;
     const Compared* shaded_ = nullptr;  ///< Comparison that the colors are of.
     std::array<DifferenceShade, 2> shades_;
     std::array<std::vector<Triangle>, 2> ghosts_;  ///< For the views of A and B.

@@ -139,6 +139,16 @@ void DocumentController::spreadOver(const std::string& volume) {
     c_.ui.growth.asked = GrowthAsk::Begin;
 }
 
+/// A trace is no input: it is compared with the open run.
+void DocumentController::compareWithTrace(const std::string& path) {
+    if (!c_.session.ready()) {
+        return c_.session.messages().say(
+            "A trace is compared with a run of the same points: open these first, then the trace.");
+    }
+    actions::applyLayoutPreset(c_, LayoutPreset::Compare);
+    c_.ui.compare.begin = CompareWith::otherTrace(path);
+}
+
 void DocumentController::open(const std::string& path) {
     c_.playback.pause();
     if (isLesson(path)) {
@@ -146,6 +156,7 @@ void DocumentController::open(const std::string& path) {
         return;
     }
     if (isVolumePath(path)) return spreadOver(path);
+    if (isTraceFile(path)) return compareWithTrace(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
     foreign_ = true;
@@ -159,6 +170,7 @@ void DocumentController::open(const std::string& path) {
         spec.normals = NormalSource::AsGiven;
         spec.walls = {};
         spec.scanner.reset();
+        spec.start = {};
         spec.rim = false;
         spec.points = nullptr;
         spec.whatIf.clear();
@@ -305,7 +317,8 @@ void DocumentController::carryOut(UiRequests& requests) {
 
 void DocumentController::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
-    const bool stays = to.what == LeaveFor::Open && !to.spec && isVolumePath(to.path);
+    const bool stays =
+        to.what == LeaveFor::Open && !to.spec && (isVolumePath(to.path) || isTraceFile(to.path));
     const std::string atStake = unsaved();
     if (atStake.empty() || stays) return go(to);
     c_.playback.pause();

@@ -110,6 +110,7 @@ class DocumentController {
     void expectArrival(const std::string& file);
     void openInput(InputSpec spec);
     void aimAtScene(const std::string& source);
+    void compareWithTrace(const std::string& path);
     void spreadOver(const std::string& volume);
     /// Opens an input with its options: the current one prepared in another way, or points that
     /// were sampled here and are shown already.

@@ -19,19 +19,12 @@ namespace se::view {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{500};
 /// Time in which an answer is shown, decision by decision.
 constexpr double kSecondsOfAnswer = 8.0;
 /// Maximum number of decisions that are played.
 constexpr std::size_t kMaxShown = 400;
 /// Entry of the state for the seed of the last pivot to play.
 constexpr std::string_view kPracticeEntry = "practice";
-
-std::filesystem::file_time_type writeTimeOf(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto time = std::filesystem::last_write_time(path, error);
-    return error ? std::filesystem::file_time_type{} : time;
-}
 
 }  // namespace
 
@@ -47,7 +40,7 @@ void LessonController::begin(const Options& options) {
 
 void LessonController::open(const std::string& source, std::optional<std::size_t> step) {
     toStep_ = step;
-    written_ = writeTimeOf(source);
+    watch_.begin(source);
     panel().opening = true;
     panel().share = 0.0;
     panel().complaint.clear();
@@ -132,11 +125,10 @@ void LessonController::keepStep() {
 
 /// The file is read again when it has changed.
 void LessonController::watchFile() {
-    if (polled_ - looked_ < kBetweenLooks || opening_.busy()) return;
-    looked_ = polled_;
-    if (!isLessonFile(walk().source())) return;
-    const auto time = writeTimeOf(walk().source());
-    if (time != written_) open(walk().source(), std::nullopt);
+    if (opening_.busy() || !isLessonFile(walk().source())) return;
+    // Another lesson was refused.
+    if (watch_.path() != walk().source()) watch_.begin(walk().source());
+    if (watch_.hasChanged()) open(walk().source(), std::nullopt);
 }
 
 /// The open run is that of the step.

@@ -9,6 +9,7 @@
 
 #include "document.h"
 #include "jobs/background_job.h"
+#include "jobs/file_watch.h"
 #include "jobs/open_lesson.h"
 #include "lesson_choices.h"
 #include "spiraling_edge/base/result.h"
@@ -81,14 +82,13 @@ class LessonController {
     std::optional<Address> home_;        ///< Position of the step, or of its answer.
     InputSpec input_;                    ///< Input of the step.
     LessonChoices choices_;
-    bool playsOnArrival_ = false;                ///< The step is played once the run is there.
-    bool retried_ = false;                       ///< The move to the step was made again.
-    std::optional<LayoutPreset> layoutBefore_;   ///< The user's, while a lesson is open.
-    bool layoutGiven_ = false;                   ///< By the command line.
-    std::string resultSource_;                   ///< The lesson of the command line.
-    std::filesystem::path resultFile_;           ///< Of --result; empty: none.
-    std::filesystem::file_time_type written_{};  ///< Of the lesson's file, when it was read.
-    Clock::time_point looked_;                   ///< When the file was looked at.
+    bool playsOnArrival_ = false;               ///< The step is played once the run is there.
+    bool retried_ = false;                      ///< The move to the step was made again.
+    std::optional<LayoutPreset> layoutBefore_;  ///< The user's, while a lesson is open.
+    bool layoutGiven_ = false;                  ///< By the command line.
+    std::string resultSource_;                  ///< The lesson of the command line.
+    std::filesystem::path resultFile_;          ///< Of --result; empty: none.
+    FileWatch watch_;                           ///< Of the lesson's file.
     Clock::time_point polled_ = Clock::now();
     Status status_ = success();
 };

@@ -175,6 +175,7 @@ void SamplingController::use() {
     spec.normals = NormalSource::AsGiven;
     spec.walls = {};
     spec.scanner.reset();
+    spec.start = {};
     spec.rim = false;
     c_.ui.requests.openSpec = std::move(spec);
 }

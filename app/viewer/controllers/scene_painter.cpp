@@ -185,6 +185,55 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     ++fills_;
 }
 
+/// Uploads the triangles of a file, once. True if they are new.
+bool ScenePainter::uploadStill(const std::shared_ptr<const Model>& model,
+                               const std::vector<Triangle>& triangles) {
+    const bool fresh = std::exchange(still_, model) != model || uploadedStill_ != &triangles;
+    if (!fresh) return false;
+    renderer_->surface().setModel(*model);
+    renderer_->surface().setTriangles(*model, triangles);
+    uploadedStill_ = &triangles;
+    model_ = model;
+    return true;
+}
+
+void ScenePainter::fillTrace(const CommandContext& run, const DecisionState& state,
+                             const std::vector<Triangle>& triangles,
+                             std::span<const Triangle> coming, const DifferenceLook* look) {
+    const Session& session = run.session;
+    const ViewSettings& settings = run.ui.settings;
+    Filled now;
+    // Also changes with the cursor, which the trace follows.
+    now.revision = session.revision();
+    now.layers = shownLayers(settings.layers, Stage::Emit);
+    for (const LayerId decided : {LayerId::Sector, LayerId::Alerts, LayerId::Aside})
+        now.layers.reset(static_cast<std::size_t>(decided));
+    now.theme = settings.theme;
+    now.mesh.style =
+        settings.meshStyle < MeshStyle::CreationOrder ? settings.meshStyle : MeshStyle::Flat;
+    now.difference = look != nullptr ? look->revision : 0U;
+    const bool fresh = uploadStill(session.sharedModel(), triangles);
+    if (!fresh && now == filled_) return;
+    LayerInput input{session.model(), state, paletteOf(settings.theme)};
+    input.triangles = triangles;
+    input.selected = session.selected();
+    input.selection = session.selection();
+    input.hovered = session.highlights().hovered();
+    input.marked = session.highlights().marked();
+    input.mesh = now.mesh;
+    input.theme = settings.theme;
+    input.names = session.names();
+    fillDrawList(input, now.layers, drawList_);
+    for (const Triangle& t : coming) {
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+            drawList_.dashed(input.at(u), input.at(v), input.palette.test, 0.1F, 0.3F);
+    }
+    if (look != nullptr)
+        addDifference(*look, session.model(), state.finishedTriangles, nullptr, drawList_);
+    filled_ = std::move(now);
+    ++fills_;
+}
+
 void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
                              const std::vector<Triangle>& triangles, const ViewSettings& settings,
                              const DifferenceLook* look) {
@@ -195,14 +244,8 @@ void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
         settings.meshStyle == MeshStyle::Shaded || settings.meshStyle == MeshStyle::Wire
             ? settings.meshStyle
             : MeshStyle::Flat;
-    const bool fresh = std::exchange(still_, model) != model || uploadedStill_ != &triangles;
+    const bool fresh = uploadStill(model, triangles);
     if (!fresh && now == filled_) return;
-    if (fresh) {
-        renderer_->surface().setModel(*model);
-        renderer_->surface().setTriangles(*model, triangles);
-        uploadedStill_ = &triangles;
-        model_ = model;
-    }
     const Palette& palette = paletteOf(settings.theme);
     drawList_ = {};
     drawList_.cloudVisible = false;

@@ -26,6 +26,11 @@ class ScenePainter {
     void fillStill(const std::shared_ptr<const Model>& model,
                    const std::vector<Triangle>& triangles, const ViewSettings& settings,
                    const DifferenceLook* look);
+    /// Fills the list with a state of a trace that is compared with `run`: without what belongs to
+    /// a decision. `coming`: triangles of its fan that are not laid yet.
+    void fillTrace(const CommandContext& run, const DecisionState& state,
+                   const std::vector<Triangle>& triangles, std::span<const Triangle> coming,
+                   const DifferenceLook* look);
     /// Fills the list with new points, until fill() is called again.
     void fillParticles(SamplingController& sampling, Theme theme);
     /// Draws the list, if it, the camera or the size changed since the last time. False if not.
@@ -71,6 +76,8 @@ class ScenePainter {
     };
 
     void upload(const Session& session);
+    bool uploadStill(const std::shared_ptr<const Model>& model,
+                     const std::vector<Triangle>& triangles);
     Finish finishAt(double clock, const Drawn& next);
     MeshColoring coloringOf(const Session& session, MeshStyle style);
     const Moment& lookAtMoment(const CommandContext& context, bool onPaper);

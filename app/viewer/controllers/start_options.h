@@ -22,7 +22,8 @@ namespace se::view {
 struct Options {
     /// Start of the program, from which the time to the first frame is counted.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    InputSpec input;  ///< An empty source: begin with the start page.
+    InputSpec input;        ///< An empty source: begin with the start page.
+    std::string startFile;  ///< --start; empty: the start of the input.
     bool rulesGiven = false;
     bool reachGiven = false;             ///< --neighbors, --radius or --reach.
     bool normalsGiven = false;           ///< --orient or --derive-normals.

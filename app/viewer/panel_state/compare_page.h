@@ -9,6 +9,7 @@
 #include "run/model.h"
 #include "session/compare/compare_with.h"
 #include "session/compare/comparison.h"
+#include "session/layout_preset.h"
 
 namespace se::view {
 
@@ -49,7 +50,8 @@ enum class CompareAsk : std::uint8_t {
 struct ComparePage {
     const Comparison* now = nullptr;  ///< Current comparison; null if nothing can be compared.
     CompareForm form;
-    bool choosing = false;  ///< The form is open although there is a comparison.
+    bool inPresent = false;  ///< Also in the layout Present: a step of a lesson compares.
+    bool choosing = false;   ///< The form is open although there is a comparison.
     CompareAsk ask = CompareAsk::Nothing;
     std::optional<CompareWith> begin;
     std::optional<std::size_t> show;    ///< The region to be shown.
@@ -60,6 +62,10 @@ struct ComparePage {
     /// The run as it was before it was opened again with other options.
     std::optional<InputSpec> before;
 
+    /// A layout shows two views.
+    bool isIn(LayoutPreset layout) const {
+        return layout == LayoutPreset::Compare || (layout == LayoutPreset::Present && inPresent);
+    }
     const Compared* result() const { return now != nullptr ? now->result() : nullptr; }
 };
 

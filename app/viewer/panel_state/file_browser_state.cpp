@@ -6,6 +6,7 @@
 #include "export/formats.h"
 #include "jobs/open_lesson.h"
 #include "run/strings.h"
+#include "session/compare/compare_with.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -47,7 +48,7 @@ void FileBrowsing::readFolder(const fs::path& next) {
 
 bool canBeOpened(const fs::path& path) {
     return lowerExtension(path) == kSessionExtension || isVolumePath(path) ||
-           isLesson(path.string()) || pointFormatOf(path) != nullptr;
+           isLesson(path.string()) || isTraceFile(path.string()) || pointFormatOf(path) != nullptr;
 }
 
 bool canHoldMesh(const fs::path& path) {
@@ -66,7 +67,7 @@ bool isListed(const fs::path& path, BrowserTask task) {
         case BrowserTask::SavePoints:
             return lowerExtension(path) == ".ply";
         case BrowserTask::Mesh:
-            return canHoldMesh(path);
+            return canHoldMesh(path) || isTraceFile(path.string());
         case BrowserTask::SaveMesh:
             return namesMeshFormat(path);
         case BrowserTask::SaveResult:

@@ -86,6 +86,8 @@ struct InputSpec {
     std::optional<Vec3> scanner = {};  ///< PrepareOptions::scanner.
     Piece piece = {};                  ///< The part of the file that is read.
     IndexRanges leftOut = {};          ///< Points of the piece to run without, by their indices.
+    GivenStart start =
+        {};  ///< Triangles and rings that the run begins with; empty: those of a scene.
     friend bool operator==(const InputSpec&, const InputSpec&) = default;
 };
 /// `spec` with the options that its fixes choose, besides those that change the file.

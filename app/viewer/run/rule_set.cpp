@@ -36,7 +36,8 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules) {
 
 Result<Params> paramsOf(const InputSpec& spec) {
     RunSettings settings{spec.rules, spec.choices, spec.whatIf, spec.keepOpposing, spec.keepNoise};
-    if (isScene(spec.source))
+    settings.start = spec.start;
+    if (settings.start.empty() && isScene(spec.source))
         settings.start = startOfScene(spec.source.substr(kScenePrefix.size()));
     return se::paramsOf(settings);
 }

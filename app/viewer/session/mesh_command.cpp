@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/start_file.h"
 
 namespace se::view {
 
@@ -110,6 +111,18 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     steps.note += '.';
 }
 
+/// The command that writes a given start, and the option that reads it.
+std::string addStart(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
+    if (spec.start.empty()) return {};
+    const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
+    const std::string file = besideMesh(target, stem + ".start.json");
+    steps.before += "printf '%s\\n' " + shellQuoted(teach::startText(spec.start)) + " > " +
+                    shellQuoted(file) + " && ";
+    steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
+                  file + ".";
+    return " --start " + shellQuoted(file);
+}
+
 std::string reachOption(const NeighborOptions& lists) {
     if (!lists.recompute) return {};
     if (const auto* nearest = std::get_if<KNearest>(&lists.reach))
@@ -159,12 +172,17 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
                 "There is no command for points left out in the view. Save the session, which "
                 "keeps them, or bring them back in the panel Doctor."};
     }
+    if (isPractice(spec.source)) {
+        return {"spiraling-edge-viewer " + spec.source,
+                "It opens the pivot to practice, whose points have no file."};
+    }
     Steps steps = stepsToSource(spec.source, target);
     if (steps.input.empty()) return {{}, steps.note};
     steps.piece = pieceOptions(spec.piece);
     addDoctor(spec, target, steps);
+    const std::string start = addStart(spec, target, steps);
     MeshCommand command{steps.before + kProgram + " run " + inputOf(steps), steps.note};
-    command.text += runOptions(withFixOptions(spec));
+    command.text += start + runOptions(withFixOptions(spec));
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellQuoted(target.path);

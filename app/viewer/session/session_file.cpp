@@ -128,17 +128,22 @@ Complaint readLooks(const json& object, SessionFile& out) {
     return readSelection(object, out);
 }
 
-/// The other run by its options, or a mesh by its path.
+/// The other run by its options, or a mesh or trace by its path.
 Complaint readComparison(const json& object, const fs::path& folder, SessionFile& out) {
     const json* with = find(object, "compare");
     if (with == nullptr || with->is_null()) return std::nullopt;
-    const Complaint wrong = expected("compare", "an object with \"options\" or \"mesh\"");
+    const Complaint wrong =
+        expected("compare", "an object with \"options\", \"mesh\" or \"trace\"");
     if (!with->is_object()) return wrong;
-    if (const json* mesh = find(*with, "mesh"); mesh != nullptr) {
-        if (!mesh->is_string()) return expected("compare.mesh", "a path");
-        const fs::path path = (folder / mesh->get<std::string>()).lexically_normal();
-        if (isUnfit(path)) return unfit("compare.mesh", path);
-        out.with = CompareWith::otherMesh(path.string());
+    for (const auto& [kind, name] :
+         {std::pair{CompareWith::Kind::Mesh, "mesh"}, {CompareWith::Kind::Trace, "trace"}}) {
+        const json* file = find(*with, name);
+        if (file == nullptr) continue;
+        const std::string field = std::string("compare.") + name;
+        if (!file->is_string()) return expected(field, "a path");
+        const fs::path path = (folder / file->get<std::string>()).lexically_normal();
+        if (isUnfit(path)) return unfit(field, path);
+        out.with = {kind, {}, path.string()};
         return std::nullopt;
     }
     if (find(*with, "options") == nullptr) return wrong;
@@ -250,7 +255,8 @@ std::string relativeSource(const std::string& source, const fs::path& folder) {
 }
 
 json comparisonToJson(const CompareWith& with, const fs::path& folder) {
-    if (with.kind == CompareWith::Kind::Mesh) return {{"mesh", relativePath(with.mesh, folder)}};
+    const char* file = with.kind == CompareWith::Kind::Trace ? "trace" : "mesh";
+    if (with.isFile()) return {{file, relativePath(with.path, folder)}};
     return {{"options", optionsToJson(with.run, json::object())}};
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "teach/start_file.h"
+
 namespace se::view {
 
 namespace {
@@ -154,6 +156,15 @@ Complaint readWhatIfs(const json& options, std::vector<WhatIf>& out) {
     return std::nullopt;
 }
 
+Complaint readStart(const json& options, GivenStart& out) {
+    const json* start = find(options, "start");
+    if (start == nullptr) return std::nullopt;
+    Result<GivenStart> read = teach::startFromText(start->dump(), "\"options.start\"");
+    if (!read) return read.error().message;
+    out = std::move(read.value());
+    return std::nullopt;
+}
+
 }  // namespace
 
 Complaint readOptions(const json& object, InputSpec& out) {
@@ -179,6 +190,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
     if (Complaint c = readPiece(*options, out.piece)) return c;
     if (Complaint c = readLeftOut(*options, out.leftOut)) return c;
     if (Complaint c = readReach(*options, out.neighbors)) return c;
+    if (Complaint c = readStart(*options, out.start)) return c;
     return readPreparing(*options, out);
 }
 
@@ -223,6 +235,8 @@ json optionsToJson(const InputSpec& input, json options) {
     writeField(options, "thin", input.piece.thin > 0.0, input.piece.thin);
     writeField(options, "left_out", !input.leftOut.empty(), rangesText(input.leftOut));
     preparingToJson(input, options);
+    options.erase("start");
+    if (!input.start.empty()) options["start"] = json::parse(teach::startText(input.start));
     for (const RuleValue& each : input.choices) options["switches"][each.name] = ruleToJson(each);
     for (const WhatIf& each : input.whatIf) options["what_if"].push_back(lineOf(each));
     if (!input.neighbors.recompute) return options;

@@ -292,3 +292,20 @@ TEST_CASE("The copied command writes the same bytes: the box around the remainin
 }
 
 #endif
+
+TEST_CASE("A given start is written first, beside the mesh") {
+    InputSpec spec = specOf("/in/a.ply");
+    spec.start.triangles = {{0, 2, 3}};
+    spec.start.rings = {{0, 2, 3}};
+    const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
+    CHECK(command.text ==
+          "printf '%s\\n' '{\"rings\":[[0,2,3]],\"triangles\":[[0,2,3]]}' > /out/a.start.json && "
+          "spiraling-edge run /in/a.ply --start /out/a.start.json -o /out/m.ply");
+    CHECK(command.note == "First the start is written to /out/a.start.json.");
+}
+
+TEST_CASE("The command for a pivot to practice is the one that opens it") {
+    const MeshCommand command = meshCommand(specOf("practice:7"), {"m.ply", false});
+    CHECK(command.text == "spiraling-edge-viewer practice:7");
+    CHECK(command.note.find("practice") != std::string::npos);
+}

@@ -325,7 +325,7 @@ TEST_CASE("The comparison is kept: another run by its options, a mesh by its pat
     CHECK(text.find("\"mesh\": \"meshes/other.ply\"") != std::string::npos);
     const auto mesh = sessionFromJson(text, "a.sesession", folder.path);
     REQUIRE(mesh.ok());
-    CHECK(mesh.value().with.mesh == s.with.mesh);
+    CHECK(mesh.value().with.path == s.with.path);
     CHECK(complaintOf(minimal(R"(, "compare": 3)")).find("compare") != std::string::npos);
     CHECK(complaintOf(minimal(R"(, "compare": {"options": {"rules": "x"}})")).find("rules") !=
           std::string::npos);
@@ -360,4 +360,31 @@ TEST_CASE("A session names regular files: no device, no pipe, no folder") {
     const auto device = readSessionFile(folder.path / "zero.sesession");
     REQUIRE_FALSE(device.ok());
     CHECK(device.error().message.find("regular file") != std::string::npos);
+}
+
+TEST_CASE("A given start is kept, and refused with its entry") {
+    const Folder folder;
+    SessionFile s = fullSession();
+    s.input.start = {{{0, 2, 3}}, {{0, 2, 3}}, {7}, {{3, 0}}};
+    const auto read = sessionFromJson(sessionToJson(s, folder.path), "a.sesession", folder.path);
+    REQUIRE(read.ok());
+    CHECK(read.value().input.start == s.input.start);
+    s.original = sessionToJson(s, folder.path);
+    s.input.start = {};
+    CHECK(sessionToJson(s, folder.path).find("\"start\"") == std::string::npos);
+    CHECK(complaintOf(minimal(R"(, "options": {"start": {"rings": [[0, -1]]}})"))
+              .find("\"options.start\": rings[0][1]: expected the number of a point") !=
+          std::string::npos);
+}
+
+TEST_CASE("A compared trace is kept by its path") {
+    const Folder folder;
+    SessionFile s = fullSession();
+    s.with = CompareWith::otherFile((folder.path / "traces" / "mine.setrace").string());
+    const std::string text = sessionToJson(s, folder.path);
+    CHECK(text.find("\"trace\": \"traces/mine.setrace\"") != std::string::npos);
+    const auto read = sessionFromJson(text, "a.sesession", folder.path);
+    REQUIRE(read.ok());
+    CHECK(read.value().with.kind == CompareWith::Kind::Trace);
+    CHECK(read.value().with.path == s.with.path);
 }

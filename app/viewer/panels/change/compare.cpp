@@ -100,8 +100,9 @@ void drawShortcuts(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     const InputSpec& here = context.session().input().spec();
     dimText("Or one of these:");
-    if (compareButton(context, "Mesh from file...", "mesh",
-                      "A mesh that another program made from the same points"))
+    if (compareButton(context, "Mesh or trace...", "mesh",
+                      "A mesh, or a trace (.setrace), that another program made from the same "
+                      "points"))
         context.run("run.compare.mesh");
     if (!here.whatIf.empty() &&
         compareButton(context, "Without what-ifs", "true run",
@@ -118,6 +119,8 @@ void drawCompareForm(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     CompareForm& form = page.form;
     const InputSpec& here = context.session().input().spec();
+    if (!page.now->refusal().empty())
+        wrappedText("! " + page.now->refusal(), context.palette.rejected);
     dimText("B, to compare with the open run:");
     drawRuleFields(context, form);
     drawPrepared(context, form);
@@ -181,7 +184,44 @@ void drawSide(const PanelContext& context, const char* name, const DifferenceSid
     if (side.line) tooltip(describe(side.line->event));
 }
 
+/// A sentence of a trace's difference; with an address also the way there.
+void drawTraceReason(const PanelContext& context, const teach::TraceReason& reason,
+                     std::size_t number) {
+    std::string label;
+    for (const std::string& line :
+         wrapped(teach::reasonText(reason), ImGui::GetContentRegionAvail().x))
+        label += (label.empty() ? "" : "\n") + line;
+    if (!reason.address) return ImGui::TextUnformatted(label.c_str());
+    ImGui::PushID(static_cast<int>(number));
+    if (selectable(context, label, false, "trace reason " + std::to_string(number + 1),
+                   "Go to this decision of ours"))
+        context.state<ComparePage>().goTo = ComparedAddresses{reason.address, std::nullopt};
+    ImGui::PopID();
+}
+
+/// The first difference from a trace: the sentences of spiraling-edge diff.
+void drawTraceDifference(const PanelContext& context, const Compared& found) {
+    const TracedRun& traced = *found.trace;
+    const auto& difference = traced.comparison.difference;
+    heading(context, "First difference", "after " + grouped(traced.comparison.alike) + " pivots");
+    if (!difference) {
+        return dimText(found.meshes.onlyA == 0
+                           ? "None: the trace is that of the run, to its end."
+                           : "None: the trace is that of the run, which goes on where it ends.");
+    }
+    if (compareButton(
+            context, "First difference", "first",
+            "To our first decision that accounts for it (" + context.key("step.difference") + ")"))
+        context.state<ComparePage>().ask = CompareAsk::FirstDifference;
+    wrappedText(teach::headText(*difference));
+    for (std::size_t i = 0; i < difference->reasons.size(); ++i)
+        drawTraceReason(context, difference->reasons[i], i);
+    wrappedText(traced.guess);
+    ImGui::Spacing();
+}
+
 void drawFirstDifference(const PanelContext& context, const Compared& found) {
+    if (found.trace) return drawTraceDifference(context, found);
     ComparePage& page = context.state<ComparePage>();
     const bool mesh = page.now->with().kind == CompareWith::Kind::Mesh;
     heading(context, "First difference",
@@ -224,7 +264,11 @@ void drawLetter(const PanelContext& context, const char* letter, const Color& co
 void drawAnswer(const PanelContext& context, const char* letter, const Color& color,
                 const Session* run) {
     drawLetter(context, letter, color);
-    if (run == nullptr) return dimText("a finished mesh, without decisions");
+    if (run == nullptr) {
+        const Compared* found = context.state<ComparePage>().result();
+        return dimText(found != nullptr && found->trace ? "no decisions in this trace"
+                                                        : "a finished mesh, without decisions");
+    }
     const BackgroundQuery<WhyAnswer>& asked = run->questions().ledger();
     if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
     dimText(asked.busy() ? "searching ..." : "no query");
@@ -312,16 +356,15 @@ void drawNames(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     const InputSpec& run = context.session().input().spec();
     const CompareWith& with = page.now->with();
-    const bool mesh = with.kind == CompareWith::Kind::Mesh;
     drawLetter(context, "A", context.palette.used);
     wrappedText(runTitle(run));
     drawLetter(context, "B", context.palette.last);
-    wrappedText(mesh ? meshTitle(with) : differenceText(run, with.run));
+    wrappedText(with.isFile() ? fileTitle(with) : differenceText(run, with.run));
     if (compareButton(context, "Other...", "other", "Choose another B")) {
         page.choosing = true;
-        if (!mesh) page.form.takeOther(with.run, context.session().model());
+        if (!with.isFile()) page.form.takeOther(with.run, context.session().model());
     }
-    if (!mesh) {
+    if (!with.isFile()) {
         ImGui::SameLine();
         if (compareButton(context, "Swap", "swap", "Show B in all panels"))
             page.ask = CompareAsk::Swap;
@@ -340,8 +383,11 @@ void drawContent(const PanelContext& context) {
     drawNames(context);
     if (!page.now->complaint().empty())
         return wrappedText("! " + page.now->complaint(), context.palette.rejected);
-    if (page.now->working()) return drawWorking(context);
+    if (!page.now->refusal().empty())
+        wrappedText("! " + page.now->refusal(), context.palette.rejected);
     const Compared* found = page.result();
+    // A trace that has changed is compared again beside the result before.
+    if (found == nullptr && page.now->working()) return drawWorking(context);
     if (found == nullptr) return;
     drawWhy(context);
     drawCounts(context, *found);

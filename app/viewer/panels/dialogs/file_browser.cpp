@@ -30,7 +30,7 @@ void openSource(const PanelContext& context, const std::string& source) {
     UiState& ui = context.ui();
     ui.fileBrowser = false;
     if (ui.browser == BrowserTask::Mesh) {
-        ui.compare.begin = CompareWith::otherMesh(source);
+        ui.compare.begin = CompareWith::otherFile(source);
         return;
     }
     if (ui.browser != BrowserTask::Volume) {
@@ -217,10 +217,10 @@ Words wordsFor(BrowserTask task) {
                     "path of a volume, " + wordList(volumeExtensions(), "or"),
                     "No volumes (" + wordList(volumeExtensions(), "") + ") in this folder."};
         case BrowserTask::Mesh:
-            return {"Compare with a mesh###browser",
-                    "path of a mesh: " +
+            return {"Compare with a mesh or trace###browser",
+                    "path of a trace (.setrace) or a mesh: " +
                         listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces),
-                    "No files that can hold a mesh in this folder."};
+                    "No traces, and no files that can hold a mesh, in this folder."};
         case BrowserTask::SaveMesh:
             return {"Save mesh###browser", "name of the mesh file",
                     "No " + listText(meshFormats(), &MeshFormat::name, "or") +

@@ -3,8 +3,10 @@
 
 #include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
+#include "view_parts.h"
 
 namespace se::view {
 
@@ -66,13 +68,14 @@ void drawEmptyView(const PanelContext& context) {
     ImGui::End();
 }
 
-/// A mesh from a file: it can be viewed, but has no steps.
+/// A mesh from a file, or a trace: it can be viewed, but has no decisions.
 void drawStill(const PanelContext& context) {
     if (beginView(context, "##otherStill")) {
         offerView(context);
         moveCameraByMouse(context);
         if (isClick(context, ImGuiMouseButton_Right)) context.state<SubjectMenu>().openBeside({});
         drawViewPicture(context);
+        if (context.ui().picture.labels) drawLabels(context, {});
     }
     ImGui::End();
 }
@@ -96,7 +99,8 @@ void drawOther(const PanelContext& context) {
                              &context.session()};
     if (other.commands == nullptr) return drawStill(there);
     drawView(there, "##otherView");
-    drawNarration(there, "##otherNarration");
+    // Present has one caption for both.
+    if (rects.otherNarration.size.x > 0.0F) drawNarration(there, "##otherNarration");
 }
 
 /// "212.sphere.3   12 only here", with the position of the run.
@@ -105,9 +109,17 @@ std::string noteOf(const Session& session, std::size_t only) {
 }
 
 void drawEmptySentence(const PanelContext& context) {
+    if (context.rects.otherNarration.size.x == 0.0F) return;
     if (beginRegion("##otherNarration", context.rects.otherNarration)) {
-        const bool mesh = context.other != nullptr && context.other->commands == nullptr;
-        if (mesh) ImGui::TextDisabled("A finished mesh: no decisions of its own.");
+        const Compared* found = context.state<ComparePage>().result();
+        const bool file = context.other != nullptr && context.other->commands == nullptr;
+        if (file && found != nullptr && found->trace) {
+            const Comparison& now = *context.state<ComparePage>().now;
+            wrappedText(found->trace->replay.sentence(now.tracePosition(context.session())));
+            dimText("No decisions in this trace.");
+        } else if (file) {
+            ImGui::TextDisabled("A finished mesh: no decisions of its own.");
+        }
     }
     ImGui::End();
 }
@@ -126,8 +138,8 @@ void drawComparedViews(const PanelContext& context) {
               context.palette.used, noteA);
     std::string nameB = "nothing yet";
     std::string noteB;
-    if (chosen && now->with().kind == CompareWith::Kind::Mesh) {
-        nameB = meshTitle(now->with());
+    if (chosen && now->with().isFile()) {
+        nameB = fileTitle(now->with());
         if (found != nullptr) noteB = grouped(found->meshes.onlyB) + " only here";
     } else if (chosen && run.ready()) {
         nameB = differenceText(run.input().spec(), now->with().run);

@@ -4,6 +4,8 @@
 
 #include "run/number_format.h"
 #include "run/rule_set.h"
+#include "spiraling_edge/base/files.h"
+#include "teach/trace/setrace.h"
 
 namespace se::view {
 
@@ -81,6 +83,7 @@ std::string differenceText(const InputSpec& a, const InputSpec& b) {
     added(a.neighbors.symmetric, b.neighbors.symmetric, "symmetric", "not symmetric");
     if (a.normals != b.normals) append(text, normalsText(b.normals));
     if (!(a.walls == b.walls)) append(text, "other walls");
+    if (!(a.start == b.start)) append(text, "another start");
     added(a.rim, b.rim, "rims found", "no rims");
     added(a.keepOpposing, b.keepOpposing, "opposing normals kept", "opposing normals dropped");
     added(a.keepNoise, b.keepNoise, "noise kept", "noise set aside");
@@ -94,8 +97,16 @@ InputSpec usualOther(InputSpec spec) {
     return spec;
 }
 
-std::string meshTitle(const CompareWith& with) {
-    return std::filesystem::path(with.mesh).filename().string();
+std::string fileTitle(const CompareWith& with) {
+    return std::filesystem::path(with.path).filename().string();
+}
+
+bool isTraceFile(std::string_view path) {
+    return lowerExtension(std::filesystem::path(path)) == teach::kTraceExtension;
+}
+
+CompareWith CompareWith::otherFile(std::string path) {
+    return isTraceFile(path) ? otherTrace(std::move(path)) : otherMesh(std::move(path));
 }
 
 }  // namespace se::view

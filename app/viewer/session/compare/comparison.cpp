@@ -9,6 +9,9 @@
 #include <cassert>
 #include <utility>
 
+#include "run/strings.h"
+#include "teach/trace/rule_guess.h"
+
 namespace se::view {
 
 bool inStep(const RunAlignment& alignment, std::uint32_t pivot) {
@@ -87,6 +90,48 @@ std::string compareMesh(Compared& found, const std::string& path, const Progress
     return {};
 }
 
+/// All stages that the trace has; it may end before the run, as one of a program that is not
+/// finished.
+constexpr teach::TraceStage kTraceUpto = teach::TraceStage::Ring;
+
+/// The run, and the trace of another implementation.
+std::string compareTrace(Compared& found, const std::string& path, const Progress& progress) {
+    Result<teach::Trace> trace = teach::readTraceFile(path);
+    if (!trace) return trace.error().message;
+    const PointSet& points = found.a->points;
+    if (const Status same = teach::requireTraceOf(trace.value(), points, path); !same)
+        return same.error().message;
+    const Params& params = found.a->params;
+    const SharedPoints shared(std::shared_ptr<const PointSet>(found.a, &points));
+    Result<teach::TraceComparison> comparison =
+        teach::compareTrace(trace.value(), shared, params, kTraceUpto, progress);
+    if (!comparison) return comparison.error().message;
+    std::string guess;
+    if (comparison.value().difference) {
+        const auto rules = teach::guessRules(trace.value(), shared, params, kTraceUpto, progress);
+        if (!rules) return rules.error().message;
+        guess = teach::guessText(rules.value(), trace.value());
+    }
+    Result<MadeMesh> run = makeMesh({points, params}, progress);
+    if (!run) return run.error().message;
+    found.b = found.a;
+    found.runs.a = std::move(run.value());
+    found.runs.commonPivots = static_cast<std::uint32_t>(comparison.value().alike);
+    TraceReplay replay(std::move(trace.value()), params.start.triangles, points.size());
+    found.runs.b = replay.mesh();
+    found.trace = std::make_shared<const TracedRun>(
+        TracedRun{std::move(replay), std::move(comparison.value()), trimmed(guess)});
+    return {};
+}
+
+void compareTriangles(Compared& found) {
+    const std::span<const Triangle> ofA = found.runs.a.triangles;
+    const std::span<const Triangle> ofB = found.runs.b.triangles;
+    found.meshes = compareMeshes(found.b->points.position, ofA, ofB);
+    found.setA = TriangleSet(ofA);
+    found.setB = TriangleSet(ofB);
+}
+
 /// Of a mesh from a file if `b` is null.
 Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Model>& a,
                                                 const std::shared_ptr<const Model>& b,
@@ -96,11 +141,7 @@ Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Mode
     found->b = b;
     std::string complaint = b ? compareTwo(*found, progress) : compareMesh(*found, mesh, progress);
     if (!complaint.empty()) return Error{std::move(complaint)};
-    const std::span<const Triangle> ofA = found->runs.a.triangles;
-    const std::span<const Triangle> ofB = found->runs.b.triangles;
-    found->meshes = compareMeshes(found->b->points.position, ofA, ofB);
-    found->setA = TriangleSet(ofA);
-    found->setB = TriangleSet(ofB);
+    compareTriangles(*found);
     return std::shared_ptr<const Compared>(std::move(found));
 }
 
@@ -114,6 +155,7 @@ bool Comparison::fits(const Session& run) const {
 }
 
 void Comparison::start(const Session& run, CompareWith with) {
+    if (with.kind == CompareWith::Kind::Trace) return startTrace(run, with.path);
     cancel();
     with_ = std::move(with);
     if (with_.kind != CompareWith::Kind::Run) return;
@@ -125,8 +167,74 @@ void Comparison::start(const Session& run, CompareWith with) {
     other_->open(with_.run);
 }
 
+void Comparison::startTrace(const Session& run, const std::string& path) {
+    traceFile_.begin(path);
+    traceQuery_.start([a = run.sharedModel(), path](const Progress& progress) {
+        auto found = std::make_shared<Compared>();
+        found->a = a;
+        std::string complaint = compareTrace(*found, path, progress);
+        if (!complaint.empty()) return Result<std::shared_ptr<const Compared>>(Error{complaint});
+        compareTriangles(*found);
+        return Result<std::shared_ptr<const Compared>>(std::move(found));
+    });
+}
+
+void Comparison::takeTrace(const Session& run) {
+    const std::shared_ptr<const Compared> found = traceQuery_.takeAnswer().value_or(nullptr);
+    if (!found) return refuse(run);
+    // The run has been opened again meanwhile.
+    if (found->a != run.sharedModel()) return startTrace(run, traceFile_.path().string());
+    cancel();
+    with_ = CompareWith::otherTrace(traceFile_.path().string());
+    comparedA_ = found->a;
+    result_ = found;
+}
+
+/// The comparison before stays, if it is still one of the open run.
+void Comparison::refuse(const Session& run) {
+    refusal_ = traceQuery_.complaint();
+    const bool another = chosen() && with_.kind != CompareWith::Kind::Trace;
+    if (another) return;
+    if (result_ && comparedA_ == run.sharedModel()) {
+        if (traceFile_.path() != with_.path) traceFile_.begin(with_.path);
+        return;
+    }
+    const std::string why = refusal_;
+    cancel();
+    with_ = CompareWith::otherTrace(traceFile_.path().string());
+    comparedA_ = run.sharedModel();
+    complaint_ = why;
+}
+
+/// Takes the trace that was read, and reads it again where the file or the open run has changed.
+bool Comparison::pollTrace(const Session& run) {
+    const bool taken = traceQuery_.poll();
+    if (taken) takeTrace(run);
+    if (with_.kind != CompareWith::Kind::Trace || traceQuery_.busy()) return taken;
+    const bool stale = comparedA_ != run.sharedModel();
+    if (stale) result_.reset();
+    if (stale || traceFile_.hasChanged()) startTrace(run, with_.path);
+    return taken || stale;
+}
+
+TracePosition Comparison::tracePosition(const Session& run) const {
+    assert(result_ && result_->trace);
+    const TraceReplay& replay = result_->trace->replay;
+    const std::uint32_t at = run.record().pivot;
+    const RunAlignment alignment = result_->alignment();
+    if (run.atEnd()) return {replay.pivots(), 0, true};
+    const std::uint32_t pivot = std::min(matchingPivot(alignment, at), replay.pivots());
+    const DecisionState& ours = run.picture();
+    const bool within = inStep(alignment, at) && pivot == at && pivot > 0 && !ours.complete;
+    if (!within) return {pivot, 0, true};
+    const bool later = run.stage() && *run.stage() > Stage::Emit;
+    return {pivot, later ? replay.fanOf(pivot).size() : ours.newTriangles.size(), false};
+}
+
 void Comparison::cancel() {
     query_.cancel();
+    traceQuery_.cancel();
+    refusal_.clear();
     with_ = {};
     other_.reset();
     result_.reset();
@@ -140,12 +248,13 @@ void Comparison::cancel() {
 }
 
 bool Comparison::working() const {
-    if (query_.busy()) return true;
+    if (query_.busy() || traceQuery_.busy()) return true;
     return runs() && other_->input().phase() == SessionPhase::Loading;
 }
 
 double Comparison::share() const {
     constexpr double kOpening = 0.4;
+    if (traceQuery_.busy()) return traceQuery_.share();
     if (query_.busy())
         return runs() ? kOpening + (1.0 - kOpening) * query_.share() : query_.share();
     return runs() ? kOpening * other_->input().loadShare() : 0.0;
@@ -157,7 +266,7 @@ void Comparison::startJob(const Session& run) {
     ++revision_;
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
-    query_.start([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
+    query_.start([a = comparedA_, b = comparedB_, mesh = with_.path](const Progress& progress) {
         return compare(a, b, mesh, progress);
     });
 }
@@ -173,14 +282,15 @@ bool Comparison::takeResult() {
 }
 
 bool Comparison::poll(const Session& run) {
-    if (!chosen() || !run.ready()) return false;
+    if (!run.ready()) return false;
+    bool changed = pollTrace(run);
+    if (!chosen() || with_.kind == CompareWith::Kind::Trace) return changed;
     if (!fits(run)) {
         cancel();
         return true;
     }
-    bool changed = false;
     if (runs()) {
-        changed = other_->poll();
+        changed = other_->poll() || changed;
         if (other_->input().phase() == SessionPhase::Failed) complaint_ = other_->input().error();
     }
     const bool there = !runs() || other_->ready();
@@ -197,6 +307,9 @@ bool Comparison::poll(const Session& run) {
 }
 
 void Comparison::waitUntilDone(Session& run) {
+    traceQuery_.waitUntilDone();
+    poll(run);
+    traceQuery_.waitUntilDone();
     if (!chosen()) return;
     poll(run);
     if (runs()) other_->waitUntilDone();

@@ -1,5 +1,5 @@
-/// Another run, or a finished mesh, beside the open run: opened, compared and moved along in the
-/// background. Independent of window and OpenGL.
+/// Another run, a finished mesh or a trace beside the open run: opened, compared and moved along in
+/// the background. Independent of window and OpenGL.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,11 @@
 
 #include "compare_with.h"
 #include "jobs/background_job.h"
+#include "jobs/file_watch.h"
 #include "session/session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
+#include "trace_replay.h"
 
 namespace se::view {
 
@@ -40,13 +42,16 @@ struct Compared {
     std::shared_ptr<const Model> a;
     std::shared_ptr<const Model>
         b;               ///< For a mesh from a file: A's points, and the vertices on none of them.
-    RunComparison runs;  ///< For a mesh from a file: only `meshes` is set.
+    RunComparison runs;  ///< For a file: without decisions.
+    std::shared_ptr<const TracedRun> trace;  ///< Null: B is no trace.
     MeshDifference meshes;
     TriangleSet setA, setB;
     std::vector<Index> unmatchedVertices;  ///< Vertices of the file that lie on no point.
 
     RunAlignment alignment() const {
-        return {runs.commonPivots, runs.first.has_value(), runs.a.pivots, runs.b.pivots};
+        const bool diverge =
+            trace ? trace->comparison.difference.has_value() : runs.first.has_value();
+        return {runs.commonPivots, diverge, runs.a.pivots, runs.b.pivots};
     }
 };
 
@@ -58,7 +63,9 @@ struct ComparedAddresses {
 
 class Comparison {
   public:
-    /// Compares `run` with something else from now on, and again whenever it is opened again.
+    /// Compares `run` with something else from now on, and again whenever it is opened again. A
+    /// trace is read first, and again whenever its file changes; if that fails, the comparison
+    /// before stays.
     void start(const Session& run, CompareWith with);
     /// Ends the comparison.
     void cancel();
@@ -76,6 +83,10 @@ class Comparison {
     double share() const;
     /// Why there is nothing to show; empty if there is no problem.
     const std::string& complaint() const { return complaint_; }
+    /// Why a trace was not read: name, line and field; empty if there is no problem.
+    const std::string& refusal() const { return refusal_; }
+    /// The position of the trace that matches the cursor of `run`. Requires a result with a trace.
+    TracePosition tracePosition(const Session& run) const;
     /// Null until it is known.
     const Compared* result() const { return result_.get(); }
     /// Grows with every new result.
@@ -99,6 +110,10 @@ class Comparison {
     bool runs() const { return with_.kind == CompareWith::Kind::Run && other_ != nullptr; }
     bool fits(const Session& run) const;
     void startJob(const Session& run);
+    void startTrace(const Session& run, const std::string& path);
+    bool pollTrace(const Session& run);
+    void takeTrace(const Session& run);
+    void refuse(const Session& run);
     bool takeResult();
     void follow(const Session& run);
     static Stand standOf(const Session& run);
@@ -112,6 +127,10 @@ class Comparison {
     std::shared_ptr<const Model> comparedB_;
     std::string complaint_;
     std::uint32_t revision_ = 0;
+
+    BackgroundQuery<std::shared_ptr<const Compared>> traceQuery_;
+    FileWatch traceFile_;  ///< Of the trace that is read, or was.
+    std::string refusal_;
 
     std::optional<Address> held_;  ///< Position that the other run is held at ...
     std::optional<Stand> heldBy_;  ///< ... while this one is there; empty: on its way.
