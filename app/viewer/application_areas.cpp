@@ -38,6 +38,9 @@ PanelSizes Application::panelSizes() const {
     PanelSizes sizes = ui_.settings.panels;
     sizes.quiet = ui_.panelsQuiet;
     sizes.lesson = ui_.lesson.walk.isOpen();
+    const bool asks = sizes.lesson && ui_.lesson.walk.question() != nullptr;
+    sizes.caption = asks ? ui_.lesson.captionEms : 0.0F;
+    sizes.beside = ui_.compare.isIn(LayoutPreset::Present);
     const auto asked = [&](PanelGroup group) {
         return ui_.tab.asked[static_cast<std::size_t>(group)];
     };

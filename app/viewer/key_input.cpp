@@ -4,6 +4,7 @@
 
 #include "application.h"
 #include "commands/commands.h"
+#include "commands/lesson_actions.h"
 #include "commands/piece_actions.h"
 #include "input/key_routing.h"
 #include "session/view_position.h"
@@ -73,6 +74,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     }
     const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
     if (!over && !repeated && runOnPieceTool(chord, commands_)) return true;
+    if (!over && !repeated && answerByKey(chord, commands_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
     if (endsBlankScreen(chord)) return true;
     const Command* command = commandFor(chord);

@@ -19,8 +19,10 @@ inline DrawList drawn(OpenSession& open, const Address& address, std::initialize
     open.session.waitUntilDone();
     LayerSwitches on;
     for (const LayerId id : ids) on.set(static_cast<std::size_t>(id));
-    const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark),
-                        selected, kNone};
+    LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark), selected,
+                  kNone};
+    in.marked = open.session.highlights().marked();
+    in.names = open.session.names();
     DrawList list;
     fillDrawList(in, on, list);
     return list;

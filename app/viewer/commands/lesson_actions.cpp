@@ -23,6 +23,24 @@ bool isAllowedDuringQuestion(const Command& command) {
     return among(kGroups, command.group) || among(kOthers, command.id);
 }
 
+bool answerByKey(const KeyChord& chord, CommandContext& context) {
+    LessonPanel& panel = context.ui.lesson;
+    if (chord.mods != kNoMods || !panel.hides() || panel.countsHands ||
+        context.ui.layoutPreset == LayoutPreset::Present)
+        return false;
+    LessonWalk& walk = panel.walk;
+    if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
+        if (walk.state().given == teach::Answer{}) return false;
+        panel.ask = LessonAsk::Answer;
+        return true;
+    }
+    const std::size_t count = walk.question()->options.size();
+    const auto option = static_cast<std::size_t>(chord.key - 'A');
+    if (chord.key < 'A' || option >= count) return false;
+    walk.type(teach::optionLetter(option));
+    return true;
+}
+
 namespace actions {
 
 namespace {

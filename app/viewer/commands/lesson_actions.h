@@ -9,6 +9,10 @@ namespace se::view {
 /// moves, which end at the question, and what leaves it.
 bool isAllowedDuringQuestion(const Command& command);
 
+/// Answers the open question by a key: a letter chooses its option, Enter is the button Answer.
+/// True if the key was for the question; not in Present, where B is black.
+bool answerByKey(const KeyChord& chord, CommandContext& context);
+
 namespace actions {
 
 /// Opens the lesson that shows the six stages on a torus.

@@ -103,6 +103,11 @@ std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panel
         entries.push_back({PaletteEntry::Kind::Lesson, each.title, "Lesson", "teach course open",
                            each.source, each.text});
     for (const Scene& scene : scenes()) entries.push_back(entryOf(scene, "example open"));
+    for (const Figure& each : figures()) {
+        if (each.sample.empty()) continue;
+        entries.push_back(entryOf(each.scene, "example open sample"));
+        entries.back().id = each.sample;
+    }
     for (const FailureScene& each : failureScenes())
         entries.push_back(entryOf(each.scene, "example open failure gallery wrong"));
     return entries;
@@ -128,7 +133,8 @@ void choose(const PaletteEntry& entry, CommandContext& context) {
         case PaletteEntry::Kind::Panel:
             return showPanel(context, entry.id);
         case PaletteEntry::Kind::Scene:
-            context.ui.requests.open = sceneSource(entry.id);
+            context.ui.requests.open =
+                isSample(entry.id) ? std::string(entry.id) : sceneSource(entry.id);
             return;
         case PaletteEntry::Kind::Lesson:
             context.ui.requests.open = entry.id;

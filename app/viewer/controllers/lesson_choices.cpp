@@ -28,8 +28,13 @@ void LessonChoices::play(PlayUnit unit, double rate, const Address& until) {
 }
 
 void LessonChoices::compare(CompareWith with) {
-    if (!layout_) layout_ = c_.ui.layoutPreset;
-    c_.ui.layoutPreset = LayoutPreset::Compare;
+    compares_ = true;
+    if (c_.ui.layoutPreset == LayoutPreset::Present) {
+        c_.ui.compare.inPresent = true;
+    } else {
+        if (!layout_) layout_ = c_.ui.layoutPreset;
+        c_.ui.layoutPreset = LayoutPreset::Compare;
+    }
     // The comparison of the step before may not have been stopped yet.
     c_.ui.compare.ask = CompareAsk::Nothing;
     c_.ui.compare.begin = std::move(with);
@@ -40,8 +45,10 @@ void LessonChoices::putBack() {
         modeOf(c_.ui.settings.layers, layer) = mode;
     c_.playback.pause();
     if (speed_) c_.playback.setSpeed(*std::exchange(speed_, std::nullopt));
-    if (!layout_) return;
+    if (!std::exchange(compares_, false)) return;
     c_.ui.compare.ask = CompareAsk::Stop;
+    c_.ui.compare.inPresent = false;
+    if (!layout_) return;
     c_.ui.layoutPreset = *std::exchange(layout_, std::nullopt);
     c_.ui.tab.wanted = kLessonTab;
 }

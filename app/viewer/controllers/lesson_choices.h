@@ -23,16 +23,16 @@ class LessonChoices {
     void pinLayers(const teach::LessonStep& step);
     /// Plays from the cursor to an address.
     void play(PlayUnit unit, double rate, const Address& until);
-    /// Opens the layout Compare with another run.
+    /// Shows another run beside this one: in the layout Compare, or within Present.
     void compare(CompareWith with);
-    bool comparing() const { return layout_.has_value(); }
     void putBack();
 
   private:
     CommandContext& c_;
     std::vector<std::pair<LayerId, LayerMode>> layers_;
     std::optional<PlaySpeed> speed_;
-    std::optional<LayoutPreset> layout_;
+    bool compares_ = false;
+    std::optional<LayoutPreset> layout_;  ///< Before the layout Compare.
 };
 
 }  // namespace se::view

@@ -1,5 +1,8 @@
 // The circumsphere test of a candidate q (6.3): circle, radius and distance, and the angle that
 // would remain without q.
+#include <algorithm>
+#include <string>
+
 #include "disc.h"
 #include "run/number_format.h"
 #include "run/rule_set.h"
@@ -33,6 +36,23 @@ void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
     } else {
         out.dashed(in.at(test.t), in.at(test.s), c.used.withAlpha(0.7F), 0.1F);
     }
+}
+
+/// Names of the sphere's measures.
+struct MeasureNames {
+    std::string center = "c";
+    std::string radius = "r";
+    std::string distance = "d";
+};
+
+/// Letters, or words where a point has one of the letters as its name.
+MeasureNames measureNames(const LayerInput& in) {
+    const MeasureNames letters;
+    const bool taken = std::any_of(in.names.begin(), in.names.end(), [&](const PointName& each) {
+        return each.name == letters.center || each.name == letters.radius ||
+               each.name == letters.distance;
+    });
+    return taken ? MeasureNames{"center", "radius", "distance"} : letters;
 }
 
 /// The line d from the center to q, with a mark where it leaves the sphere: q lies before or after
@@ -75,11 +95,11 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     out.line(center, p, color, 0.08F, Depth::OnTop);
     const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
     addMeasure(in, test, center, radius, out);
-    out.label(center, "c", color);
-    out.label(0.5F * (center + p), "r", color, true);
-    const bool inside = test.distance < test.radius;
-    out.label(0.5F * (center + in.at(test.q)), inside ? "d < r" : "d \xE2\x89\xA5 r", verdict,
-              true);
+    const MeasureNames names = measureNames(in);
+    out.label(center, names.center, color);
+    out.label(0.5F * (center + p), names.radius, color, true);
+    const std::string sign = test.distance < test.radius ? " < " : " \xE2\x89\xA5 ";
+    out.label(0.5F * (center + in.at(test.q)), names.distance + sign + names.radius, verdict, true);
 }
 
 }  // namespace se::view

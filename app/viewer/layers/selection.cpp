@@ -1,4 +1,6 @@
 /// The user's selection: an edge or a triangle, and highlighted points.
+#include <algorithm>
+
 #include "layer.h"
 
 namespace se::view {
@@ -38,7 +40,11 @@ void addMarked(const LayerInput& in, DrawList& out) {
     for (const Index p : in.marked) {
         if (!in.model.drawable[p]) continue;
         out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, size);
-        if (in.marked.size() <= kNamedMarks)
+        // A point with a label of its role has its name already.
+        const bool named =
+            std::any_of(out.labels.begin(), out.labels.end(),
+                        [&](const Label& each) { return each.position == in.at(p); });
+        if (in.marked.size() <= kNamedMarks && !named)
             out.label(in.at(p), nameOf(p, in.names), in.palette.rejected);
     }
 }

@@ -26,6 +26,8 @@ constexpr float kWideView = 40.0F;
 constexpr float kMaxNarration = 0.5F;
 /// Share of the height that the text of a lesson has in Present.
 constexpr float kLessonShare = 0.34F;
+/// ... at most, where a question needs more.
+constexpr float kQuestionShare = 0.5F;
 /// Line above it, where nothing else shows the address.
 constexpr float kAddressLine = 1.4F;
 /// Heights of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
@@ -183,8 +185,8 @@ void layOutColumns(PanelRects& l, float em, const PanelSizes& sizes) {
     addSplitter(l, Splitter::Rings, l.rings, false, -1.0F, em);
 }
 
-/// Divides view and narration into two, each view with its title.
-void splitInTwo(PanelRects& l, float title) {
+/// Divides the view into two, each with its title.
+void splitView(PanelRects& l, float title) {
     const Rect both = l.view;
     const glm::vec2 half = glm::floor(0.5F * both.size);
     const bool beside = std::min(half.x, both.size.y) >= std::min(both.size.x, half.y);
@@ -203,10 +205,16 @@ void splitInTwo(PanelRects& l, float title) {
     l.otherTitle = cutTitle(second);
     l.view = first;
     l.otherView = second;
+}
+
+/// Divides view and narration into two.
+void splitInTwo(PanelRects& l, float title) {
+    const float half = std::floor(0.5F * l.view.size.x);
+    splitView(l, title);
     l.otherNarration = l.narration;
-    l.narration.size.x = half.x;
-    l.otherNarration.min.x += half.x;
-    l.otherNarration.size.x -= half.x;
+    l.narration.size.x = half;
+    l.otherNarration.min.x += half;
+    l.otherNarration.size.x -= half;
 }
 
 }  // namespace
@@ -255,7 +263,9 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float shown = size.x - left - right;
     const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
     l.addressLine = present && !lesson ? px(kAddressLine) : 0.0F;
-    const float wanted = lesson ? std::round(kLessonShare * size.y)
+    const float text =
+        std::clamp(px(sizes.caption), kLessonShare * size.y, kQuestionShare * size.y);
+    const float wanted = lesson ? std::round(text)
                                 : l.addressLine + px((wide      ? kNarration
                                                       : compare ? kNarrationHalf
                                                                 : kNarrationNarrow) *
@@ -285,6 +295,7 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     l.view = {{left, y}, {viewWidth, std::max(0.0F, upper - narration)}};
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, upper)}};
     if (compare) splitInTwo(l, px(kTitle));
+    if (present && sizes.beside) splitView(l, px(kTitle));
     y = bottom;
     l.drawer = row(drawer);
     layOutStrips(l, run, px(kPivotStrip));

@@ -28,9 +28,11 @@ inline constexpr std::array<std::string_view, kSplitterCount> kSplitterNames = {
 struct PanelSizes {
     /// Width or height in em; 0: automatic; LearnDial negative: no dial of its own.
     std::array<float, kSplitterCount> ems{};
-    bool folded = false;  ///< Find and Change show their tabs alone.
-    bool quiet = false;   ///< Find and Change show a line each below their tabs.
-    bool lesson = false;  ///< In Present: the text of a lesson is the caption, without the drawer.
+    bool folded = false;   ///< Find and Change show their tabs alone.
+    bool quiet = false;    ///< Find and Change show a line each below their tabs.
+    bool lesson = false;   ///< In Present: the text of a lesson is the caption, without the drawer.
+    float caption = 0.0F;  ///< ... of this height in em, within limits; 0: the usual one.
+    bool beside = false;   ///< In Present: a second view beside the first.
 
     float& of(Splitter splitter) { return ems[static_cast<std::size_t>(splitter)]; }
     float of(Splitter splitter) const { return ems[static_cast<std::size_t>(splitter)]; }

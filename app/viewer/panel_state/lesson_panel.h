@@ -30,6 +30,7 @@ struct LessonPanel {
     std::string saveResult;             ///< The file to save the answers in; empty: none.
     std::string saveLesson;             ///< The file to save bookmarks in, as a lesson.
     bool showsRuns = false;             ///< In Compare: the column shows the runs, not the lesson.
+    float captionEms = 0.0F;            ///< Height of the text in Present, in its largest type.
     bool countsHands = false;           ///< Of a room: the fields for hands are open.
 
     std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.

@@ -14,6 +14,7 @@
 
 #include "jobs/open_lesson.h"
 #include "run/model.h"
+#include "run/sample_spec.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/replay/reconstruct.h"
@@ -25,6 +26,8 @@ namespace se::view {
 namespace {
 
 constexpr std::size_t kDots = 1500;
+/// Most points of the small picture of a figure that is sampled.
+constexpr std::size_t kTileSample = 400;
 
 /// A point as seen from beside and above: to the right, up, toward the viewer.
 struct Seen {
@@ -145,21 +148,51 @@ void drawFailure(const PointSet& points, const PictureFrame& frame, std::string_
 
 /// The direction from which a tile shows its scene.
 Vec3 directionOf(const SceneTile& tile) {
-    return tile.figure != nullptr ? tile.figure->view : usualDirection();
+    const bool scene = tile.figure != nullptr && tile.figure->hasScene();
+    return scene ? tile.figure->view : usualDirection();
+}
+
+void drawDots(const PointFile& file, SceneTile& tile) {
+    tile.dots = thumbnail(file, kDots, directionOf(tile));
+    tile.reach = glm::vec2(0.0F);
+    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
 }
 
 /// Points and mesh of an input.
 void drawInput(const TileInput& input, SceneTile& tile) {
     const PointFile& file = input.file;
-    tile.dots = thumbnail(file, kDots, directionOf(tile));
-    tile.reach = glm::vec2(0.0F);
-    for (const ThumbnailDot& dot : tile.dots) tile.reach = glm::max(tile.reach, glm::abs(dot.at));
+    drawDots(file, tile);
     const Result<Prepared> prepared = prepare(file, PrepareOptions{});
     if (!prepared) return;
     const PointSet& points = prepared.value().points;
     const PictureFrame frame = frameOf(file, kDots, directionOf(tile));
     if (input.failure.empty()) return drawGrown(points, frame, input, tile);
     drawFailure(points, frame, input.failure, tile);
+}
+
+/// A figure of the results, without its picture.
+SceneTile tileOf(const Figure& figure) {
+    SceneTile tile;
+    tile.id = figure.sample;
+    tile.title = figure.scene.title;
+    tile.watch = figure.scene.watch;
+    tile.figure = &figure;
+    return tile;
+}
+
+/// The mesh of sampled points, fewer than the figure has.
+void drawSample(SceneTile& tile) {
+    Result<SampleSpec> spec = sampleFromSource(tile.id);
+    if (!spec) return;
+    spec.value().count = std::min(spec.value().count, kTileSample);
+    const Result<PointFile> file = samplePoints(spec.value(), {});
+    if (!file) return;
+    drawDots(file.value(), tile);
+    const Result<Prepared> prepared = prepare(file.value(), PrepareOptions{});
+    if (!prepared) return;
+    const PointSet& points = prepared.value().points;
+    tile.faces = facesOf(points, reconstruct(points, Params{}).state.triangles, {},
+                         frameOf(file.value(), kDots, directionOf(tile)));
 }
 
 SceneTile tileOf(const Scene& scene, const FailureScene* failing) {
@@ -219,7 +252,8 @@ std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
 }
 
 std::string sourceOf(const SceneTile& tile) {
-    return tile.minutes > 0.0 ? std::string(tile.id) : sceneSource(tile.id);
+    const bool source = tile.minutes > 0.0 || isSample(tile.id);
+    return source ? std::string(tile.id) : sceneSource(tile.id);
 }
 
 void StartPage::prepare() {
@@ -230,7 +264,31 @@ void StartPage::prepare() {
     for (const Scene& scene : scenes()) tiles.push_back(tileOf(scene, nullptr));
     std::stable_partition(tiles.begin() + lessons, tiles.end(),
                           [](const SceneTile& tile) { return tile.figure != nullptr; });
+    const auto others = std::find_if(tiles.begin() + lessons, tiles.end(),
+                                     [](const SceneTile& tile) { return tile.figure == nullptr; });
+    std::vector<SceneTile> sampled;
+    for (const Figure& figure : figures())
+        if (!figure.sample.empty()) sampled.push_back(tileOf(figure));
+    tiles.insert(others, sampled.begin(), sampled.end());
     for (const FailureScene& each : failureScenes()) tiles.push_back(tileOf(each.scene, &each));
+    sampling.start([sampled = std::move(sampled)](BackgroundJob<SceneTile>::Results& results) {
+        for (SceneTile tile : sampled) {
+            drawSample(tile);
+            results.add(std::move(tile));
+            if (!results.report(0.0)) return;
+        }
+    });
+}
+
+void StartPage::poll() {
+    if (!sampling.busy()) return;
+    const bool ended = sampling.ended();
+    for (SceneTile& each : sampling.take()) {
+        const auto found = std::find_if(tiles.begin(), tiles.end(),
+                                        [&](const SceneTile& tile) { return tile.id == each.id; });
+        if (found != tiles.end()) *found = std::move(each);
+    }
+    if (ended) sampling.close();
 }
 
 }  // namespace se::view

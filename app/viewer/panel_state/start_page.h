@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "jobs/background_job.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/scenes.h"
 
@@ -34,11 +35,11 @@ struct ThumbnailMark {
 
 /// A lesson or a scene as listed on the page.
 struct SceneTile {
-    std::string_view id;  ///< Of a scene; of a lesson its source, "lesson:tour".
+    std::string_view id;  ///< Of a scene; of a lesson and of sampled points their source.
     std::string_view title;
     std::string_view watch;
     double minutes = 0.0;              ///< Length of a lesson; 0: of a scene.
-    const Figure* figure = nullptr;    ///< Null if the scene is none.
+    const Figure* figure = nullptr;    ///< Null if the tile shows none.
     std::vector<ThumbnailDot> dots;    ///< Those at the back first.
     std::vector<ThumbnailFace> faces;  ///< Those at the back first.
     std::vector<ThumbnailMark> marks;
@@ -49,14 +50,18 @@ struct SceneTile {
 std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit,
                                     const Vec3& direction);
 
-/// Source of a tile: "scene:figure-8", "lesson:tour".
+/// Source of a tile: "scene:figure-8", "lesson:tour", "sample:hydrogen,n=1516".
 std::string sourceOf(const SceneTile& tile);
 
 /// Made on first use: lessons, figures of the paper, other scenes that work, and those that fail.
 struct StartPage {
     std::vector<SceneTile> tiles;
+    /// Pictures of sampled figures, which take a while.
+    BackgroundJob<SceneTile> sampling;
 
     void prepare();
+    /// Takes the pictures that have been made.
+    void poll();
 };
 
 }  // namespace se::view

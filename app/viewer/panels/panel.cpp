@@ -259,7 +259,7 @@ void drawPanels(const PanelContext& context) {
     } else {
         drawColumns(context);
         drawView(context);
-        if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
+        if (context.rects.otherView.size.x > 0.0F) drawComparedViews(context);
         drawNarration(context);
         if (!context.state<LessonPanel>().hides()) drawDrawer(context);
     }

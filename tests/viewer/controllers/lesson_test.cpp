@@ -222,6 +222,45 @@ TEST_CASE("A step that compares opens the layout Compare, and the next one retur
     CHECK(app.ui.compare.ask == CompareAsk::Stop);
 }
 
+TEST_CASE("In Present a step that compares shows the second view there") {
+    LessonApp app;
+    app.ui.layoutPreset = LayoutPreset::Present;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    CHECK(app.ui.compare.begin.has_value());
+    CHECK(app.ui.compare.isIn(LayoutPreset::Present));
+    app.ask(LessonAsk::Previous);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    CHECK_FALSE(app.ui.compare.isIn(LayoutPreset::Present));
+    CHECK(app.ui.compare.ask == CompareAsk::Stop);
+}
+
+TEST_CASE("Letters choose an option of the open question, and Enter answers") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t step = 0;
+    while (app.walk().lesson().steps[step].question == std::nullopt ||
+           app.walk().lesson().steps[step].question->kind != "choice")
+        ++step;
+    app.goTo(step);
+    REQUIRE(app.walk().asks());
+    const KeyChord enter{key::kEnter, kNoMods};
+    CHECK_FALSE(answerByKey(enter, app.context));
+    CHECK_FALSE(answerByKey({'Z', kNoMods}, app.context));
+    CHECK_FALSE(answerByKey({'B', kCtrl}, app.context));
+    CHECK(answerByKey({'B', kNoMods}, app.context));
+    CHECK(app.walk().state().given.choice == 1);
+    CHECK(answerByKey(enter, app.context));
+    CHECK(app.ui.lesson.ask == LessonAsk::Answer);
+    // B is black there.
+    app.ui.layoutPreset = LayoutPreset::Present;
+    CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
+    app.ui.layoutPreset = LayoutPreset::Learn;
+    app.ask(LessonAsk::Show);
+    CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
+}
+
 TEST_CASE("A pivot to practice opens at its beginning, and the next one is another") {
     LessonApp app;
     app.open("practice:7");

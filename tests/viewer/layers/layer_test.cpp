@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "drawn.h"
@@ -117,6 +118,37 @@ TEST_CASE("Labels are only at the pivot, its candidates and the selection, one e
     for (const Label& label : list.labels) CHECK(texts.insert(label.text).second);
     CHECK(texts.contains("7"));
     CHECK(texts.contains("p " + std::to_string(picture.pivot)));
+}
+
+TEST_CASE("The measures of a sphere are written out where a point has one of their letters") {
+    OpenSession open;
+    const Address at{30, Stage::Sphere, 1};
+    const auto saysCenter = [&] {
+        const DrawList list = drawn(open, at, {LayerId::Spheres});
+        return std::any_of(list.labels.begin(), list.labels.end(),
+                           [](const Label& each) { return each.text == "center"; });
+    };
+    CHECK_FALSE(saysCenter());
+    const std::vector<PointName> names{{7, "r"}};
+    open.session.giveNames(names);
+    CHECK(saysCenter());
+    open.session.giveNames({});
+}
+
+TEST_CASE("A marked point whose role is labeled has no second label") {
+    OpenSession open;
+    (void)drawn(open, {30, Stage::Sphere, 1}, {});
+    const Index pivot = open.session.picture().pivot;
+    const std::vector<Index> marked{pivot, 7};
+    open.session.highlights().mark(marked);
+    const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Labels, LayerId::Marked});
+    const auto labels = [&](Index point) {
+        return std::count_if(list.labels.begin(), list.labels.end(), [&](const Label& each) {
+            return each.position == open.session.model().place[point];
+        });
+    };
+    CHECK(labels(pivot) == 1);
+    CHECK(labels(7) == 1);
 }
 
 TEST_CASE("Links are the neighbor list of the pivot") {

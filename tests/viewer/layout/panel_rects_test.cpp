@@ -256,6 +256,24 @@ TEST_CASE("Compare has two views of the same size, with the column beside them")
     CHECK(debug.title.size == glm::vec2(0.0F));
 }
 
+TEST_CASE("Present has a second view beside the first where a step of a lesson compares") {
+    PanelSizes sizes;
+    sizes.lesson = sizes.beside = true;
+    for (const Screen& screen : kScreens) {
+        const PanelRects l =
+            computePanelRects(screen.size, screen.em, LayoutPreset::Present, {}, sizes);
+        CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
+        CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
+        CHECK(l.narration.size.x == screen.size.x);
+        CHECK(l.otherNarration.size == glm::vec2(0.0F));
+        sizes.caption = 1000.0F;
+        const PanelRects asks =
+            computePanelRects(screen.size, screen.em, LayoutPreset::Present, {}, sizes);
+        CHECK(asks.narration.size.y > l.narration.size.y);
+        sizes.caption = 0.0F;
+    }
+}
+
 TEST_CASE("If no status bar has the address, a line above the caption has it") {
     for (const auto& [screen, layoutPreset] : allCases()) {
         CAPTURE(screen.size.x);

@@ -10,10 +10,24 @@
 using namespace se;
 using namespace se::view;
 
+namespace {
+
+/// The figures of the paper's results that are sampled: 21, 23 and 24.
+constexpr std::size_t kSampled = 3;
+
+void finish(StartPage& page) {
+    page.prepare();
+    page.sampling.waitUntilDone();
+    page.poll();
+}
+
+}  // namespace
+
 TEST_CASE("The start page has a tile with a picture for every scene") {
     StartPage page;
-    page.prepare();
-    REQUIRE(page.tiles.size() == lessonEntries().size() + scenes().size() + failureScenes().size());
+    finish(page);
+    REQUIRE(page.tiles.size() ==
+            lessonEntries().size() + scenes().size() + kSampled + failureScenes().size());
     for (const SceneTile& tile : page.tiles) {
         CAPTURE(std::string(tile.id));
         CHECK_FALSE(tile.title.empty());
@@ -39,7 +53,7 @@ TEST_CASE("Lessons come first on the start page, with their length, the tour bef
 
 TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
     StartPage page;
-    page.prepare();
+    finish(page);
     for (std::size_t i = 0; i < page.tiles.size(); ++i) {
         const SceneTile& tile = page.tiles[i];
         CAPTURE(std::string(tile.id));
@@ -49,8 +63,24 @@ TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
         const auto failing = std::count_if(tile.faces.begin(), tile.faces.end(),
                                            [](const ThumbnailFace& each) { return each.failure; });
         const bool shows = failing > 0 || !tile.marks.empty();
-        CHECK(shows == (i >= lessonEntries().size() + scenes().size()));
+        CHECK(shows == (i >= lessonEntries().size() + scenes().size() + kSampled));
     }
+}
+
+TEST_CASE("Sampled figures of the results follow those with a scene, and are drawn later") {
+    StartPage page;
+    page.prepare();
+    std::vector<int> numbers;
+    for (const SceneTile& tile : page.tiles) {
+        if (tile.figure != nullptr) numbers.push_back(tile.figure->number);
+    }
+    CHECK(std::is_sorted(numbers.begin(), numbers.end()));
+    CHECK(numbers.back() == 24);
+    const auto found = std::find_if(
+        page.tiles.begin(), page.tiles.end(),
+        [](const SceneTile& each) { return sourceOf(each) == "sample:hyperboloid,n=215"; });
+    REQUIRE(found != page.tiles.end());
+    CHECK(found->title == "Figure 23: hyperboloid");
 }
 
 TEST_CASE("A picture omits points without a position, and has at most the requested number") {

@@ -15,6 +15,9 @@ namespace se::view {
 
 namespace {
 
+/// Room above and below the text, in em.
+constexpr float kAround = 1.2F;
+
 struct Paragraph {
     std::string text;
     Color color;
@@ -53,7 +56,8 @@ bool showsLessonCaption(const PanelContext& context) {
 }
 
 void drawLessonCaption(const PanelContext& context, const std::string& decision) {
-    const LessonWalk& walk = context.state<LessonPanel>().walk;
+    LessonPanel& panel = context.state<LessonPanel>();
+    const LessonWalk& walk = panel.walk;
     const std::vector<Paragraph> paragraphs = paragraphsOf(context, walk);
     const float indent = 0.8F * context.em;
     const float left = ImGui::GetCursorPosX() + indent;
@@ -64,7 +68,10 @@ void drawLessonCaption(const PanelContext& context, const std::string& decision)
     ImFont* chosen = fonts.small;
     for (ImFont* font : {fonts.caption, fonts.large, fonts.text}) {
         ImGui::PushFont(font);
-        const bool fits = heightOf(paragraphs, width) <= room.y - below;
+        const float height = heightOf(paragraphs, width);
+        const bool fits = height <= room.y - below;
+        if (font == fonts.caption)
+            panel.captionEms = (height + below + kAround * context.em) / context.em;
         ImGui::PopFont();
         if (fits) chosen = font;
         if (fits) break;

@@ -188,6 +188,7 @@ void drawTiles(const PanelContext& context) {
         "A click opens a lesson, a figure of the paper at its decision, or a scene.");
     StartPage& page = context.state<StartPage>();
     page.prepare();
+    page.poll();
     if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
         const float gap = 0.7F * em;
         const float width = ImGui::GetContentRegionAvail().x;

@@ -255,7 +255,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     if (axes) drawAxes(context, *axes);
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
-    const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
+    const bool compared = context.beside || context.rects.otherView.size.x > 0.0F;
     if (context.settings().legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);

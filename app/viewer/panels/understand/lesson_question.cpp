@@ -104,12 +104,13 @@ void drawField(const PanelContext& context, LessonWalk& walk) {
     nameItem(context, "lesson answer field");
     if (typed != walk.state().typed) walk.type(std::move(typed));
     if (entered) context.state<LessonPanel>().ask = LessonAsk::Answer;
-    if (!walk.state().complaint.empty())
-        wrappedText("! " + walk.state().complaint, context.palette.rejected);
 }
 
-/// After a wrong try, without saying what was wrong.
+/// Below the buttons, which keep their place: why the answer cannot be read; or, after a wrong try,
+/// that it is wrong, without saying what.
 void drawTry(const PanelContext& context, const LessonWalk& walk) {
+    if (!walk.state().complaint.empty())
+        return wrappedText("! " + walk.state().complaint, context.palette.rejected);
     const auto& grade = walk.state().grade;
     if (!grade || grade->right) return;
     const Event* against = walk.decisionAgainstTry();
@@ -135,20 +136,21 @@ void drawOpen(const PanelContext& context, LessonWalk& walk) {
         if (walk.question()->kind == "play") drawMoves(context, walk);
         drawField(context, walk);
     }
-    drawTry(context, walk);
     ImGui::Spacing();
     if (!room) {
         ImGui::BeginDisabled(walk.state().given == teach::Answer{});
-        if (textButton(context, "Answer", "lesson answer")) panel.ask = LessonAsk::Answer;
+        if (textButton(context, "Answer", "lesson answer", "Enter")) panel.ask = LessonAsk::Answer;
         ImGui::EndDisabled();
         ImGui::SameLine();
     }
     if (textButton(context, "Show answer", "lesson show",
                    "Go through the decisions up to the answer"))
         panel.ask = LessonAsk::Show;
-    if (walk.question()->options.empty()) return;
-    ImGui::Checkbox("Count hands of a room", &panel.countsHands);
-    nameItem(context, "lesson hands");
+    if (!walk.question()->options.empty()) {
+        ImGui::Checkbox("Count hands of a room", &panel.countsHands);
+        nameItem(context, "lesson hands");
+    }
+    drawTry(context, walk);
 }
 
 /// The share of a room that chose each option.
@@ -216,6 +218,19 @@ void drawSolution(const PanelContext& context, const LessonWalk& walk) {
     }
 }
 
+/// The last decision on a candidate that is not among the answer: why it was kept, where those
+/// removed are the answer, or the other way round.
+bool explainsOther(const LessonWalk& walk, std::size_t number) {
+    const std::string& answer = walk.question()->answer;
+    if (answer != "refused" && answer != "kept") return false;
+    const std::vector<Event>& shown = walk.right().shown;
+    const Index point = subjectOf(shown[number]);
+    if (point == kNone || !verdictOf(shown[number])) return false;
+    return std::none_of(
+        shown.begin() + static_cast<std::ptrdiff_t>(number) + 1, shown.end(),
+        [&](const Event& each) { return subjectOf(each) == point && verdictOf(each).has_value(); });
+}
+
 /// The decisions on the points of the answer and on those that were given, each a way there.
 void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
     if (!walk.right().answer.moves.empty()) return drawSolution(context, walk);
@@ -225,10 +240,12 @@ void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
         return std::find(points.begin(), points.end(), point) != points.end();
     };
     std::size_t listed = 0;
-    for (const Event& event : walk.right().shown) {
+    const std::vector<Event>& decisions = walk.right().shown;
+    for (std::size_t i = 0; i < decisions.size(); ++i) {
+        const Event& event = decisions[i];
         const Index point = subjectOf(event);
         const bool isRight = among(right, point);
-        if (!isRight && !among(given, point)) continue;
+        if (!isRight && !among(given, point) && !explainsOther(walk, i)) continue;
         if (++listed > kMaxListed) return;
         if (listed == 1) ImGui::Spacing();
         const std::string address = toString(event.address);
