@@ -29,9 +29,8 @@ void LessonChoices::play(PlayUnit unit, double rate, const Address& until) {
 
 void LessonChoices::compare(CompareWith with) {
     compares_ = true;
-    if (c_.ui.layoutPreset == LayoutPreset::Present) {
-        c_.ui.compare.inPresent = true;
-    } else {
+    c_.ui.compare.inPresent = true;
+    if (c_.ui.layoutPreset != LayoutPreset::Present) {
         if (!layout_) layout_ = c_.ui.layoutPreset;
         c_.ui.layoutPreset = LayoutPreset::Compare;
     }
@@ -48,8 +47,10 @@ void LessonChoices::putBack() {
     if (!std::exchange(compares_, false)) return;
     c_.ui.compare.ask = CompareAsk::Stop;
     c_.ui.compare.inPresent = false;
-    if (!layout_) return;
-    c_.ui.layoutPreset = *std::exchange(layout_, std::nullopt);
+    const auto before = std::exchange(layout_, std::nullopt);
+    // The user may have chosen another layout meanwhile.
+    if (!before || c_.ui.layoutPreset != LayoutPreset::Compare) return;
+    c_.ui.layoutPreset = *before;
     c_.ui.tab.wanted = kLessonTab;
 }
 

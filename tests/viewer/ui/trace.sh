@@ -16,7 +16,7 @@ press d; says address "8\.limits\.1"
 says trace_sentence "Pivot 8 of the trace: point 11 between 1 and 3, fan .*"
 picture difference
 # Its sentences lead to our decisions.
-click_on "trace reason 2"; says address "8\.limits\.3"
+click_on "trace reason 2"; says address "8\.sphere\.1"
 # In step before the difference: the fan is laid as ours is.
 go_to 7.emit.1; says trace_sentence "Pivot 7 of the trace.*"; picture one
 go_to 7; picture all

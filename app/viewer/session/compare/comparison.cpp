@@ -9,7 +9,6 @@
 #include <cassert>
 #include <utility>
 
-#include "run/strings.h"
 #include "teach/trace/rule_guess.h"
 
 namespace se::view {
@@ -111,6 +110,7 @@ std::string compareTrace(Compared& found, const std::string& path, const Progres
         const auto rules = teach::guessRules(trace.value(), shared, params, kTraceUpto, progress);
         if (!rules) return rules.error().message;
         guess = teach::guessText(rules.value(), trace.value());
+        guess.pop_back();  // the end of the line
     }
     Result<MadeMesh> run = makeMesh({points, params}, progress);
     if (!run) return run.error().message;
@@ -120,7 +120,7 @@ std::string compareTrace(Compared& found, const std::string& path, const Progres
     TraceReplay replay(std::move(trace.value()), params.start.triangles, points.size());
     found.runs.b = replay.mesh();
     found.trace = std::make_shared<const TracedRun>(
-        TracedRun{std::move(replay), std::move(comparison.value()), trimmed(guess)});
+        TracedRun{std::move(replay), std::move(comparison.value()), std::move(guess)});
     return {};
 }
 

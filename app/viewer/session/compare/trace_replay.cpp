@@ -98,7 +98,7 @@ std::vector<RingPath> TraceReplay::ringsAt(std::size_t triangles, std::uint32_t 
         for (const Index from : {t.a, t.b, t.c}) {
             while (open.contains(from)) {
                 rings.push_back(takeLoop(open, from));
-                rings.back().depth = static_cast<Index>(rings.size());
+                rings.back().depth = kNone;  // whether it is on the stack is not known
             }
         }
     }
