@@ -195,7 +195,11 @@ void drawBorders(const PanelContext& context) {
     horizontal(l.status.min.y);
     if (l.left.size.x > 0.0F) vertical(l.left.max().x, top, lower);
     if (l.right.size.x > 0.0F) vertical(l.right.min.x, top, l.drawer.min.y);
-    if (l.otherView.min.x > l.view.min.x) vertical(l.otherView.min.x, top, lower);
+    if (l.otherView.min.x > l.view.min.x) {
+        // In Present the caption below is that of both views.
+        const bool two = l.otherNarration.size.x > 0.0F;
+        vertical(l.otherView.min.x, top, two ? lower : l.narration.min.y);
+    }
     if (l.groupsApart) vertical(l.change.min.x, lower, l.drawer.min.y);
     const auto above = [&](const Rect& area) {
         list->AddRectFilled(toVec2(area.min), {area.max().x, area.min.y + 1.0F}, color);

@@ -23,13 +23,19 @@ struct Paragraph {
     Color color;
 };
 
+/// Without line breaks and blanks at the end.
+std::string withoutLastBreaks(std::string text) {
+    text.erase(text.find_last_not_of(" \t\n") + 1);
+    return trimmed(text);
+}
+
 /// Title, text, and of a question the options or the answer.
 std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWalk& walk) {
     const Palette& palette = context.palette;
     const teach::LessonStep& step = walk.shownStep();
     std::vector<Paragraph> all{{step.title, palette.accent}};
     for (const teach::TextBlock& block : teach::textBlocks(step.text))
-        all.push_back({trimmed(teach::plainTextOf({block})), palette.text});
+        all.push_back({withoutLastBreaks(teach::plainTextOf({block})), palette.text});
     const teach::Question* question = walk.question();
     if (question == nullptr) return all;
     const auto right =
@@ -45,7 +51,8 @@ std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWal
 float heightOf(const std::vector<Paragraph>& paragraphs, float width) {
     std::size_t lines = 0;
     for (const Paragraph& each : paragraphs) lines += wrapped(each.text, width).size();
-    return static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
+    return static_cast<float>(lines) * ImGui::GetTextLineHeight() +
+           static_cast<float>(paragraphs.size()) * ImGui::GetStyle().ItemSpacing.y;
 }
 
 }  // namespace
@@ -62,7 +69,8 @@ void drawLessonCaption(const PanelContext& context, const std::string& decision)
     const float indent = 0.8F * context.em;
     const float left = ImGui::GetCursorPosX() + indent;
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float below = ImGui::GetTextLineHeightWithSpacing();
+    // Of the decision, which is shown after the question.
+    const float below = walk.asks() ? 0.0F : ImGui::GetTextLineHeightWithSpacing();
     const float width = room.x - 2.0F * indent;
     const Fonts& fonts = context.fonts;
     ImFont* chosen = fonts.small;
