@@ -15,7 +15,7 @@ namespace {
 /// The figures of the paper's results that are sampled: 21, 23 and 24.
 constexpr std::size_t kSampled = 3;
 
-void finish(StartPage& page) {
+void drawAll(StartPage& page) {
     page.prepare();
     page.sampling.waitUntilDone();
     page.poll();
@@ -25,7 +25,7 @@ void finish(StartPage& page) {
 
 TEST_CASE("The start page has a tile with a picture for every scene") {
     StartPage page;
-    finish(page);
+    drawAll(page);
     REQUIRE(page.tiles.size() ==
             lessonEntries().size() + scenes().size() + kSampled + failureScenes().size());
     for (const SceneTile& tile : page.tiles) {
@@ -53,7 +53,7 @@ TEST_CASE("Lessons come first on the start page, with their length, the tour bef
 
 TEST_CASE("Tiles show a mesh half grown, and those of failures the failure") {
     StartPage page;
-    finish(page);
+    drawAll(page);
     for (std::size_t i = 0; i < page.tiles.size(); ++i) {
         const SceneTile& tile = page.tiles[i];
         CAPTURE(std::string(tile.id));

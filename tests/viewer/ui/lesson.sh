@@ -68,6 +68,23 @@ says layout compare; says decision ".*there.*"; says other_decision ".*there.*"
 picture names
 stop
 
+# Letters choose an option, Enter answers; the button keeps its place after a wrong answer.
+start lesson:removal --step 6
+says question open; press a; says given A
+place=$(field "lesson answer")
+press Return; says answered_right false; says question open
+[ "$(field "lesson answer")" = "$place" ] || fail "the button Answer moves"
+press b Return; says answered_right true; says question shown
+stop
+
+# A step that compares stays in Present.
+start lesson:spiral --step 9 --layout present
+says layout present; says compare_done true
+read -r _ _ w _ < <(field "region other view" | tr -d '[],')
+[ "$w" -eq 640 ] || fail "the second view is $w pixels wide"
+press Prior; says lesson_step 8; says layout present; says compare_with null
+stop
+
 # With a question open nothing tells of what follows: two lessons whose runs part after it.
 for run in a b; do
     rule=

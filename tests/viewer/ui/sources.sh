@@ -81,3 +81,15 @@ says alert_search done; says alerts_complete false; says alerts "[1-9][0-9]*"
 click_on "tab Alerts"; says open_tab Alerts
 stop
 well
+
+# A given start is kept by a session.
+echo '{"triangles": [[0, 2, 5], [0, 5, 6], [0, 6, 1]], "rings": [[0, 2, 5, 6, 1]]}' >"$work/start.json"
+start scene:figure-3 --start "$work/start.json"
+says phase ready; says triangles 3
+press ctrl+s; says file_browser true
+type_text "$work/begun"; press Return; says file_browser false
+stop
+grep -q '"start"' "$work/begun.sesession" || fail "the session forgets the start"
+start "$work/begun.sesession"
+says phase ready; says triangles 3
+stop

@@ -16,7 +16,7 @@ namespace se::view {
 namespace {
 
 /// Room above and below the text, in em.
-constexpr float kAround = 1.2F;
+constexpr float kAroundText = 1.2F;
 
 struct Paragraph {
     std::string text;
@@ -79,7 +79,7 @@ void drawLessonCaption(const PanelContext& context, const std::string& decision)
         const float height = heightOf(paragraphs, width);
         const bool fits = height <= room.y - below;
         if (font == fonts.caption)
-            panel.captionEms = (height + below + kAround * context.em) / context.em;
+            panel.captionEms = (height + below + kAroundText * context.em) / context.em;
         ImGui::PopFont();
         if (fits) chosen = font;
         if (fits) break;

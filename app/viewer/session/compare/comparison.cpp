@@ -94,7 +94,7 @@ std::string compareMesh(Compared& found, const std::string& path, const Progress
 constexpr teach::TraceStage kTraceUpto = teach::TraceStage::Ring;
 
 /// The run, and the trace of another implementation.
-std::string compareTrace(Compared& found, const std::string& path, const Progress& progress) {
+std::string compareWithTrace(Compared& found, const std::string& path, const Progress& progress) {
     Result<teach::Trace> trace = teach::readTraceFile(path);
     if (!trace) return trace.error().message;
     const PointSet& points = found.a->points;
@@ -172,7 +172,7 @@ void Comparison::startTrace(const Session& run, const std::string& path) {
     traceQuery_.start([a = run.sharedModel(), path](const Progress& progress) {
         auto found = std::make_shared<Compared>();
         found->a = a;
-        std::string complaint = compareTrace(*found, path, progress);
+        std::string complaint = compareWithTrace(*found, path, progress);
         if (!complaint.empty()) return Result<std::shared_ptr<const Compared>>(Error{complaint});
         compareTriangles(*found);
         return Result<std::shared_ptr<const Compared>>(std::move(found));

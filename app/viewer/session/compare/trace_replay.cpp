@@ -49,7 +49,7 @@ RingPath takeLoop(OpenEdges& open, Index from) {
     return ring;
 }
 
-std::string pointsText(const std::vector<Index>& points) {
+std::string fanText(const std::vector<Index>& points) {
     std::string text;
     for (const Index each : points) text += " " + std::to_string(each);
     return text;
@@ -148,8 +148,7 @@ DecisionState TraceReplay::stateAt(const TracePosition& position) const {
 std::string TraceReplay::sentence(const TracePosition& position) const {
     if (position.pivot == 0) return "Before the first pivot of the trace.";
     const teach::TracePivot& at = trace_.pivots[position.pivot - 1];
-    const std::string fan =
-        at.fan && !at.fan->empty() ? "fan" + pointsText(*at.fan) : "no triangle";
+    const std::string fan = at.fan && !at.fan->empty() ? "fan" + fanText(*at.fan) : "no triangle";
     return "Pivot " + std::to_string(position.pivot) + " of the trace: point " +
            std::to_string(at.p) + " between " + std::to_string(at.first) + " and " +
            std::to_string(at.last) + ", " + fan + ".";
