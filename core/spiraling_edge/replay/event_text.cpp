@@ -2,6 +2,7 @@
 /// logs. One overload of text() per kind of evidence.
 #include "spiraling_edge/replay/event_text.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdio>
 
@@ -28,8 +29,18 @@ class Names {
         const std::string name = nameOf(point, names_);
         return name == role ? name : std::string(role) + " = " + name;
     }
+    /// The letters of the sphere's measures (Fig. 8), or their words where a point has one of these
+    /// letters as its name.
+    std::string distance() const { return lettersAreFree() ? "d" : "distance"; }
+    std::string radius() const { return lettersAreFree() ? "r" : "radius"; }
 
   private:
+    bool lettersAreFree() const {
+        return std::none_of(names_.begin(), names_.end(), [](const PointName& each) {
+            return each.name == "c" || each.name == "d" || each.name == "r";
+        });
+    }
+
     std::span<const PointName> names_;
 };
 
@@ -196,11 +207,12 @@ std::string text(const SphereEvidence& e, const Names& names) {
                         circle);
     const double d = e.distance - e.radius;
     if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return sentence("{} lies on the sphere {} (r = {}): kept.", names.as("q", e.q), circle,
-                        e.radius);
+        return sentence("{} lies on the sphere {} ({} = {}): kept.", names.as("q", e.q), circle,
+                        names.radius(), e.radius);
     const std::string place =
-        sentence("{} lies {} {} the sphere {} (d = {}, r = {})", names.as("q", e.q), d < 0 ? -d : d,
-                 d < 0 ? "inside" : "outside", circle, e.distance, e.radius);
+        sentence("{} lies {} {} the sphere {} ({} = {}, {} = {})", names.as("q", e.q),
+                 d < 0 ? -d : d, d < 0 ? "inside" : "outside", circle, names.distance(), e.distance,
+                 names.radius(), e.radius);
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
     return sentence(
         "{}, and removing it leaves a gap of {}{}", place, deg(e.gapDegrees),

@@ -177,6 +177,9 @@ TEST_CASE("sentences name the points of a figure") {
     CHECK(describe(made, figure.names) == "Triangle 0 = (p, first, 7).");
     CHECK(describe(made) == "Triangle 0 = (15, 20, 7).");
     CHECK(nameOf(kNone, figure.names) == "none");
+    // A point is called r: the measures of the sphere are written out.
+    CHECK(checked[1].found.find("(distance = ") != std::string::npos);
+    CHECK(checked[1].found.find(", radius = ") != std::string::npos);
 }
 
 TEST_CASE("figures 14 and 15 are mirror images: the third point is after, and before") {
