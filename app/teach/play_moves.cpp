@@ -6,6 +6,7 @@
 
 #include "lesson_setting.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/rules.h"
 
@@ -20,7 +21,8 @@ constexpr std::array kMoveTable{
     MoveRow{MoveKind::Keep, "keep", "this candidate becomes a point of the fan"},
     MoveRow{MoveKind::Remove, "remove", "this candidate is left out"},
     MoveRow{MoveKind::Fan, "fan", "all points of the fan from first to last; none: no triangle"},
-    MoveRow{MoveKind::NextPivot, "next", "the next pivot; none: no ring is left"},
+    MoveRow{MoveKind::NextPivot, "next",
+            "the next pivot: where end stands, on a wall too; none: no ring is left"},
 };
 static_assert(isInOrder(kMoveTable));
 
@@ -113,8 +115,25 @@ const Event* decisionAboutLimit(std::span<const Event> events, const PlayMove& g
     return found;
 }
 
-/// The last decision about a point; of the sort if it is no candidate.
+/// The first triangle of the run that a fan lacks; null if it has all.
+const Event* triangleLackedBy(std::span<const Event> events, const std::vector<Index>& fan) {
+    const auto found = std::find_if(events.begin(), events.end(), [&](const Event& event) {
+        const auto* emit = as<EmitEvidence>(event);
+        const std::array<Index, 2> side =
+            emit != nullptr ? std::array{emit->corners.b, emit->corners.c} : std::array<Index, 2>{};
+        return emit != nullptr &&
+               std::search(fan.begin(), fan.end(), side.begin(), side.end()) == fan.end();
+    });
+    return found == events.end() ? nullptr : &*found;
+}
+
+/// The last decision about a point; of a limit that moved to it, that move; of the sort if it is no
+/// candidate.
 const Event* decisionAboutPoint(std::span<const Event> events, Index point) {
+    for (const Event& event : events) {
+        const auto* limit = as<LimitEvidence>(event);
+        if (limit != nullptr && limit->moves() && limit->to == point) return &event;
+    }
     for (const PlayedCandidate& each : playedCandidates(events)) {
         if (each.point == point) return each.decision;
     }
@@ -227,7 +246,17 @@ const Event* decisionAgainst(std::span<const Event> events, const PlayMove& give
             if (const Event* found = decisionAboutPoint(events, given.points.front())) return found;
         }
     }
+    if (given.kind == MoveKind::Fan && sameKind) {
+        if (const Event* found = triangleLackedBy(events, given.points)) return found;
+    }
     return expected != nullptr ? &expected->event : nullptr;
+}
+
+std::string reasonText(const Event& event, std::span<const PointName> names) {
+    // Its decision would be the answer.
+    if (isA<AdvanceEvidence>(event))
+        return "The next pivot is the point where end stands: last, unless end has moved.";
+    return describe(event, names);
 }
 
 }  // namespace se::teach

@@ -10,6 +10,7 @@
 
 #include "lesson.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::teach {
@@ -65,5 +66,9 @@ std::size_t movesAlike(std::span<const PlayMove> given, std::span<const PlayMove
 /// `given`, unless it is a fan or the next pivot.
 const Event* decisionAgainst(std::span<const Event> events, const PlayMove& given,
                              const RunMove* expected);
+
+/// Why a move was wrong, by the decision against it, for users who go on trying: that of the next
+/// pivot tells the rule alone.
+std::string reasonText(const Event& event, std::span<const PointName> names);
 
 }  // namespace se::teach

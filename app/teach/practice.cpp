@@ -1,6 +1,8 @@
-// The points of a seed are an even sample of a flat square, of which some are taken away, rounded
-// to thousandths; of its run those pivots are tasks at which start or end moves, a candidate is
-// kept, another removed, and no decision is near. A sample without such a pivot is passed over.
+// The points of a seed are a sample of a flat square, of which some are taken away, rounded to
+// thousandths; of its run those pivots are tasks at which start or end moves, a candidate is kept,
+// another removed, and no decision is near. On an even sample such pivots are all alike: of five
+// seeds four have an uneven one, and a pivot at which something else happens, too (kDemands). A
+// sample without such a pivot is passed over.
 #include "practice.h"
 
 #include <algorithm>
@@ -18,9 +20,16 @@ namespace se::teach {
 namespace {
 
 constexpr std::size_t kPracticePerSide = 3;
-constexpr std::size_t kPracticeInterior = 22;
-constexpr std::size_t kPracticeNeighbors = 9;
-constexpr double kPracticeTaken = 0.12;  ///< Share of the interior points taken away.
+
+/// How points are drawn.
+struct PracticeSample {
+    std::size_t interior;
+    double taken;   ///< Share of the interior points taken away.
+    double strewn;  ///< Side of the square in which each of the others is moved at random.
+    std::size_t neighbors;
+};
+constexpr PracticeSample kEvenSample{22, 0.12, 0.0, 9};
+constexpr PracticeSample kUnevenSample{30, 0.3, 0.6, 10};
 
 /// A copy of the points of a file that `keeps` is true for.
 template <typename Keeps>
@@ -35,18 +44,24 @@ PointFile somePoints(const PointFile& file, Keeps&& keeps) {
     return some;
 }
 
-PointSet practicePoints(SplitMix& random) {
+PointSet practicePoints(const PracticeSample& sample, SplitMix& random) {
     const PointFile sheet =
-        sampleSheet(flatSheet(), kPracticePerSide, kPracticeInterior, random.bits());
+        sampleSheet(flatSheet(), kPracticePerSide, sample.interior, random.bits());
     PointFile file = somePoints(sheet, [&](std::size_t i) {
-        return isBoundary(sheet.type[i]) || random.unit() >= kPracticeTaken;
+        return isBoundary(sheet.type[i]) || random.unit() >= sample.taken;
     });
-    for (Vec3& x : file.position) {
+    constexpr double kInside = 0.95;
+    for (std::size_t p = 0; p < file.position.size(); ++p) {
+        Vec3& x = file.position[p];
+        if (sample.strewn > 0.0 && !isBoundary(file.type[p])) {
+            for (int i = 0; i < 2; ++i)
+                x[i] = std::clamp(x[i] + sample.strewn * (random.unit() - 0.5), -kInside, kInside);
+        }
         // Thousandths, and no -0.
         for (int i = 0; i < 3; ++i) x[i] = std::round(1000.0 * x[i]) / 1000.0 + 0.0;
     }
     PrepareOptions options;
-    options.neighbors.reach = KNearest{kPracticeNeighbors};
+    options.neighbors.reach = KNearest{sample.neighbors};
     return prepare(file, options).value().points;
 }
 
@@ -74,15 +89,44 @@ bool isClear(std::span<const Event> events, const ReadingContext& context) {
            });
 }
 
+std::ptrdiff_t countOf(MoveKind kind, const std::vector<RunMove>& moves) {
+    return std::count_if(moves.begin(), moves.end(),
+                         [&](const RunMove& each) { return each.move.kind == kind; });
+}
+std::ptrdiff_t limitMoves(const std::vector<RunMove>& moves) {
+    return countOf(MoveKind::MoveStart, moves) + countOf(MoveKind::MoveEnd, moves);
+}
+
 /// True if the moves are worth playing.
 bool isTask(const std::vector<RunMove>& moves) {
-    const auto count = [&](MoveKind kind) {
-        return std::count_if(moves.begin(), moves.end(),
-                             [&](const RunMove& each) { return each.move.kind == kind; });
-    };
-    return count(MoveKind::MoveStart) + count(MoveKind::MoveEnd) > 0 && count(MoveKind::Keep) > 0 &&
-           count(MoveKind::Remove) > 0 && !moves.back().move.points.empty();
+    return limitMoves(moves) > 0 && countOf(MoveKind::Keep, moves) > 0 &&
+           countOf(MoveKind::Remove, moves) > 0 && !moves.back().move.points.empty();
 }
+
+bool hasVerdict(const PracticeTask& task, Verdict verdict) {
+    return std::any_of(task.events.begin(), task.events.end(),
+                       [&](const Event& event) { return verdictOf(event) == verdict; });
+}
+
+/// What happens in the tasks of a seed, by its remainder; any task for the first.
+using Demand = bool (*)(const PracticeTask& task);
+constexpr Demand kDemands[] = {
+    [](const PracticeTask&) { return true; },
+    // A point outside its sphere stays, since the gap would be too wide.
+    [](const PracticeTask& task) { return hasVerdict(task, Verdict::GapTooWide); },
+    // A point of the edge ring is a candidate.
+    [](const PracticeTask& task) {
+        return std::any_of(task.solution.begin(), task.solution.end(), [&](const RunMove& each) {
+            const MoveKind kind = each.move.kind;
+            return (kind == MoveKind::Keep || kind == MoveKind::Remove) &&
+                   std::find(task.ring.begin(), task.ring.end(), each.move.points.front()) !=
+                       task.ring.end();
+        });
+    },
+    [](const PracticeTask& task) { return limitMoves(task.solution) > 1; },
+    // A candidate is no longer between start and end.
+    [](const PracticeTask& task) { return hasVerdict(task, Verdict::Outside); },
+};
 
 std::vector<Index> pointsOfRing(const EdgeRings& rings, Index ring, Index entry) {
     std::vector<Index> points;
@@ -141,9 +185,12 @@ std::vector<PracticeTask> tasksOf(std::uint64_t seed, const SharedPoints& points
 
 PracticeTask practiceTask(std::uint64_t seed) {
     SplitMix random(seed);
+    const Demand demand = kDemands[seed % std::size(kDemands)];
+    const PracticeSample& sample = demand == kDemands[0] ? kEvenSample : kUnevenSample;
     while (true) {
-        const SharedPoints points(practicePoints(random));
+        const SharedPoints points(practicePoints(sample, random));
         std::vector<PracticeTask> tasks = tasksOf(seed, points);
+        std::erase_if(tasks, [&](const PracticeTask& task) { return !demand(task); });
         if (!tasks.empty()) return std::move(tasks[random.bits() % tasks.size()]);
     }
 }
@@ -167,7 +214,7 @@ PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove
     grade.stage = stageName(event->address.stage);
     grade.address = toString(event->address);
     const std::vector<NamedPoint> names = practiceNames(task);
-    grade.sentence = describe(*event, pointNames(names));
+    grade.sentence = reasonText(*event, pointNames(names));
     return grade;
 }
 
