@@ -60,15 +60,18 @@ LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {
     return layers;
 }
 
+LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step) {
+    setMode(layers, step.pin, LayerMode::Automatic);
+    setMode(layers, step.hide, LayerMode::Automatic);
+    return layers;
+}
+
 Selection selectionOfStep(const teach::LessonStep& step,
                           const std::vector<teach::NamedPoint>& names) {
     std::vector<Index> points;
     points.reserve(step.select.size());
     for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
-    if (points.size() == 1) return Selection::ofPoint(points[0]);
-    if (points.size() == 2) return Selection::ofEdge(points[0], points[1]);
-    if (points.size() == 3) return Selection::ofTriangle({points[0], points[1], points[2]});
-    return {};
+    return Selection::of(points);
 }
 
 }  // namespace se::view

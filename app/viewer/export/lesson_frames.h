@@ -21,6 +21,9 @@ Result<InputSpec> inputOfStep(const LessonFile& file, std::size_t step);
 /// `layers` with those that the step pins and hides.
 LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step);
 
+/// `layers` of a window that shows the step, without what the step pins and hides there.
+LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step);
+
 /// The points that a step selects; nothing if it selects none.
 Selection selectionOfStep(const teach::LessonStep& step,
                           const std::vector<teach::NamedPoint>& names);

@@ -136,12 +136,6 @@ namespace {
 constexpr const char* kExpected =
     "Expected one point, two for an edge or three for a triangle, such as 812 or 812,640.";
 
-Selection selectionOf(const std::vector<Index>& points) {
-    if (points.size() == 1) return Selection::ofPoint(points[0]);
-    if (points.size() == 2) return Selection::ofEdge(points[0], points[1]);
-    return Selection::ofTriangle({points[0], points[1], points[2]});
-}
-
 }  // namespace
 
 Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
@@ -165,7 +159,7 @@ Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
         points.push_back(point);
     }
     if (points.empty() || points.size() > 3) return Error{kExpected};
-    return selectionOf(points);
+    return Selection::of(points);
 }
 
 std::optional<Result<RingAddress>> ringFromText(std::string_view text, const Address& here) {

@@ -19,6 +19,13 @@ Selection Selection::ofTriangle(const Triangle& triangle) {
     return {SelectionKind::Triangle, corners};
 }
 
+Selection Selection::of(std::span<const Index> points) {
+    if (points.size() == 1) return ofPoint(points[0]);
+    if (points.size() == 2) return ofEdge(points[0], points[1]);
+    if (points.size() == 3) return ofTriangle({points[0], points[1], points[2]});
+    return {};
+}
+
 std::span<const Index> Selection::corners() const {
     return std::span(points).first(static_cast<std::size_t>(kind));
 }

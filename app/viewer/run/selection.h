@@ -22,6 +22,9 @@ struct Selection {
     /// Equality without regard to the first corner, but with regard to the orientation.
     static Selection ofTriangle(const Triangle& triangle);
 
+    /// One point, an edge of two or a triangle of three; nothing of any other number.
+    static Selection of(std::span<const Index> points);
+
     /// Number of points of a kind.
     std::span<const Index> corners() const;
     Triangle triangle() const { return {points[0], points[1], points[2]}; }
