@@ -70,8 +70,9 @@ void DepthPicture::add(const std::array<glm::vec3, 3>& corners, std::uint32_t nu
             const float depth = a * corners[0].z + b * corners[1].z + c * corners[2].z;
             const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
                                static_cast<std::size_t>(x);
-            if (depth >= depth_[place]) continue;
-            depth_[place] = depth;
+            // Of two in a plane the later one is seen, as on the graphics card.
+            if (depth > depth_[place] + kSlack) continue;
+            depth_[place] = std::min(depth, depth_[place]);
             number_[place] = number;
         }
     }

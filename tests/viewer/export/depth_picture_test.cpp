@@ -39,6 +39,13 @@ TEST_CASE("A triangle that others cover is not visible") {
     CHECK(picture.visible() == std::vector<std::uint32_t>{1});
 }
 
+TEST_CASE("The later of two equal triangles is visible") {
+    DepthPicture picture({100.0F, 100.0F});
+    picture.add(kNear, 1);
+    picture.add(kNear, 2);
+    CHECK(picture.visible() == std::vector<std::uint32_t>{2});
+}
+
 TEST_CASE("Screen space has its corner at the top left, and nothing behind the eye") {
     Camera camera;
     const ScreenSpace screen(camera.matrices(1.5F), {300.0F, 200.0F});
