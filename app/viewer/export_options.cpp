@@ -9,7 +9,6 @@ namespace se::view {
 namespace {
 
 constexpr const char* kHidden = "";
-constexpr double kMostPerSecond = 60.0;
 
 void requireExport(const CLI::App& app, const RawExport& raw) {
     for (const char* name :
@@ -40,7 +39,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(frameUnitNames()));
     add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
-    add("--fps", raw.perSecond)->check(CLI::Range(0.1, kMostPerSecond));
+    add("--fps", raw.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
 }
 
 void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {

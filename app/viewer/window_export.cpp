@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "controllers/document.h"
+#include "export/lesson_frames.h"
 #include "export_run.h"
 #include "panel_state/ui_state.h"
 
@@ -42,25 +43,33 @@ void WindowExport::carryOut() {
     end();
 }
 
-/// Begins with the input, position, camera and layers of the window.
+/// Begins with the input, position, camera and layers of the window, or with the open lesson.
 void WindowExport::begin() {
     ExportForm& form = c_.ui.exported;
     const Session& session = c_.session;
+    const LessonWalk& walk = c_.ui.lesson.walk;
     const std::string address = session.event() != nullptr ? toString(session.address()) : "";
-    Result<ExportOrder> order = form.order(address);
+    Result<ExportOrder> order = form.order(
+        address, walk.isOpen()
+                     ? std::make_shared<const LessonFile>(LessonFile{walk.lesson(), walk.folder()})
+                     : nullptr);
     form.complaint = order ? "" : order.error().message;
     if (!order) return;
-    Options options;
-    options.session = captureSession(c_);
-    options.session->with = {};
-    options.session->alert.clear();
-    options.input = options.session->input;
-    options.exported = order.value();
-    options.noConfig = true;
     ViewSettings settings = c_.ui.settings;
+    Options options;
+    options.noConfig = true;
+    if (order.value().lesson) {
+        settings.layers = layersWithout(settings.layers, walk.shownStep());
+    } else {
+        options.session = captureSession(c_);
+        options.session->with = {};
+        options.session->alert.clear();
+        options.input = options.session->input;
+    }
+    options.exported = std::move(order.value());
     settings.width = pictureSize(form.size)->x;
     settings.height = pictureSize(form.size)->y;
-    settings.uiScale = 1.0;
+    settings.uiScale = 0.0;
     run_ = std::make_unique<ExportRun>(options, settings);
     form.working = true;
     form.made = form.total = 0;

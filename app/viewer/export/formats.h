@@ -50,6 +50,9 @@ struct ExportFormat {
     /// The reason why this machine cannot write it, and what to install.
     Status (*possible)();
     Result<std::unique_ptr<FrameWriter>> (*open)(const ExportTarget& target);
+
+    /// Its frames follow each other in time.
+    bool animated() const { return series && content == FrameContent::Pixels; }
 };
 std::span<const ExportFormat> exportFormats();
 /// By the extension of a path; a folder is one of PNG. Null if there is none.

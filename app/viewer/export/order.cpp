@@ -40,6 +40,7 @@ std::optional<glm::ivec2> pictureSize(const std::string& text) {
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
     if (size.x < 320 || size.y < 240 || std::max(size.x, size.y) > kMostPixels) return std::nullopt;
+    if (static_cast<double>(size.x) * size.y > kMostArea) return std::nullopt;
     return size;
 }
 

@@ -16,8 +16,13 @@
 
 namespace se::view {
 
-/// Greatest width and height of what is drawn.
-inline constexpr int kMostPixels = 16384;
+/// Greatest width and height of what is drawn, and number of its pixels: a gigabyte.
+inline constexpr int kMostPixels = 32768;
+inline constexpr double kMostArea = 16384.0 * 16384.0;
+
+/// Frames per second of an animation.
+inline constexpr double kLeastPerSecond = 0.1;
+inline constexpr double kMostPerSecond = 60.0;
 
 /// Distance of two frames of a range.
 enum class FrameUnit : std::uint8_t {

@@ -14,6 +14,7 @@ enum class ExportFrames : std::uint8_t {
     Picture,  ///< What the view shows.
     Pivot,    ///< All decisions of the pivot at the cursor.
     Range,    ///< `from` to `to`.
+    Lesson,   ///< `steps` of the open lesson.
 };
 
 /// Request of a frame, carried out at its end.
@@ -25,7 +26,10 @@ struct ExportForm {
     std::string from;
     std::string to;
     FrameUnit unit = FrameUnit::SubStep;
+    std::string steps;  ///< "2,4-6"; empty: all.
     std::string size = "1280x800";
+    bool captions = true;
+    std::string perSecond = "2";  ///< Frames of an animation.
     ExportAsk ask = ExportAsk::None;
     std::string path;  ///< The file that `ask` names.
 
@@ -43,8 +47,18 @@ struct ExportForm {
     void choose(std::size_t place, std::string& name);
     /// The typed name, with the extension of the format unless it has one of those.
     std::string withFormat(const std::string& typed) const;
-    /// The order of these choices, for `path`; `address`: of the cursor. Fails with a sentence.
-    Result<ExportOrder> order(const std::string& address) const;
+    /// Whether the format has captions with these frames, and frames that follow each other in
+    /// time.
+    bool hasCaptions() const;
+    bool hasSpeed() const;
+    /// The order of these choices, for `path`; `address`: of the cursor; `lesson`: the open one, or
+    /// null. Fails with a sentence.
+    Result<ExportOrder> order(const std::string& address,
+                              const std::shared_ptr<const LessonFile>& lesson = nullptr) const;
+
+  private:
+    Status addFrames(ExportOrder& order, const std::string& address,
+                     const std::shared_ptr<const LessonFile>& lesson) const;
 };
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "export/lesson_frames.h"
 #include "open_session.h"
 
 using namespace se::view;
@@ -40,8 +41,38 @@ TEST_CASE("An export is ordered as the dialog has it, or refused with the reason
         CHECK_FALSE(form.order("9"));
     }
     form.size = "640x480";
+    form.frames = ExportFrames::Lesson;
+    CHECK(form.order("9").error().message == "No lesson is open.");
+    const auto lesson = lessonOfSource("removal").value();
+    CHECK(form.order("9", lesson).value().steps.empty());
+    form.steps = "2,4-6";
+    CHECK(form.order("9", lesson).value().steps == std::vector<std::size_t>{2, 4, 5, 6});
+    form.steps = "99";
+    CHECK(form.order("9", lesson).error().message.starts_with("99: expected steps from 1 to"));
+    form.frames = ExportFrames::Picture;
     form.path = "/nowhere/a.png";
     CHECK_FALSE(form.order("9"));
     form.path = "a.xyz";
     CHECK(form.order("9").error().message.starts_with("a.xyz: expected a name"));
+}
+
+TEST_CASE("Captions and speed count only where the format has them") {
+    ExportForm form;
+    CHECK_FALSE(form.hasCaptions());
+    form.frames = ExportFrames::Pivot;
+    CHECK(form.hasCaptions());
+    CHECK_FALSE(form.hasSpeed());
+    form.frames = ExportFrames::Picture;
+    form.captions = false;
+    form.perSecond = "fast";
+    form.path = test::ownPlace("look.png").string();
+    CHECK(form.order("9").value().captions);
+    form.followName("a.gif");
+    CHECK(form.hasCaptions());
+    CHECK(form.hasSpeed());
+    form.path = test::ownPlace("look.gif").string();
+    CHECK(form.order("9").error().message == "fast: expected frames per second, from 0.1 to 60");
+    form.perSecond = "12.5";
+    CHECK(form.order("9").value().perSecond == 12.5);
+    CHECK_FALSE(form.order("9").value().captions);
 }

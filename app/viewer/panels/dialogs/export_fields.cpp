@@ -1,6 +1,7 @@
 #include "export_fields.h"
 
 #include "panel_state/export_form.h"
+#include "panel_state/lesson_panel.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 
@@ -11,6 +12,14 @@ namespace {
 /// Position of the fields after their names, in em.
 constexpr float kExportColumn = 4.5F;
 constexpr float kAddressEms = 9.0F;
+constexpr float kSpeedEms = 3.5F;
+
+/// Where the captions of a format are.
+std::string captionsTip(const ExportFormat& format) {
+    if (format.captioned) return "The sentence of each decision, below the view";
+    if (format.content == FrameContent::BothThemes) return "The sentence below each drawing";
+    return "The sentences, in a text file beside the pictures";
+}
 
 void drawFieldName(const PanelContext& context, const char* name) {
     ImGui::AlignTextToFramePadding();
@@ -62,8 +71,18 @@ void drawRange(const PanelContext& context) {
     }
 }
 
+void drawStepNumbers(const PanelContext& context) {
+    ExportForm& form = context.state<ExportForm>();
+    drawFieldName(context, "Steps");
+    ImGui::SetNextItemWidth(kAddressEms * context.em);
+    textField("##steps", "all", form.steps);
+    nameItem(context, "export steps", "Numbers of steps, such as 2,4-6; none: all");
+}
+
 void drawFrameOptions(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
+    const bool lesson = context.state<LessonPanel>().walk.isOpen();
+    if (!lesson && form.frames == ExportFrames::Lesson) form.frames = ExportFrames::Picture;
     drawFieldName(context, "Frames");
     const auto offer = [&](ExportFrames frames, const char* label, const char* where) {
         if (drawOption(context, label, form.frames == frames, where, "",
@@ -73,11 +92,29 @@ void drawFrameOptions(const PanelContext& context) {
     offer(ExportFrames::Picture, "This picture", "export picture");
     offer(ExportFrames::Pivot, "This pivot", "export this pivot");
     offer(ExportFrames::Range, "A range", "export range");
+    if (lesson) offer(ExportFrames::Lesson, "The lesson", "export lesson");
     if (form.frames == ExportFrames::Range) drawRange(context);
+    if (form.frames == ExportFrames::Lesson) drawStepNumbers(context);
+}
+
+void drawLookOptions(const PanelContext& context) {
+    ExportForm& form = context.state<ExportForm>();
     drawFieldName(context, "Size");
     ImGui::SetNextItemWidth(kAddressEms * context.em);
     textField("##size", "1280x800", form.size);
     nameItem(context, "export size", "Width and height in pixels");
+    if (form.hasSpeed()) {
+        ImGui::SameLine(0.0F, context.em);
+        ImGui::SetNextItemWidth(kSpeedEms * context.em);
+        textField("##speed", "2", form.perSecond);
+        nameItem(context, "export speed", "Frames per second");
+        ImGui::SameLine();
+        ImGui::TextDisabled("per second");
+    }
+    if (!form.hasCaptions()) return;
+    ImGui::SameLine(0.0F, context.em);
+    ImGui::Checkbox("Captions", &form.captions);
+    nameItem(context, "export captions", captionsTip(exportFormats()[form.format]));
 }
 
 void drawProgress(const PanelContext& context) {
@@ -103,6 +140,7 @@ void drawExportFields(const PanelContext& context, std::string& name) {
     if (form.working) return drawProgress(context);
     drawFormatOptions(context, name);
     drawFrameOptions(context);
+    drawLookOptions(context);
     ImGui::Separator();
 }
 
