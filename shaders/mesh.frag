@@ -13,6 +13,7 @@ uniform vec3 uUp;
 uniform vec4 uEdgeColor;  // alpha 0: no edges
 uniform float uEdgeWidth; // pixels
 uniform float uHatch;     // pixels between stripes
+uniform vec2 uCorner;     // of a part of a larger picture, in pixels
 uniform bool uLit;
 uniform float uSmooth;     // 1: light by the normals of the points
 uniform bool uWire;        // edges only
@@ -76,7 +77,8 @@ void main() {
         color.rgb *= mix(shadeOf(), 1.0, uSoft);
     }
     if (vHatched > 0.5) {
-        float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
+        vec2 at = gl_FragCoord.xy + uCorner;
+        float stripe = abs(fract((at.x + at.y) / uHatch) - 0.5) * uHatch;
         float between = clamp(stripe - 0.22 * uHatch + 0.5, 0.0, 1.0);
         // Transparent triangles are clearer between the stripes, all others darker.
         if (uLit) color.rgb *= mix(1.0, 0.72, between);

@@ -276,7 +276,8 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    const PanelRects rects = areasIn(glm::vec2(size));
+    areas_ = areasIn(glm::vec2(size));
+    const PanelRects& rects = areas_;
     ui_.navigation.drawerFolded = rects.drawerFolded;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
     ui_.viewEms = rects.view.size / imgui_->em();
@@ -294,15 +295,16 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     drawUserInterface(rects);
     const bool panelsChanged = imgui_->endFrame();
     const auto built = std::chrono::steady_clock::now();
-    const bool viewChanged = painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
-    const bool otherViewChanged = compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
+    const bool viewChanged = painter_.draw(commands_, rects.view, imgui_->em());
+    const bool otherViewChanged = compare_.draw(rects.otherView, imgui_->em());
     // A picture is read from what this frame draws.
     const bool forced = redraws_ > 0 || ui_.requests.screenshot;
     redraws_ = std::max(redraws_ - 1, 0);
     const bool drawn = viewChanged || otherViewChanged || panelsChanged || forced;
     if (drawn) {
-        clearFrame(size, palette().panel);
-        imgui_->draw();
+        const auto& tile = ui_.picture.tile;
+        clearFrame(tile ? tile->size : size, palette().panel);
+        imgui_->draw(tile);
     }
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
     noteTimes(built);

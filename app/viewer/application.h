@@ -80,8 +80,11 @@ class Application {
     CommandContext& commands() { return commands_; }
     /// What the view shows, as last drawn.
     const DrawList& drawn() const { return painter_.list(); }
-    /// Size of the view in pixels, and of an em there, as last drawn.
-    glm::vec2 viewSize() const { return ui_.viewEms * imgui_->em(); }
+    /// The run beside the open one, and what its view shows; null: there is none.
+    Session* otherSession() { return compare_.shows() ? compare_.other() : nullptr; }
+    const DrawList& otherDrawn() const { return compare_.list(); }
+    /// Areas as last drawn, in pixels.
+    const PanelRects& areas() const { return areas_; }
     float em() const { return imgui_->em(); }
     Camera& camera() { return camera_; }
     /// Draws later frames on that background.
@@ -161,7 +164,8 @@ class Application {
     /// Frames in which the camera goes to the chosen alert: in the first one at the end of the run
     /// the card with the verdict appears, in the next one it is known where.
     int alertFrames_ = 0;
-    int redraws_ = 0;  ///< Number of frames to draw even if nothing changes.
+    PanelRects areas_;  ///< As last drawn.
+    int redraws_ = 0;   ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

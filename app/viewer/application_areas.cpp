@@ -1,5 +1,6 @@
 /// Sizes of text and panels in the present layout.
 #include <algorithm>
+#include <cmath>
 
 #include "application.h"
 
@@ -54,7 +55,11 @@ PanelSizes Application::panelSizes() const {
 
 PanelRects Application::areasIn(glm::vec2 size) const {
     const float em = imgui_->em();
-    if (ui_.picture.viewAlone) return viewAlone(size, ui_.picture.caption ? kCaption * em : 0.0F);
+    if (ui_.picture.viewAlone) {
+        const bool two = ui_.layoutPreset == LayoutPreset::Compare;
+        return viewAlone(size, ui_.picture.caption ? std::round(kCaption * em) : 0.0F,
+                         two ? std::round(kViewTitle * em) : 0.0F);
+    }
     if (ui_.growth.open) return computePageRects(size, em);
     const bool folds = showsLesson() && ui_.navigation.drawer == DrawerChoice::Auto;
     return computePanelRects(size, em, ui_.layoutPreset,

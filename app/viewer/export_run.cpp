@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -13,6 +14,7 @@
 #include "picture_frames.h"
 #include "render/context.h"
 #include "scene/decision_view.h"
+#include "session/compare/compared_titles.h"
 #include "session/view_position.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "teach/lesson_text.h"
@@ -46,8 +48,6 @@ std::string sentenceAt(const Session& session) {
     return describe(*event, session.names()) + session.noticedText();
 }
 
-Theme otherTheme(Theme theme) { return theme == Theme::Dark ? Theme::Light : Theme::Dark; }
-
 /// The steps to export, from 0.
 std::vector<std::size_t> chosenSteps(const ExportOrder& order) {
     std::vector<std::size_t> steps(order.lesson->lesson.steps.size());
@@ -73,6 +73,8 @@ ExportRun::ExportRun(const Options& options, ViewSettings settings)
     // Not those of the window that the settings come from.
     options_.layout = LayoutPreset::Debug;
     if (options_.session) options_.session->layout.reset();
+    if (settings_.uiScale <= 0.0)
+        settings_.uiScale = textScale({settings_.width, settings_.height});
     size_ = drawnSize(settings_, look);
 }
 
@@ -117,20 +119,14 @@ void ExportRun::start() {
         options_.input = opened_ = input.value();
         options_.goTo = "0";
     }
-    if (const Status small = checkSize(); !small) return fail(kExitUsage, small.error().message);
+    if (const Status drawn = checkDrawn(size_, settings_.uiScale); !drawn)
+        return fail(kExitUsage, drawn.error().message);
     application_ = std::make_unique<Application>(options_, settings_);
     if (const Status begun = application_->start(1.0F); !begun)
         return fail(kExitNoDisplay, begun.error().message);
     context_ = ImGui::GetCurrentContext();
     ui().follow = false;
     phase_ = Phase::Opening;
-}
-
-Status ExportRun::checkSize() const {
-    const int most = greatestPicture();
-    if (std::max(size_.x, size_.y) <= most) return success();
-    return Error{"this graphics card draws at most " + std::to_string(most) +
-                 " pixels a side; choose a smaller --size, --scale or --supersample"};
 }
 
 void ExportRun::open(bool waits) {
@@ -154,6 +150,7 @@ void ExportRun::plan() {
         placeCamera();
     } else {
         plan_.places = {session().event() != nullptr ? toString(session().address()) : ""};
+        aimAtFigure();
     }
     const ExportTarget target{order_.path,
                               order_.lesson ? order_.lesson->lesson.title : session().model().name,
@@ -191,6 +188,14 @@ void ExportRun::placeCamera() {
     camera.fill(places, ui().viewAspect, kRangeShare);
 }
 
+/// A single frame of a figure of the paper is seen as the figure.
+void ExportRun::aimAtFigure() {
+    const Figure* figure = figureOfSource(session().input().spec().source);
+    if (figure == nullptr || options_.camera || options_.session) return;
+    frameFocus(application_->commands());
+    application_->camera().faceStraight(glm::vec3(figure->view));
+}
+
 Status ExportRun::goTo(const std::string& place) {
     if (place.empty()) {
         session().moves().toStart();
@@ -200,51 +205,6 @@ Status ExportRun::goTo(const std::string& place) {
     session().waitUntilDone();
     if (session().messages().missed()) return Error{session().messages().last()};
     return success();
-}
-
-/// Opens the input of a step, if the one before had another.
-Status ExportRun::openStep(std::size_t step) {
-    const LessonFile& file = *order_.lesson;
-    Result<InputSpec> input = inputOfStep(file, step);
-    if (!input) return Error{stepPlace(file, step, "rules") + input.error().message};
-    const bool fresh = !(input.value() == opened_);
-    opened_ = input.value();
-    if (fresh) {
-        session().open(opened_);
-        session().waitUntilDone();
-        if (application_->inputFailed())
-            return Error{stepPlace(file, step, "") + session().input().error()};
-        draw(1);
-    }
-    const teach::StepSetting setting = teach::settingOf(file.lesson, step);
-    const Status moved = goTo(setting.at == "0" ? "" : setting.at);
-    if (!moved) return Error{stepPlace(file, step, "at") + moved.error().message};
-    ui().settings.layers = layersOfStep(settings_.layers, file.lesson.steps[step]);
-    session().select(selectionOfStep(file.lesson.steps[step], setting.names));
-    names_ = setting.names;
-    pointNames_ = teach::pointNames(names_);
-    session().giveNames(pointNames_);
-    const bool first = step == steps_.front();
-    if (fresh || first || !file.lesson.steps[step].frame.empty() ||
-        !file.lesson.steps[step].camera.empty() || !file.lesson.steps[step].view.empty())
-        aimAtStep(file.lesson.steps[step], step);
-    return success();
-}
-
-/// Camera of a step: its own, or the direction of its view at the decision or at all.
-void ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
-    Camera& camera = application_->camera();
-    if (!step.camera.empty()) {
-        const Result<ViewPosition> place = viewPositionFromText(step.camera);
-        if (place && place.value().camera) return camera.setPose(*place.value().camera);
-    }
-    const auto direction = teach::viewDirection(teach::settingOf(order_.lesson->lesson, number));
-    if (direction) camera.faceStraight(glm::vec3(*direction));
-    if (step.frame == "all") return actions::frameAll(application_->commands());
-    frameFocus(application_->commands());
-    if (direction) return camera.faceStraight(glm::vec3(*direction));
-    lookAtDecision(session().shown(), session().picture(), session().shownTriangles(), camera,
-                   ui().viewEms);
 }
 
 void ExportRun::draw(int frames) { pixels_ = drawPicture(*application_, target_, size_, frames); }
@@ -263,30 +223,13 @@ void ExportRun::makeFrame() {
     phase_ = Phase::Done;
 }
 
-/// The frame of a step; on a page, that of the answer to its question as well.
-Status ExportRun::addStep(std::size_t step) {
-    const LessonFile& file = *order_.lesson;
-    FrameStep of{file.lesson, step, teach::settingOf(file.lesson, step).names, file.folder};
-    const bool asks =
-        file.lesson.steps[step].question && format_->content == FrameContent::BothThemes;
-    if (!asks) return addFrame(&of, false);
-    const Result<teach::RightAnswer> right = teach::rightAnswer(file.lesson, step, runs_);
-    if (!right) {
-        fail(kExitInput, stepPlace(file, step, "") + "answer: " + right.error().message);
-        return right.error();
-    }
-    of.right = &right.value();
-    if (const Status added = addFrame(&of, false); !added) return added;
-    goToAnswer(step);
-    return addFrame(&of, true);
-}
-
-/// Goes to where the question of a step is answered: to the end of the pivot, without a position.
-void ExportRun::goToAnswer(std::size_t step) {
-    const std::string place = teach::settingOf(order_.lesson->lesson, step).answerPlace;
-    if (!place.empty() && goTo(place)) return;
-    session().moves().finishPivot();
-    session().waitUntilDone();
+/// The sentence at the cursor, or those of both runs.
+std::string ExportRun::caption() {
+    const Session* other = application_->otherSession();
+    if (other == nullptr) return sentenceAt(session());
+    const auto titles = comparedTitles(session(), ui().compare.now);
+    return titles[0].text() + ": " + sentenceAt(session()) + " " + titles[1].text() + ": " +
+           sentenceAt(*other);
 }
 
 Status ExportRun::addFrame(const FrameStep* step, bool answer) {
@@ -294,9 +237,11 @@ Status ExportRun::addFrame(const FrameStep* step, bool answer) {
     frame.answer = answer;
     frame.step = step;
     frame.address = session().event() != nullptr ? toString(session().address()) : "";
-    frame.caption = sentenceAt(session());
+    frame.caption = caption();
     if (step != nullptr) frame.title = step->lesson.steps[step->step].title;
-    ui().picture.captionText = frame.title;
+    // Below two views stands the sentence of each.
+    const bool two = application_->otherSession() != nullptr;
+    ui().picture.captionText = two ? "" : frame.title;
     if (format_->content != FrameContent::Pixels) return addShapes(frame);
     draw(1);
     frame.pixels = std::move(pixels_);
@@ -305,27 +250,49 @@ Status ExportRun::addFrame(const FrameStep* step, bool answer) {
 
 /// Shapes of a frame; for both themes it is made in the other one first.
 Status ExportRun::addShapes(ExportFrame& frame) {
-    std::optional<DrawList> other;
+    std::array<std::optional<DrawList>, 2> others;
     if (format_->content == FrameContent::BothThemes) {
         ui().settings.theme = otherTheme(settings_.theme);
         draw(1);
-        other = application_->drawn();
+        others[0] = application_->drawn();
+        if (application_->otherSession() != nullptr) others[1] = application_->otherDrawn();
         ui().settings.theme = settings_.theme;
     }
     draw(1);
-    const glm::vec2 size = application_->viewSize();
-    const FrameShapes shapes{application_->drawn(),
-                             other ? &*other : nullptr,
-                             session().shown(),
-                             session().triangles(),
-                             application_->camera().matrices(size.x / size.y),
-                             size,
-                             application_->em(),
-                             paletteOf(settings_.theme).background,
-                             paletteOf(otherTheme(settings_.theme)).background,
-                             ui().labels};
-    frame.shapes = &shapes;
+    const PanelRects& areas = application_->areas();
+    const auto titles = comparedTitles(session(), ui().compare.now);
+    std::vector<FrameShapes> views{
+        shapesOf(session(), application_->drawn(), areas.view, others[0])};
+    if (Session* other = application_->otherSession()) {
+        views.push_back(shapesOf(*other, application_->otherDrawn(), areas.otherView, others[1]));
+        for (DrawnLabel& each : ui().labels[1]) each = each.movedBy(-areas.otherView.min);
+        for (DrawnLabel& each : ui().labels[0]) each = each.movedBy(-areas.view.min);
+        views[0].bar = areas.title;
+        views[1].bar = areas.otherTitle;
+        for (std::size_t i = 0; i < views.size(); ++i) views[i].title = &titles[i];
+        views[1].labels = ui().labels[1];
+    }
+    frame.shapes = views;
+    frame.size = glm::vec2(size_);
     return writer_->add(frame);
+}
+
+/// The shapes of the view of a run; `other`: its list in the other theme.
+FrameShapes ExportRun::shapesOf(const Session& run, const DrawList& list, const Rect& view,
+                                const std::optional<DrawList>& other) {
+    FrameShapes shapes{list,
+                       other ? &*other : nullptr,
+                       run.shown(),
+                       run.triangles(),
+                       application_->camera().matrices(view.size.x / view.size.y),
+                       view.size,
+                       application_->em(),
+                       paletteOf(settings_.theme).background,
+                       paletteOf(otherTheme(settings_.theme)).background,
+                       ui().labels[0]};
+    shapes.corner = view.min;
+    shapes.theme = settings_.theme;
+    return shapes;
 }
 
 std::string ExportRun::doneText() const {

@@ -10,6 +10,7 @@
 #include "export/formats.h"
 #include "export/frame_plan.h"
 #include "render/gl_objects.h"
+#include "scene/decision_view.h"
 #include "teach/lesson_runs.h"
 
 struct ImGuiContext;
@@ -52,15 +53,19 @@ class ExportRun {
     void open(bool waits);
     void plan();
     void makeFrame();
-    Status checkSize() const;
     Status goTo(const std::string& place);
     Status openStep(std::size_t step);
+    Status compareStep(std::size_t step, const std::vector<std::string>& words);
     void aimAtStep(const teach::LessonStep& step, std::size_t number);
     void placeCamera();
+    void aimAtFigure();
     void goToAnswer(std::size_t step);
     Status addStep(std::size_t step);
     Status addFrame(const FrameStep* step, bool answer);
     Status addShapes(ExportFrame& frame);
+    FrameShapes shapesOf(const Session& run, const DrawList& list, const Rect& view,
+                         const std::optional<DrawList>& other);
+    std::string caption();
     void draw(int frames);
     void fail(int code, std::string message);
     Session& session() { return application_->session(); }
@@ -78,6 +83,8 @@ class ExportRun {
     FramePlan plan_;
     std::vector<std::size_t> steps_;  ///< Of the lesson, from 0; one per frame.
     teach::LessonRuns runs_;
+    FollowedDecision aimed_{};              ///< Decision of the step that the camera was aimed for.
+    bool ownView_ = false;                  ///< The step before has a camera of its own.
     InputSpec opened_;                      ///< Input of the last step.
     std::vector<teach::NamedPoint> names_;  ///< Of that step.
     std::vector<PointName> pointNames_;     ///< They refer to `names_`.

@@ -208,9 +208,12 @@ void takeOverPicture(const RawOptions& raw, Options& o) {
     if (!written && (look.viewAlone || look.supersample > 1 || look.scale != 1.0))
         throw CLI::ValidationError("--background, --scale, --supersample", "need --screenshot");
     const glm::ivec2 size = o.size.value_or(glm::ivec2(1280, 800));
-    if (std::max(size.x, size.y) * look.scale * look.supersample > kMostPixels)
-        throw CLI::ValidationError("--scale, --supersample",
-                                   "times --size is at most 16384 pixels");
+    const double factor = look.scale * look.supersample;
+    if (std::max(size.x, size.y) * factor > kMostPixels ||
+        factor * size.x * factor * size.y > kMostArea)
+        throw CLI::ValidationError(
+            "--scale, --supersample",
+            "times --size is at most 32768 pixels a side, and 16384 squared");
 }
 
 /// Pictures are PNG; another extension would promise another format.

@@ -79,6 +79,9 @@ a_lesson_is_exported_step_by_step() {
     printf '# A\n```se lesson\nversion = 1\ninput = "scene:figure-8"\n```\n## B\nText.\n```se step\nat = "9.sphere.7"\n```\n' >a.lesson.md
     expect 3 a.lesson.md -o x.png
     says err "a.lesson.md:9: at: "
+    sed 's/sphere.7/sphere.2/' a.lesson.md >c.lesson.md
+    expect 0 c.lesson.md -o own/ --size 320x240
+    says own/captions.txt "$(printf '001.png\t9.sphere.2\tB: q lies')"
     printf '# A\n' >b.lesson.md
     expect 3 b.lesson.md -o x.png
     says err "b.lesson.md"

@@ -207,9 +207,9 @@ TEST_CASE("A clean picture is the view alone, without labels, as smooth as reque
     CHECK(parse({"scene:sphere", "--background", "none"}).exitCode == kExitUsage);
     CHECK(parse({"scene:sphere", "--screenshot", "x.png", "--background", "red"}).exitCode ==
           kExitUsage);
-    CHECK(
-        parse({"scene:sphere", "--screenshot", "x.png", "--size", "9000x900", "--supersample", "2"})
-            .exitCode == kExitUsage);
+    CHECK(parse({"scene:sphere", "--screenshot", "x.png", "--size", "17000x900", "--supersample",
+                 "2"})
+              .exitCode == kExitUsage);
 }
 
 TEST_CASE("A picture under the name of another format is refused") {

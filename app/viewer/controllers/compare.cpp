@@ -49,6 +49,7 @@ bool CompareController::poll() {
     sayRefusal();
     if (comparison_.result() != shaded_) makeShades();
     shareSelection();
+    shareNames();
     return changed;
 }
 
@@ -72,16 +73,16 @@ void CompareController::shareSelection() {
     c_.session.select(selected_);
     other->select(selected_);
     other->highlights().hover(c_.session.highlights().hovered());
-    shareNames(*other);
 }
 
-/// Gives the other run the names of a lesson, and names or numbers: points have the same numbers in
-/// both.
-void CompareController::shareNames(Session& other) const {
+/// Points have the same names in both views.
+void CompareController::shareNames() {
+    Session* other = comparison_.other();
+    if (other == nullptr || !c_.session.ready()) return;
+    other->showNames(c_.ui.settings.names);
     const std::span<const PointName> names = c_.session.givenNames();
-    const std::span<const PointName> there = other.givenNames();
-    if (names.data() != there.data() || names.size() != there.size()) other.giveNames(names);
-    other.showNames(c_.ui.settings.names);
+    const std::span<const PointName> theirs = other->givenNames();
+    if (names.data() != theirs.data() || names.size() != theirs.size()) other->giveNames(names);
 }
 
 void CompareController::makeShades() {
@@ -126,8 +127,7 @@ void CompareController::fill(bool onPaper) {
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
     if (other != nullptr) {
-        shareNames(*other);
-        CommandContext context{*other, c_.playback, c_.camera, c_.ui};
+            CommandContext context{*other, c_.playback, c_.camera, c_.ui};
         painter_->fill(context, onPaper, mine);
     } else {
         fillFile(mine);
@@ -150,12 +150,12 @@ void CompareController::fillFile(const DifferenceLook* look) {
     painter_->fillTrace(c_, *tracedState_, replay.mesh().triangles, fan.subspan(laid), look);
 }
 
-bool CompareController::draw(glm::ivec2 size, float em) {
+bool CompareController::draw(const Rect& view, float em) {
     if (!shown_) return false;
     Session* other = comparison_.other();
     const CommandContext context{other != nullptr ? *other : c_.session, c_.playback, c_.camera,
                                  c_.ui};
-    return painter_->draw(context, size, em);
+    return painter_->draw(context, view, em);
 }
 
 /// Points have the same numbers in both.

@@ -34,7 +34,7 @@ class CompareController {
     /// Makes the list of the second view. Call with a current OpenGL context.
     void fill(bool onPaper);
     /// As ScenePainter::draw().
-    bool draw(glm::ivec2 size, float em);
+    bool draw(const Rect& view, float em);
     /// True if the second view has something to show.
     bool shows() const { return shown_; }
     const DrawList& list() const { return painter_->list(); }
@@ -51,7 +51,7 @@ class CompareController {
     void fillFile(const DifferenceLook* look);
     void goToTraced(const std::optional<teach::TraceDifference>& difference);
     void shareSelection();
-    void shareNames(Session& other) const;
+    void shareNames();
     void makeShades();
     void begin(CompareWith with);
     void askWhy(const Selection& what);

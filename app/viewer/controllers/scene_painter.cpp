@@ -280,8 +280,10 @@ Finish ScenePainter::finishAt(double clock, const Drawn& next) {
     return onPaper() || clock - movedAt_ > kRestSeconds ? Finish::Full : Finish::Quick;
 }
 
-bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
-    if (size.x < 1 || size.y < 1) return false;
+bool ScenePainter::draw(const CommandContext& context, const Rect& view, float em) {
+    const glm::ivec2 size(view.size);
+    const PixelRect part = partOfView(view, context.ui.picture.tile);
+    if (part.empty()) return false;
     const Session& session = context.session;
     const Color background =
         context.ui.picture.background.value_or(paletteOf(context.ui.settings.theme).background);
@@ -289,6 +291,7 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
                     session.generation(),
                     context.camera.revision(),
                     size,
+                    part,
                     shownLayers_,
                     background,
                     em,
@@ -302,7 +305,10 @@ bool ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
     const CameraMatrices camera = context.camera.matrices(aspect);
     drawList_.ghosts = session.ready() && !particles_ && drawList_.decision &&
                        showsGhosts(session, camera, drawList_, size, em);
-    renderer_->draw(list(), camera, size, em, background, finish);
+    renderer_->draw(
+        list(),
+        {croppedTo(part, camera, size), part.max - part.min, {}, em, 0.0F, background, part.min},
+        finish);
     return true;
 }
 

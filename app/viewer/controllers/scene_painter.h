@@ -33,8 +33,9 @@ class ScenePainter {
                    const DifferenceLook* look);
     /// Fills the list with new points, until fill() is called again.
     void fillParticles(SamplingController& sampling, Theme theme);
-    /// Draws the list, if it, the camera or the size changed since the last time. False if not.
-    bool draw(const CommandContext& context, glm::ivec2 size, float em);
+    /// Draws the list in the view, or the part of it that a tile of the picture needs; if it, the
+    /// camera or the size changed since the last time. False if not.
+    bool draw(const CommandContext& context, const Rect& view, float em);
 
     const DrawList& list() const { return particles_ ? particleList_ : drawList_; }
     unsigned texture() const { return renderer_->texture(); }
@@ -68,6 +69,7 @@ class ScenePainter {
         std::uint32_t generation = 0;
         unsigned camera = 0;
         glm::ivec2 size{0};
+        PixelRect part;
         LayerSwitches layers;
         Color background;
         float em = 0.0F;

@@ -13,6 +13,7 @@
 #include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "scene/picture.h"
+#include "session/compare/compared_titles.h"
 #include "teach/lesson_runs.h"
 
 namespace se::view {
@@ -29,6 +30,10 @@ struct FrameShapes {
     Color background{};
     Color otherBackground{};
     std::span<const DrawnLabel> labels{};
+    glm::vec2 corner{0.0F};  ///< Upper left one of the view in the frame.
+    Theme theme = Theme::Dark;
+    Rect bar{};                            ///< Of `title`, in the frame.
+    const ComparedTitle* title = nullptr;  ///< Of one of two views; null: there is one.
 };
 
 /// The step of a lesson that a frame shows.
@@ -42,13 +47,15 @@ struct FrameStep {
 
 /// One frame, valid while it is added to a file.
 struct ExportFrame {
-    std::string address;                  ///< Of the decision; empty: the start of the run.
-    std::string title;                    ///< Of a step of a lesson; else empty.
-    std::string caption;                  ///< Sentence of the decision.
-    Picture pixels;                       ///< Empty for formats of shapes.
-    const FrameShapes* shapes = nullptr;  ///< Null for formats of pixels.
-    bool answer = false;                  ///< The answer to the question of the frame before.
-    const FrameStep* step = nullptr;      ///< Null: of a run.
+    std::string address;  ///< Of the decision; empty: the start of the run.
+    std::string title;    ///< Of a step of a lesson; else empty.
+    std::string caption;  ///< Sentence of the decision.
+    Picture pixels;       ///< Empty for formats of shapes.
+    /// One view, or two that are compared; empty for formats of pixels.
+    std::span<const FrameShapes> shapes{};
+    glm::vec2 size{1.0F};             ///< Pixels, for formats of shapes.
+    bool answer = false;              ///< The answer to the question of the frame before.
+    const FrameStep* step = nullptr;  ///< Null: of a run.
 };
 
 }  // namespace se::view

@@ -101,9 +101,9 @@ class PageWriter : public FrameWriter {
     Status add(const ExportFrame& frame) override {
         const std::string prefix = fmt::format("s{}{}-", steps_.size() + (frame.answer ? 0U : 1U),
                                                frame.answer ? "a" : "");
-        Result<std::string> drawn = svgFrame(*frame.shapes, classes_, prefix);
+        Result<std::string> drawn = svgViews(frame, classes_, prefix);
         if (!drawn) return Error{target_.path.string() + ": " + drawn.error().message};
-        const std::string svg = drawing(*frame.shapes, drawn.value(), frame.caption);
+        const std::string svg = drawing(frame, drawn.value());
         if (frame.answer) {
             steps_.back().after = svg;
             steps_.back().afterCaption = frame.caption;
@@ -138,12 +138,12 @@ class PageWriter : public FrameWriter {
         questions_.push_back(questionJson(from));
     }
 
-    std::string drawing(const FrameShapes& shapes, const std::string& elements,
-                        const std::string& caption) {
+    std::string drawing(const ExportFrame& frame, const std::string& elements) {
+        const FrameShapes& shapes = frame.shapes.front();
         return fmt::format(
             "<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"{2}\" {3}>"
             "<rect class=\"{4}\" width=\"100%\" height=\"100%\"/>{5}</svg>\n",
-            shapes.size.x, shapes.size.y, escapedXml(caption), kSvgLook,
+            frame.size.x, frame.size.y, escapedXml(frame.caption), kSvgLook,
             classes_.fill({shapes.background, shapes.otherBackground}), elements);
     }
 

@@ -1,5 +1,7 @@
 #include "svg_frame.h"
 
+#include <fmt/format.h>
+
 #include "run/strings.h"
 #include "svg_canvas.h"
 
@@ -16,6 +18,67 @@ Result<std::string> svgFrame(const FrameShapes& shapes, SvgClasses& classes,
                          " shapes, which programs for SVG draw slowly; use .png"};
     }
     return canvas.take();
+}
+
+namespace {
+
+/// Baseline and letters of a title, as shares of an em, and its distances from the edges in em.
+constexpr float kTitleBaseline = 0.8F;
+constexpr float kTitleLetters = 0.826F;
+constexpr float kLetterAt = 0.8F;
+constexpr float kNameAt = 2.2F;
+constexpr float kNoteAt = 0.7F;
+constexpr float kTitleEdge = 0.3F;
+
+ColorPair bothThemes(const FrameShapes& shapes, Color Palette::*color) {
+    return {paletteOf(shapes.theme).*color, paletteOf(otherTheme(shapes.theme)).*color};
+}
+
+/// The bar above one of two views, as the window has it.
+std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
+    const float em = shapes.em;
+    const Rect& bar = shapes.bar;
+    const std::string& mark = classes.fill(bothThemes(shapes, shapes.title->color));
+    const float y = bar.min.y + 0.5F * (bar.size.y - em) + kTitleBaseline * em;
+    const std::string letters =
+        fmt::format(" y=\"{:.1f}\" font-size=\"{:.1f}\"", y, kTitleLetters * em);
+    const auto box = [&](const std::string& kind, float width) {
+        return fmt::format(
+            "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+            "height=\"{:.1f}\"/>",
+            kind, bar.min.x, bar.min.y, width, bar.size.y);
+    };
+    std::string out = box(classes.fill(bothThemes(shapes, &Palette::panelRaised)), bar.size.x);
+    out += box(mark, kTitleEdge * em);
+    out += fmt::format("<text class=\"{}\" font-weight=\"600\" x=\"{:.1f}\"{}>{}</text>", mark,
+                       bar.min.x + kLetterAt * em, letters, shapes.title->letter);
+    out += fmt::format("<text class=\"{}\" x=\"{:.1f}\"{}>{}</text>",
+                       classes.fill(bothThemes(shapes, &Palette::text)), bar.min.x + kNameAt * em,
+                       letters, escapedXml(shapes.title->name));
+    out += fmt::format(
+        "<text class=\"{}\" xml:space=\"preserve\" text-anchor=\"end\" x=\"{:.1f}\"{}>{}</text>",
+        mark, bar.max().x - kNoteAt * em, letters, escapedXml(shapes.title->note));
+    return out;
+}
+
+}  // namespace
+
+Result<std::string> svgViews(const ExportFrame& frame, SvgClasses& classes,
+                             const std::string& prefix) {
+    if (frame.shapes.size() == 1) return svgFrame(frame.shapes.front(), classes, prefix);
+    std::string out;
+    for (const FrameShapes& shapes : frame.shapes) {
+        const std::string id = prefix + "view-" + (&shapes == &frame.shapes.front() ? "a" : "b");
+        Result<std::string> drawn = svgFrame(shapes, classes, id + "-");
+        if (!drawn) return drawn.error();
+        out += fmt::format(
+            "<clipPath id=\"{0}-clip\"><rect width=\"{1:.1f}\" height=\"{2:.1f}\"/></clipPath>"
+            "<g id=\"{0}\">{3}<g transform=\"translate({4:.1f} {5:.1f})\" "
+            "clip-path=\"url(#{0}-clip)\">{6}</g></g>\n",
+            id, shapes.size.x, shapes.size.y, titleOf(shapes, classes), shapes.corner.x,
+            shapes.corner.y, drawn.value());
+    }
+    return out;
 }
 
 }  // namespace se::view

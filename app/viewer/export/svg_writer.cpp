@@ -15,14 +15,14 @@ class SvgWriter : public FrameWriter {
     explicit SvgWriter(const ExportTarget& target) : target_(target), files_(target) {}
 
     Status add(const ExportFrame& frame) override {
-        const FrameShapes& shapes = *frame.shapes;
+        const FrameShapes& shapes = frame.shapes.front();
         SvgClasses classes(target_.theme, false);
         const std::string background =
             target_.cutOut
                 ? std::string()
                 : "<rect class=\"" + classes.fill({shapes.background, shapes.background}) +
                       "\" width=\"100%\" height=\"100%\"/>\n";
-        Result<std::string> drawn = svgFrame(shapes, classes, "");
+        Result<std::string> drawn = svgViews(frame, classes, "");
         if (!drawn) return Error{target_.path.string() + ": " + drawn.error().message};
         const std::string caption =
             target_.captions ? "<title>" + escapedXml(frame.caption) + "</title>\n" : "";
@@ -31,8 +31,8 @@ class SvgWriter : public FrameWriter {
             fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
                         "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" {2}>\n"
                         "{3}<style>{4}</style>\n{5}{6}</svg>\n",
-                        shapes.size.x, shapes.size.y, kSvgLook, caption, classes.sheet(),
-                        background, drawn.value()));
+                        frame.size.x, frame.size.y, kSvgLook, caption, classes.sheet(), background,
+                        drawn.value()));
     }
     Status finish() override { return files_.writeCaptions(); }
 

@@ -20,6 +20,10 @@ struct DrawnLabel {
     glm::vec2 text{0.0F};   ///< Upper left corner of the text.
     float size = 16.0F;     ///< Height of a line.
     bool leader = false;    ///< A line leads from `at` to the plate.
+
+    DrawnLabel movedBy(glm::vec2 way) const {
+        return {index, at + way, {plate.min + way, plate.size}, text + way, size, leader};
+    }
 };
 
 }  // namespace se::view

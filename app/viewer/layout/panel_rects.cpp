@@ -60,9 +60,6 @@ constexpr float kSplitter = 0.5F;
 /// Learners and audiences read the caption first.
 constexpr float kLargeCaption = 1.5F;
 
-/// Title above each of two views.
-constexpr float kTitle = 1.7F;
-
 /// A page with a form: its column, and the controls below the view, wide and narrow.
 constexpr float kPageColumn = 17.0F;
 constexpr float kPageColumnWide = 26.0F;
@@ -219,6 +216,16 @@ void splitInTwo(PanelRects& l, float title) {
 
 }  // namespace
 
+PanelRects viewAlone(glm::vec2 size, float narration, float title) {
+    PanelRects rects;
+    rects.view.size = size - glm::vec2(0.0F, narration);
+    rects.narration = {{0.0F, rects.view.size.y}, {size.x, narration}};
+    if (title <= 0.0F) return rects;
+    rects.layoutPreset = LayoutPreset::Compare;
+    splitInTwo(rects, title);
+    return rects;
+}
+
 PanelRects computePageRects(glm::vec2 size, float em) {
     const glm::vec2 ems = size / em;
     const auto px = [em](float length) { return std::round(length * em); };
@@ -294,8 +301,8 @@ PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset
     const float viewWidth = std::max(0.0F, size.x - left - right);
     l.view = {{left, y}, {viewWidth, std::max(0.0F, upper - narration)}};
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, upper)}};
-    if (compare) splitInTwo(l, px(kTitle));
-    if (present && sizes.beside) splitView(l, px(kTitle));
+    if (compare) splitInTwo(l, px(kViewTitle));
+    if (present && sizes.beside) splitView(l, px(kViewTitle));
     y = bottom;
     l.drawer = row(drawer);
     layOutStrips(l, run, px(kPivotStrip));

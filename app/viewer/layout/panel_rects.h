@@ -71,13 +71,12 @@ struct PanelRects {
 /// as the area of the controls. No other area has a size.
 PanelRects computePageRects(glm::vec2 size, float em);
 
-/// The view alone, above a narration of that height: no other area has a size.
-inline PanelRects viewAlone(glm::vec2 size, float narration = 0.0F) {
-    PanelRects rects;
-    rects.view.size = size - glm::vec2(0.0F, narration);
-    rects.narration = {{0.0F, rects.view.size.y}, {size.x, narration}};
-    return rects;
-}
+/// Height of the title above each of two views, in em.
+inline constexpr float kViewTitle = 1.7F;
+
+/// The view alone, above a narration of that height, or the two views of Compare with titles of
+/// that height: no other area has a size.
+PanelRects viewAlone(glm::vec2 size, float narration = 0.0F, float title = 0.0F);
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column,
 /// the dial below; Present has no panel but view, caption and the strip of the run: the other areas

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "layout/picture_tile.h"
 #include "scene/palette.h"
 
 namespace se::view {
@@ -22,6 +23,7 @@ struct PictureLook {
     std::optional<Color> background;  ///< Instead of that of the theme.
     double scale = 1.0;               ///< Pixels for each one of the size, in each direction.
     int supersample = 1;              ///< Pixels drawn for each one, in each direction.
+    std::optional<PictureTile> tile;  ///< The only part to draw; empty: all of it.
 };
 
 }  // namespace se::view

@@ -108,7 +108,8 @@ struct UiState {
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     PictureLook picture;
-    std::vector<DrawnLabel> labels;         ///< Of the view, as last drawn.
+    /// Of the view, and of the one beside it in Compare, as last drawn.
+    std::array<std::vector<DrawnLabel>, 2> labels;
     BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
     bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
     float scale = 1.0F;                     ///< Of text and panels, as drawn.

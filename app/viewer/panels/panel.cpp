@@ -249,6 +249,7 @@ void drawPanels(const PanelContext& context) {
     keepSteps(context);
     if (context.ui().picture.viewAlone) {
         drawView(context);
+        if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
         if (context.ui().picture.caption) drawNarration(context);
         return;
     }

@@ -217,6 +217,13 @@ bool Ui::endFrame() {
     return changed;
 }
 
-void Ui::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+void Ui::draw(const std::optional<PictureTile>& tile) const {
+    ImDrawData* data = ImGui::GetDrawData();
+    if (tile) {
+        data->DisplayPos = toVec2(glm::vec2(tile->min));
+        data->DisplaySize = toVec2(glm::vec2(tile->size));
+    }
+    ImGui_ImplOpenGL3_RenderDrawData(data);
+}
 
 }  // namespace se::view

@@ -1,8 +1,10 @@
 /// Lifetime, style and fonts of Dear ImGui.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "layout/picture_tile.h"
 #include "scene/palette.h"
 
 struct ImFont;
@@ -38,8 +40,8 @@ class Ui {
     void beginFrame();
     /// Ends the frame without drawing it. True if its draw data differs from the frame before.
     bool endFrame();
-    /// Draws the ended frame.
-    void draw() const;
+    /// Draws the ended frame, or a tile of it.
+    void draw(const std::optional<PictureTile>& tile) const;
 
   private:
     std::string content_;  ///< Draw data of the last frame, without the pixels of textures.

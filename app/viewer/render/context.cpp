@@ -22,7 +22,9 @@ int greatestPicture() {
     GLint buffer = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
-    return std::min(texture, buffer);
+    GLint viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    return std::min({texture, buffer, viewport[0], viewport[1]});
 }
 
 void clearFrame(glm::ivec2 size, const Color& color) {

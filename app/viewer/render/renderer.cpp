@@ -86,12 +86,12 @@ void Renderer::describeBatches() {
     shellVertices_ = sphere.size();
 }
 
-void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
-                    const Color& background, Finish finish) {
-    em_ = em;
-    size_ = glm::vec2(size);
-    const float dots = spacingInPixels(camera, size_.y, surface_.spacing());
-    markZoom_ = std::clamp(dots / em_ / 1.5F, 0.72F, 1.15F);
+void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
+    em_ = view.em;
+    size_ = glm::vec2(view.size);
+    view.rect = {};
+    view.dots = spacingInPixels(view.camera, size_.y, surface_.spacing());
+    markZoom_ = std::clamp(view.dots / em_ / 1.5F, 0.72F, 1.15F);
     picture_.begin();
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
@@ -99,18 +99,18 @@ void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ive
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    keep(list, {camera, size, {}, em, dots, background}, finish);
+    keep(list, view, finish);
 
     picture_.beginOverlay();
     glEnable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    surface_.drawGhosts(list, {camera, size, picture_.whole(), em, dots, background});
-    drawSheets(list, camera);
-    drawSpheres(list, camera);
-    drawLines(list, camera);
+    surface_.drawGhosts(list, view);
+    drawSheets(list, view.camera);
+    drawSpheres(list, view.camera);
+    drawLines(list, view.camera);
     glDisable(GL_DEPTH_TEST);
-    drawSprites(list, camera, background);
+    drawSprites(list, view.camera, view.background);
 
     glDepthMask(GL_TRUE);
     glDisable(GL_PROGRAM_POINT_SIZE);

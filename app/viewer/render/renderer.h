@@ -26,11 +26,10 @@ class Renderer {
     /// The triangles and points to draw.
     Surface& surface() { return surface_; }
 
-    /// Draws. Sizes follow the distance of the points on the screen within limits.
-    /// `em` is the size of an em in pixels. The result is texture(). Only what differs from the
-    /// last picture is drawn.
-    void draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
-              const Color& background, Finish finish);
+    /// Draws. Sizes follow the distance of the points on the screen within limits. The result is
+    /// texture(). Only what differs from the last picture is drawn. Of the view, `rect` and `dots`
+    /// are found here.
+    void draw(const DrawList& list, SurfaceView view, Finish finish);
     /// The last picture drawn, for ImGui::Image (upside down, as in OpenGL).
     unsigned texture() const { return picture_.texture(); }
 

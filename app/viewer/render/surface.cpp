@@ -318,6 +318,7 @@ void Surface::useMesh(const DrawList& list, const SurfaceView& view) {
     meshShader_.set("uUp", glm::vec3(glm::row(view.camera.view, 1)));
     meshShader_.set("uLit", true);
     meshShader_.set("uHatch", 0.55F * view.em);
+    meshShader_.set("uCorner", glm::vec2(view.corner));
     meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * view.em));
     const Color edge = list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F);
     meshShader_.set("uEdgeColor", colorVector(edge));

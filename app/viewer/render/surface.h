@@ -22,6 +22,7 @@ struct SurfaceView {
     float em = 16.0F;   ///< Pixels.
     float dots = 8.0F;  ///< Distance of the points, in pixels.
     Color background;
+    glm::ivec2 corner{0};  ///< Of a part of a larger picture: its place there.
     friend bool operator==(const SurfaceView&, const SurfaceView&) = default;
 };
 

@@ -65,6 +65,7 @@ struct Palette {
 };
 
 const Palette& paletteOf(Theme theme);
+inline Theme otherTheme(Theme theme) { return theme == Theme::Dark ? Theme::Light : Theme::Dark; }
 
 /// The scale of numbers: from dark violet (0) over green to yellow (1), with increasing lightness,
 /// so that it can be read without colors.

@@ -36,6 +36,19 @@ Picture cutOut(const Picture& onBlack, const Picture& onWhite) {
     return out;
 }
 
+void copyInto(Picture& whole, glm::ivec2 at, const Picture& part) {
+    assert(at.x >= 0 && at.y >= 0 && at.x + part.size.x <= whole.size.x &&
+           at.y + part.size.y <= whole.size.y);
+    const auto row = static_cast<std::size_t>(part.size.x) * 4;
+    for (int y = 0; y < part.size.y; ++y) {
+        const std::size_t to =
+            (static_cast<std::size_t>(at.y + y) * static_cast<std::size_t>(whole.size.x) +
+             static_cast<std::size_t>(at.x)) *
+            4;
+        std::copy_n(&part.rgba[static_cast<std::size_t>(y) * row], row, &whole.rgba[to]);
+    }
+}
+
 Picture reduced(const Picture& picture, int factor) {
     assert(factor > 0 && picture.size.x % factor == 0 && picture.size.y % factor == 0);
     if (factor == 1) return picture;

@@ -17,6 +17,9 @@ struct Picture {
 /// the two have in common is opaque. Requires equal sizes.
 Picture cutOut(const Picture& onBlack, const Picture& onWhite);
 
+/// Copies `part` into `whole`, to that place of its lower left corner. Requires that it fits.
+void copyInto(Picture& whole, glm::ivec2 at, const Picture& part);
+
 /// The averages of squares of `factor` by `factor` pixels. Requires a size that is a multiple.
 Picture reduced(const Picture& picture, int factor);
 

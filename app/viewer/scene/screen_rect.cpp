@@ -55,6 +55,21 @@ PixelRect pixelsOf(const CameraMatrices& camera, const Bounds& bounds, glm::ivec
     return rect.empty() ? PixelRect{} : rect;
 }
 
+CameraMatrices croppedTo(const PixelRect& part, const CameraMatrices& camera, glm::ivec2 size) {
+    if (part == PixelRect{glm::ivec2(0), size}) return camera;
+    const glm::vec2 whole(size);
+    const glm::vec2 scale = whole / glm::vec2(part.max - part.min);
+    const glm::vec2 shift = scale - 2.0F * glm::vec2(part.min) / whole * scale - 1.0F;
+    glm::mat4 crop(1.0F);
+    crop[0][0] = scale.x;
+    crop[1][1] = scale.y;
+    crop[3][0] = shift.x;
+    crop[3][1] = shift.y;
+    CameraMatrices cropped = camera;
+    cropped.projection = crop * camera.projection;
+    return cropped;
+}
+
 void BlockBounds::add(std::size_t item, const glm::vec3& place) {
     const std::size_t block = item / kBlock;
     if (block >= blocks_.size()) blocks_.resize(block + 1);

@@ -40,6 +40,9 @@ struct PixelRect {
 /// included: the whole picture if they reach the eye, none if they are empty or outside.
 PixelRect pixelsOf(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size);
 
+/// The camera of a part of a picture of `size` pixels, as for a picture of its own.
+CameraMatrices croppedTo(const PixelRect& part, const CameraMatrices& camera, glm::ivec2 size);
+
 /// Bounds of items that are drawn in the order of their numbers, block by block.
 class BlockBounds {
   public:

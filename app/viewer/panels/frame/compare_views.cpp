@@ -5,6 +5,7 @@
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
+#include "session/compare/compared_titles.h"
 #include "session/session.h"
 #include "view_parts.h"
 
@@ -13,11 +14,11 @@ namespace se::view {
 namespace {
 
 /// "A  paper rules", and at the right end the count of triangles only in this one.
-void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
-               const std::string& name, const Color& color, const std::string& note) {
+void drawTitle(const PanelContext& context, const Rect& bar, const ComparedTitle& title) {
     const float em = context.em;
     if (bar.size.x < em) return;
-    const std::string window = std::string("##title") + letter;
+    const Color& color = context.palette.*title.color;
+    const std::string window = "##title" + title.letter;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     // Lower than the minimum height of windows, or it would cover the top of the view.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -29,14 +30,17 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
         fill(list, bar, context.palette.panelRaised);
         list->AddRectFilled(toVec2(bar.min), {bar.min.x + 0.3F * em, bar.max().y}, toU32(color));
         const float y = bar.min.y + 0.5F * (bar.size.y - em);
-        list->AddText(context.fonts.strong, em, {bar.min.x + 0.8F * em, y}, toU32(color), letter);
-        const float noteWidth = note.empty() ? 0.0F : ImGui::CalcTextSize(note.c_str()).x;
+        list->AddText(context.fonts.strong, em, {bar.min.x + 0.8F * em, y}, toU32(color),
+                      title.letter.c_str());
+        const float noteWidth =
+            title.note.empty() ? 0.0F : ImGui::CalcTextSize(title.note.c_str()).x;
         const float room = bar.size.x - 2.2F * em - 0.7F * em;
         const bool both = noteWidth + 6.0F * em <= room;
-        const std::string shown = fitted(name, both ? room - noteWidth - em : room);
+        const std::string shown = fitted(title.name, both ? room - noteWidth - em : room);
         list->AddText({bar.min.x + 2.2F * em, y}, toU32(context.palette.text), shown.c_str());
         if (both)
-            list->AddText({bar.max().x - 0.7F * em - noteWidth, y}, toU32(color), note.c_str());
+            list->AddText({bar.max().x - 0.7F * em - noteWidth, y}, toU32(color),
+                          title.note.c_str());
     }
     ImGui::End();
 }
@@ -103,11 +107,6 @@ void drawOther(const PanelContext& context) {
     if (rects.otherNarration.size.x > 0.0F) drawNarration(there, "##otherNarration");
 }
 
-/// "212.sphere.3   12 only here", with the position of the run.
-std::string noteOf(const Session& session, std::size_t only) {
-    return addressText(session) + "   " + grouped(only) + " only here";
-}
-
 void drawEmptySentence(const PanelContext& context) {
     if (context.rects.otherNarration.size.x == 0.0F) return;
     if (beginRegion("##otherNarration", context.rects.otherNarration)) {
@@ -128,25 +127,10 @@ void drawEmptySentence(const PanelContext& context) {
 
 void drawComparedViews(const PanelContext& context) {
     const PanelRects& rects = context.rects;
-    const Session& run = context.session();
     context.where()["region other view"] = rects.otherView;
-    const Comparison* now = context.state<ComparePage>().now;
-    const Compared* found = context.state<ComparePage>().result();
-    const bool chosen = now != nullptr && now->chosen();
-    const std::string noteA = found != nullptr ? noteOf(run, found->meshes.onlyA) : "";
-    drawTitle(context, rects.title, "A", run.ready() ? runTitle(run.input().spec()) : "",
-              context.palette.used, noteA);
-    std::string nameB = "nothing yet";
-    std::string noteB;
-    if (chosen && now->with().isFile()) {
-        nameB = fileTitle(now->with());
-        if (found != nullptr) noteB = grouped(found->meshes.onlyB) + " only here";
-    } else if (chosen && run.ready()) {
-        nameB = differenceText(run.input().spec(), now->with().run);
-        if (found != nullptr && now->other() != nullptr)
-            noteB = noteOf(*now->other(), found->meshes.onlyB);
-    }
-    drawTitle(context, rects.otherTitle, "B", nameB, context.palette.last, noteB);
+    const auto titles = comparedTitles(context.session(), context.state<ComparePage>().now);
+    drawTitle(context, rects.title, titles[0]);
+    drawTitle(context, rects.otherTitle, titles[1]);
     context.other == nullptr ? drawEmptyView(context) : drawOther(context);
     if (context.other == nullptr || context.other->commands == nullptr) drawEmptySentence(context);
 }

@@ -39,7 +39,8 @@ void drawPlate(const PanelContext& context, const DrawnLabel& drawn) {
 
 void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const std::vector<Label>& labels = context.drawList.labels;
-    context.ui().labels.clear();
+    std::vector<DrawnLabel>& drawn = context.ui().labels[context.beside ? 1 : 0];
+    drawn.clear();
     if (labels.empty()) return;
     const ScreenProjection projection(context);
     const float em = context.em;
@@ -66,7 +67,6 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         room.middle =
             projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
     }
-    std::vector<DrawnLabel>& drawn = context.ui().labels;
     for (const PlacedLabel& each : placeLabels(room, wanted)) {
         drawn.push_back({shown[each.index], wanted[each.index].at, each.plate,
                          each.plate.min + glm::vec2(0.22F, 0.02F) * em,

@@ -1,7 +1,9 @@
 // Windows: dialogs, plates over the view, and the view itself.
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 namespace se::view {
@@ -59,8 +61,17 @@ void drawViewPicture(const PanelContext& context) {
     const Rect& view = context.rects.view;
     const auto texture =
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
-    ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
-                                         {1, 0});
+    const auto& tile = context.ui().picture.tile;
+    if (!tile)
+        return ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()),
+                                                    {0, 1}, {1, 0});
+    const PixelRect part = partOfView(view, tile);
+    const float bottom = view.min.y + std::floor(view.size.y);
+    ImGui::GetWindowDrawList()->AddImage(
+        texture,
+        {view.min.x + static_cast<float>(part.min.x), bottom - static_cast<float>(part.max.y)},
+        {view.min.x + static_cast<float>(part.max.x), bottom - static_cast<float>(part.min.y)},
+        {0, 1}, {1, 0});
 }
 
 }  // namespace se::view
