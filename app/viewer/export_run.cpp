@@ -192,8 +192,13 @@ void ExportRun::placeCamera() {
 void ExportRun::aimAtFigure() {
     const Figure* figure = figureOfSource(session().input().spec().source);
     if (figure == nullptr || options_.camera || options_.session) return;
+    Camera& camera = application_->camera();
+    camera.faceStraight(glm::vec3(figure->view));
+    // A given start has few points: all of them are the figure.
+    if (!session().model().params.start.empty())
+        return actions::frameAll(application_->commands());
     frameFocus(application_->commands());
-    application_->camera().faceStraight(glm::vec3(figure->view));
+    camera.faceStraight(glm::vec3(figure->view));
 }
 
 Status ExportRun::goTo(const std::string& place) {

@@ -1688,8 +1688,9 @@ lessons_are_listed_and_shown() {
 
 lessons_are_checked() {
     local each
-    expect 0 lesson check tour spiral neighbor-ring removal split-join start-order-cost why-a-hole one-pivot class
-    is "$(grep -c ': good: ' out)" 9 "good lessons"
+    expect 0 lesson check tour spiral neighbor-ring removal split-join start-order-cost why-a-hole one-pivot class \
+        "$here/../../docs/story.lesson.md"
+    is "$(grep -c ': good: ' out)" 10 "good lessons, with that of the pictures"
     expect 0 lesson new scene:figure-8 -o good.lesson.md
     sed 's/^expect = "seed"/expect = "joins"/' good.lesson.md >wrong.lesson.md
     expect 1 lesson check good.lesson.md wrong.lesson.md
