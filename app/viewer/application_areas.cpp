@@ -10,6 +10,10 @@ namespace {
 
 /// Height of the sentence below a view alone, in em.
 constexpr float kCaption = 3.6F;
+/// Width of the dial beside a view alone, as a share of all, and its limits in em.
+constexpr float kDialShare = 0.3F;
+constexpr float kDialLeast = 10.0F;
+constexpr float kDialMost = 22.0F;
 
 }  // namespace
 
@@ -57,8 +61,10 @@ PanelRects Application::areasIn(glm::vec2 size) const {
     const float em = imgui_->em();
     if (ui_.picture.viewAlone) {
         const bool two = ui_.layoutPreset == LayoutPreset::Compare;
-        return viewAlone(size, ui_.picture.caption ? std::round(kCaption * em) : 0.0F,
-                         two ? std::round(kViewTitle * em) : 0.0F);
+        const float dial = std::clamp(kDialShare * size.x, kDialLeast * em, kDialMost * em);
+        return viewAlone(size, {ui_.picture.caption ? std::round(kCaption * em) : 0.0F,
+                                two ? std::round(kViewTitle * em) : 0.0F,
+                                ui_.picture.dial ? std::round(dial) : 0.0F});
     }
     if (ui_.growth.open) return computePageRects(size, em);
     const bool folds = showsLesson() && ui_.navigation.drawer == DrawerChoice::Auto;

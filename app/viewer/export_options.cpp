@@ -11,8 +11,8 @@ namespace {
 constexpr const char* kHidden = "";
 
 void requireExport(const CLI::App& app, const RawExport& raw) {
-    for (const char* name :
-         {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions", "--fps"}) {
+    for (const char* name : {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions",
+                             "--fps", "--dial"}) {
         if (raw.path.empty() && app.count(name) > 0)
             throw CLI::ValidationError(name, "is for spiraling-edge export");
     }
@@ -39,6 +39,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     add("--unit", raw.unit)->needs(from)->check(CLI::IsMember(frameUnitNames()));
     add("--lesson-steps", raw.steps)->excludes(from)->excludes("--around");
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
+    add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));
     add("--fps", raw.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
 }
 
@@ -52,6 +53,7 @@ void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
     order.path = raw.path;
     if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);
     order.perSecond = raw.perSecond;
+    order.dial = raw.dial == "on";
     order.captions = raw.captions != "off";
     order.stepsText = raw.steps;
     if (o.input.source.empty()) throw CLI::ValidationError("export", "needs an input");

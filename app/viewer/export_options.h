@@ -17,6 +17,7 @@ struct RawExport {
     std::string unit;
     std::string steps;
     std::string captions;
+    std::string dial;
     double perSecond = 2.0;
 };
 

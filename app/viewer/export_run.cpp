@@ -69,6 +69,7 @@ ExportRun::ExportRun(const Options& options, ViewSettings settings)
     assert(format_ != nullptr);
     PictureLook& look = options_.picture;
     look.viewAlone = look.pointLabels = true;
+    look.dial = order_.dial;
     look.caption = order_.captions && format_->captioned;
     // Not those of the window that the settings come from.
     options_.layout = LayoutPreset::Debug;
@@ -195,8 +196,7 @@ void ExportRun::aimAtFigure() {
     Camera& camera = application_->camera();
     camera.faceStraight(glm::vec3(figure->view));
     // A given start has few points: all of them are the figure.
-    if (!session().model().params.start.empty())
-        return actions::frameAll(application_->commands());
+    if (!session().model().params.start.empty()) return actions::frameAll(application_->commands());
     frameFocus(application_->commands());
     camera.faceStraight(glm::vec3(figure->view));
 }
@@ -276,6 +276,13 @@ Status ExportRun::addShapes(ExportFrame& frame) {
         views[1].bar = areas.otherTitle;
         for (std::size_t i = 0; i < views.size(); ++i) views[i].title = &titles[i];
         views[1].labels = ui().labels[1];
+    }
+    FrameDial dial;
+    if (areas.dialApart) {
+        const DecisionState& picture = session().picture();
+        dial = {makeDial(session().shown(), picture, picture.event ? &*picture.event : nullptr),
+                areas.dial, session().names()};
+        frame.dial = &dial;
     }
     frame.shapes = views;
     frame.size = glm::vec2(size_);

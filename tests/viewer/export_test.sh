@@ -287,6 +287,19 @@ a_drawing_has_layers_text_and_points() {
     ! grep -qE '<title>|<text|class="view"' b.svg || fail "captions, labels or background"
 }
 
+the_dial_stands_beside_the_view() {
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o a.svg --dial on
+    for part in 'id="dial"' '>Tangent plane at p</text>' '>gap 53.4' 'id="labels"'; do
+        says a.svg "$part"
+    done
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o b.svg
+    ! grep -q 'id="dial"' b.svg || fail "the dial, unasked"
+    needs compare
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o a.png --dial on
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o b.png
+    [ "$(compare -metric AE -fuzz 10% a.png b.png null: 2>&1)" -gt 20000 ] || fail "no dial in the picture"
+}
+
 the_old_file_stays_if_the_new_one_fails() {
     ln -s /dev/full full.png
     expect 5 scene:figure-8 --goto 9 -o full.png --size 320x240

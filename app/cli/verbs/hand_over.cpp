@@ -67,6 +67,7 @@ constexpr std::array kExportOptions{
     PassedOption{"--theme", "THEME", "dark (default) or light"},
     PassedOption{"--background", "none", "A transparent background"},
     PassedOption{"--labels", "on|off", "Names and values beside points (default on)"},
+    PassedOption{"--dial", "on|off", "The dial of the pivot beside the view (default off)"},
     PassedOption{"--captions", "on|off",
                  "Sentences: in captions.txt, below an animation, on a page (default on)"},
     PassedOption{"--fps", "N", "Frames a second of an animation (default 2)"},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "layout/drawn_label.h"
+#include "rows/pivot_dial.h"
 #include "run/model.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
@@ -36,6 +37,13 @@ struct FrameShapes {
     const ComparedTitle* title = nullptr;  ///< Of one of two views; null: there is one.
 };
 
+/// The dial of the pivot, beside the view.
+struct FrameDial {
+    Dial dial;
+    Rect area;  ///< In the frame.
+    std::span<const PointName> names;
+};
+
 /// The step of a lesson that a frame shows.
 struct FrameStep {
     const teach::Lesson& lesson;
@@ -53,6 +61,7 @@ struct ExportFrame {
     Picture pixels;       ///< Empty for formats of shapes.
     /// One view, or two that are compared; empty for formats of pixels.
     std::span<const FrameShapes> shapes{};
+    const FrameDial* dial = nullptr;  ///< Null: not in the frame, or formats of pixels.
     glm::vec2 size{1.0F};             ///< Pixels, for formats of shapes.
     bool answer = false;              ///< The answer to the question of the frame before.
     const FrameStep* step = nullptr;  ///< Null: of a run.

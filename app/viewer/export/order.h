@@ -58,6 +58,7 @@ struct ExportOrder {
     std::string stepsText;                     ///< As typed, before the lesson is read.
     double perSecond = 2.0;                    ///< Frames of an animation.
     bool captions = true;
+    bool dial = false;  ///< The dial of the pivot, beside the view.
 
     /// More than one frame is possible.
     bool several() const { return range.has_value() || lesson != nullptr; }

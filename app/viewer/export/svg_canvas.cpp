@@ -86,6 +86,10 @@ std::string SvgCanvas::take() {
     return std::move(out_);
 }
 
+ColorPair bothThemes(const FrameShapes& shapes, Color Palette::*color) {
+    return {paletteOf(shapes.theme).*color, paletteOf(otherTheme(shapes.theme)).*color};
+}
+
 std::string fillOf(SvgCanvas& canvas, const ColorPair& color, float alpha) {
     return " class=\"" + canvas.classes().fill(color) + "\"" + opacityOf("fill", alpha);
 }

@@ -87,5 +87,12 @@ void drawSvgPoints(SvgCanvas& canvas);
 void drawSvgLayers(SvgCanvas& canvas);
 void drawSvgMarks(SvgCanvas& canvas);
 void drawSvgLabels(SvgCanvas& canvas);
+void drawSvgDial(SvgCanvas& canvas, const FrameDial& dial);
+
+/// The shape of a point, with half the size `r`.
+void drawSvgShape(SvgCanvas& canvas, Shape shape, glm::vec2 at, float r, const ColorPair& color,
+                  Index point);
+/// A color of the palette in the theme of the frame, and in the other.
+ColorPair bothThemes(const FrameShapes& shapes, Color Palette::*color);
 
 }  // namespace se::view

@@ -30,10 +30,6 @@ constexpr float kNameAt = 2.2F;
 constexpr float kNoteAt = 0.7F;
 constexpr float kTitleEdge = 0.3F;
 
-ColorPair bothThemes(const FrameShapes& shapes, Color Palette::*color) {
-    return {paletteOf(shapes.theme).*color, paletteOf(otherTheme(shapes.theme)).*color};
-}
-
 /// The bar above one of two views, as the window has it.
 std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
     const float em = shapes.em;
@@ -65,8 +61,16 @@ std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
 
 Result<std::string> svgViews(const ExportFrame& frame, SvgClasses& classes,
                              const std::string& prefix) {
-    if (frame.shapes.size() == 1) return svgFrame(frame.shapes.front(), classes, prefix);
     std::string out;
+    if (frame.dial != nullptr) {
+        SvgCanvas canvas(frame.shapes.front(), classes, prefix);
+        drawSvgDial(canvas, *frame.dial);
+        out = canvas.take();
+    }
+    if (frame.shapes.size() == 1) {
+        Result<std::string> drawn = svgFrame(frame.shapes.front(), classes, prefix);
+        return drawn ? Result<std::string>(drawn.value() + out) : drawn;
+    }
     for (const FrameShapes& shapes : frame.shapes) {
         const std::string id = prefix + "view-" + (&shapes == &frame.shapes.front() ? "a" : "b");
         Result<std::string> drawn = svgFrame(shapes, classes, id + "-");

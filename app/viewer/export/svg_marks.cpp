@@ -216,6 +216,11 @@ void drawSvgPoints(SvgCanvas& canvas) {
     canvas.endGroup();
 }
 
+void drawSvgShape(SvgCanvas& canvas, Shape shape, glm::vec2 at, float r, const ColorPair& color,
+                  Index point) {
+    drawShape(canvas, shape, glm::vec3(at, 0.0F), r, color, 1.0F, point);
+}
+
 void drawSvgMarks(SvgCanvas& canvas) {
     canvas.beginGroup("marks");
     for (std::size_t i = 0; i < canvas.in().list.sprites.size(); ++i) drawMark(canvas, i);

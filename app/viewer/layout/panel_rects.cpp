@@ -216,13 +216,15 @@ void splitInTwo(PanelRects& l, float title) {
 
 }  // namespace
 
-PanelRects viewAlone(glm::vec2 size, float narration, float title) {
+PanelRects viewAlone(glm::vec2 size, const BesideView& beside) {
     PanelRects rects;
-    rects.view.size = size - glm::vec2(0.0F, narration);
-    rects.narration = {{0.0F, rects.view.size.y}, {size.x, narration}};
-    if (title <= 0.0F) return rects;
+    rects.view.size = size - glm::vec2(beside.dial, beside.narration);
+    rects.narration = {{0.0F, rects.view.size.y}, {size.x, beside.narration}};
+    rects.dial = {{rects.view.size.x, 0.0F}, {beside.dial, rects.view.size.y}};
+    rects.dialApart = beside.dial > 0.0F;
+    if (beside.title <= 0.0F) return rects;
     rects.layoutPreset = LayoutPreset::Compare;
-    splitInTwo(rects, title);
+    splitInTwo(rects, beside.title);
     return rects;
 }
 

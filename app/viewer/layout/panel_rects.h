@@ -74,9 +74,14 @@ PanelRects computePageRects(glm::vec2 size, float em);
 /// Height of the title above each of two views, in em.
 inline constexpr float kViewTitle = 1.7F;
 
-/// The view alone, above a narration of that height, or the two views of Compare with titles of
-/// that height: no other area has a size.
-PanelRects viewAlone(glm::vec2 size, float narration = 0.0F, float title = 0.0F);
+/// Sizes of what a view alone has with it, in pixels; 0: it is not there.
+struct BesideView {
+    float narration = 0.0F;  ///< Height, below.
+    float title = 0.0F;      ///< Height, above each of the two views of Compare.
+    float dial = 0.0F;       ///< Width, to the right.
+};
+/// The view alone, or the two views of Compare: no other area has a size.
+PanelRects viewAlone(glm::vec2 size, const BesideView& beside = {});
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column,
 /// the dial below; Present has no panel but view, caption and the strip of the run: the other areas

@@ -17,6 +17,7 @@ struct PictureLook {
     bool viewAlone = false;           ///< Without panels.
     bool cutOut = false;              ///< On a transparent background.
     bool caption = false;             ///< With `viewAlone`: the sentence below the view.
+    bool dial = false;                ///< With `viewAlone`: the dial of the pivot beside the view.
     std::string captionText = {};     ///< Text instead of that sentence; empty: the sentence.
     bool labels = true;               ///< Text, axes, pins and legends over the view.
     bool pointLabels = false;         ///< Of these, labels alone.

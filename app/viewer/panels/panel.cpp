@@ -250,6 +250,7 @@ void drawPanels(const PanelContext& context) {
     if (context.ui().picture.viewAlone) {
         drawView(context);
         if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
+        if (context.rects.dialApart) drawDialColumn(context);
         if (context.ui().picture.caption) drawNarration(context);
         return;
     }
