@@ -25,6 +25,8 @@ namespace {
 
 /// Share of the view that the points of a range fill.
 constexpr float kRangeShare = 0.72F;
+/// Share of the view that the points of a figure fill.
+constexpr float kFigureShare = 0.6F;
 /// Frames in which the layout comes to rest.
 constexpr int kFirstFrames = 4;
 
@@ -195,8 +197,9 @@ void ExportRun::aimAtFigure() {
     if (figure == nullptr || options_.camera || options_.session) return;
     Camera& camera = application_->camera();
     camera.faceStraight(glm::vec3(figure->view));
-    // A given start has few points: all of them are the figure.
-    if (!session().model().params.start.empty()) return actions::frameAll(application_->commands());
+    // A given start has few points: all of them are the figure, with room for what is drawn around.
+    const Model& model = session().model();
+    if (!model.params.start.empty()) return camera.fill(model.place, ui().viewAspect, kFigureShare);
     frameFocus(application_->commands());
     camera.faceStraight(glm::vec3(figure->view));
 }

@@ -86,6 +86,10 @@ void ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
     const auto direction = teach::viewDirection(teach::settingOf(order_.lesson->lesson, number));
     if (direction) camera.faceStraight(glm::vec3(*direction));
     if (step.frame == "all") return actions::frameAll(application_->commands());
+    const DecisionState& decision = session().picture();
+    const bool aside = decision.pivot == kNone && decision.underTest != kNone;
+    // Without a pivot, from above the point in question.
+    if (aside && !direction) camera.faceStraight(session().shown().normal[decision.underTest]);
     frameFocus(application_->commands());
     if (direction) return camera.faceStraight(glm::vec3(*direction));
     lookAtDecision(session().shown(), session().picture(), session().shownTriangles(), camera,
