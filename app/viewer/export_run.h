@@ -56,7 +56,7 @@ class ExportRun {
     Status goTo(const std::string& place);
     Status openStep(std::size_t step);
     Status compareStep(std::size_t step, const std::vector<std::string>& words);
-    void aimAtStep(const teach::LessonStep& step, std::size_t number);
+    Status aimAtStep(const teach::LessonStep& step, std::size_t number);
     void placeCamera();
     void aimAtFigure();
     void goToAnswer(std::size_t step);

@@ -51,7 +51,7 @@ Status ExportRun::openStep(std::size_t step) {
     // Steps of one decision have one camera.
     const bool before = std::exchange(ownView_, own);
     if (std::exchange(aimed_, here) != here || resized || own || before)
-        aimAtStep(file.lesson.steps[step], step);
+        return aimAtStep(file.lesson.steps[step], step);
     return success();
 }
 
@@ -77,23 +77,34 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
 }
 
 /// Camera of a step: its own, or the direction of its view at the decision or at all.
-void ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
+Status ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
     Camera& camera = application_->camera();
     if (!step.camera.empty()) {
         const Result<ViewPosition> place = viewPositionFromText(step.camera);
-        if (place && place.value().camera) return camera.setPose(*place.value().camera);
+        if (!place || !place.value().camera)
+            return Error{stepPlace(*order_.lesson, number, "camera") +
+                         "expected a position with its address, as Ctrl+C copies it"};
+        camera.setPose(*place.value().camera);
+        return success();
     }
     const auto direction = teach::viewDirection(teach::settingOf(order_.lesson->lesson, number));
     if (direction) camera.faceStraight(glm::vec3(*direction));
-    if (step.frame == "all") return actions::frameAll(application_->commands());
+    if (step.frame == "all") {
+        actions::frameAll(application_->commands());
+        return success();
+    }
     const DecisionState& decision = session().picture();
     const bool aside = decision.pivot == kNone && decision.underTest != kNone;
     // Without a pivot, from above the point in question.
     if (aside && !direction) camera.faceStraight(session().shown().normal[decision.underTest]);
     frameFocus(application_->commands());
-    if (direction) return camera.faceStraight(glm::vec3(*direction));
+    if (direction) {
+        camera.faceStraight(glm::vec3(*direction));
+        return success();
+    }
     lookAtDecision(session().shown(), session().picture(), session().shownTriangles(), camera,
                    ui().viewEms);
+    return success();
 }
 
 /// The frame of a step; on a page, that of the answer to its question as well.

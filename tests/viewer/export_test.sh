@@ -82,6 +82,9 @@ a_lesson_is_exported_step_by_step() {
     sed 's/sphere.7/sphere.2/' a.lesson.md >c.lesson.md
     expect 0 c.lesson.md -o own/ --size 320x240
     says own/captions.txt "$(printf '001.png\t9.sphere.2\tB: q lies')"
+    sed "s/^at = .*/&\ncamera = '{\"camera\": {}}'/" c.lesson.md >d.lesson.md
+    expect 3 d.lesson.md -o x.png
+    says err "camera: expected a position with its address"
     printf '# A\n' >b.lesson.md
     expect 3 b.lesson.md -o x.png
     says err "b.lesson.md"
