@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "run/strings.h"
 #include "svg_canvas.h"
 
@@ -34,7 +37,7 @@ constexpr float kTitleEdge = 0.3F;
 std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
     const float em = shapes.em;
     const Rect& bar = shapes.bar;
-    const std::string& mark = classes.fill(bothThemes(shapes, shapes.title->color));
+    const std::string mark = classes.fill(bothThemes(shapes, shapes.title->color));
     const float y = bar.min.y + 0.5F * (bar.size.y - em) + kTitleBaseline * em;
     const std::string letters =
         fmt::format(" y=\"{:.1f}\" font-size=\"{:.1f}\"", y, kTitleLetters * em);
@@ -44,7 +47,14 @@ std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
             "height=\"{:.1f}\"/>",
             kind, bar.min.x, bar.min.y, width, bar.size.y);
     };
-    std::string out = box(classes.fill(bothThemes(shapes, &Palette::panelRaised)), bar.size.x);
+    std::string out;
+    if (shapes.corner.x > 0.0F)
+        out = fmt::format(
+            "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+            "height=\"{:.1f}\"/>",
+            classes.fill(bothThemes(shapes, &Palette::border)), bar.min.x, bar.max().y,
+            std::max(1.0F, std::round(kDividerEms * em)), shapes.size.y);
+    out += box(classes.fill(bothThemes(shapes, &Palette::panelRaised)), bar.size.x);
     out += box(mark, kTitleEdge * em);
     out += fmt::format("<text class=\"{}\" font-weight=\"600\" x=\"{:.1f}\"{}>{}</text>", mark,
                        bar.min.x + kLetterAt * em, letters, shapes.title->letter);

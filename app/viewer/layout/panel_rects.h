@@ -73,6 +73,8 @@ PanelRects computePageRects(glm::vec2 size, float em);
 
 /// Height of the title above each of two views, in em.
 inline constexpr float kViewTitle = 1.7F;
+/// Width of the line between two views of a picture, in em.
+inline constexpr float kDividerEms = 0.1F;
 
 /// Sizes of what a view alone has with it, in pixels; 0: it is not there.
 struct BesideView {

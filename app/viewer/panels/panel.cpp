@@ -1,6 +1,8 @@
 #include "panel.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -214,6 +216,27 @@ void drawBorders(const PanelContext& context) {
     ImGui::End();
 }
 
+/// A line between the two views of a picture without panels.
+void drawDivider(const PanelContext& context) {
+    const PanelRects& l = context.rects;
+    if (l.otherView.min.x <= l.view.min.x) return;
+    const float wide = std::max(1.0F, std::round(kDividerEms * context.em));
+    ImGui::GetForegroundDrawList()->AddRectFilled(toVec2(l.otherTitle.min),
+                                                  {l.otherTitle.min.x + wide, l.otherView.max().y},
+                                                  toU32(context.palette.border));
+}
+
+/// The view of a picture, with what is chosen beside it.
+void drawPictureAlone(const PanelContext& context) {
+    drawView(context);
+    if (context.rects.layoutPreset == LayoutPreset::Compare) {
+        drawComparedViews(context);
+        drawDivider(context);
+    }
+    if (context.rects.dialApart) drawDialColumn(context);
+    if (context.ui().picture.caption) drawNarration(context);
+}
+
 /// Over everything.
 void drawBlankScreen(const PanelContext& context) {
     BlankScreen& blank = context.ui().blank;
@@ -247,13 +270,7 @@ void drawPanels(const PanelContext& context) {
         {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer},
         {"region find", context.rects.find},           {"region change", context.rects.change}};
     keepSteps(context);
-    if (context.ui().picture.viewAlone) {
-        drawView(context);
-        if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
-        if (context.rects.dialApart) drawDialColumn(context);
-        if (context.ui().picture.caption) drawNarration(context);
-        return;
-    }
+    if (context.ui().picture.viewAlone) return drawPictureAlone(context);
     const bool growth = context.state<GrowthPage>().open;
     const bool startPage = context.session().startPage() && !growth;
     if (growth) {
