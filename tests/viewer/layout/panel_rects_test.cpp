@@ -314,11 +314,11 @@ TEST_CASE("A view alone leaves room for what a picture has with it") {
     const PanelRects alone = viewAlone({1000.0F, 800.0F});
     CHECK(alone.view.size == glm::vec2(1000.0F, 800.0F));
     CHECK_FALSE(alone.dialApart);
-    const PanelRects all = viewAlone({1000.0F, 800.0F}, {60.0F, 27.0F, 300.0F});
+    const PanelRects all = viewAlone({1600.0F, 800.0F}, {60.0F, 27.0F, 300.0F});
     CHECK(all.layoutPreset == LayoutPreset::Compare);
-    CHECK(all.dial.min == glm::vec2(700.0F, 0.0F));
-    CHECK(all.view.size == glm::vec2(350.0F, 713.0F));
-    CHECK(all.otherView.min == glm::vec2(350.0F, 27.0F));
-    CHECK(all.otherTitle.size == glm::vec2(350.0F, 27.0F));
+    CHECK(all.dial.min == glm::vec2(1300.0F, 0.0F));
+    CHECK(all.view.size == glm::vec2(650.0F, 713.0F));
+    CHECK(all.otherView.min == glm::vec2(650.0F, 27.0F));
+    CHECK(all.otherTitle.size == glm::vec2(650.0F, 27.0F));
     CHECK(all.narration.min.y == 740.0F);
 }
