@@ -34,7 +34,7 @@ constexpr float kNoteAt = 0.7F;
 constexpr float kTitleEdge = 0.3F;
 
 /// The bar above one of two views, as the window has it.
-std::string titleOf(const FrameShapes& shapes, SvgClasses& classes) {
+std::string titleBarOf(const FrameShapes& shapes, SvgClasses& classes) {
     const float em = shapes.em;
     const Rect& bar = shapes.bar;
     const std::string mark = classes.fill(bothThemes(shapes, shapes.title->color));
@@ -89,7 +89,7 @@ Result<std::string> svgViews(const ExportFrame& frame, SvgClasses& classes,
             "<clipPath id=\"{0}-clip\"><rect width=\"{1:.1f}\" height=\"{2:.1f}\"/></clipPath>"
             "<g id=\"{0}\">{3}<g transform=\"translate({4:.1f} {5:.1f})\" "
             "clip-path=\"url(#{0}-clip)\">{6}</g></g>\n",
-            id, shapes.size.x, shapes.size.y, titleOf(shapes, classes), shapes.corner.x,
+            id, shapes.size.x, shapes.size.y, titleBarOf(shapes, classes), shapes.corner.x,
             shapes.corner.y, drawn.value());
     }
     return out;
