@@ -29,7 +29,7 @@ struct PracticeSample {
     std::size_t neighbors;
 };
 constexpr PracticeSample kEvenSample{22, 0.12, 0.0, 9};
-constexpr PracticeSample kUnevenSample{30, 0.3, 0.6, 10};
+constexpr PracticeSample kUnevenSample{26, 0.3, 0.6, 10};
 
 /// A copy of the points of a file that `keeps` is true for.
 template <typename Keeps>

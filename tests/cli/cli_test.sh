@@ -1738,31 +1738,31 @@ lesson_result() {
 
 pivots_are_played() {
     local seed
-    expect 0 practice --seed 7
+    expect 0 practice --seed 10
     says out "fan first 4 7 last"
-    says out "Pivot p = 22 between first = 27 and last = 29"
-    says out " 20   0.355  0.651  UNUSED"
-    says out "--seed 7 --answer FILE"
-    expect 0 practice --seed 7 --json
-    says out '"p":22,"first":27,"last":29,"neighbors":[29,34,27,'
-    expect 0 practice --seed 7 --solution
-    says out "remove 17                 # 24.sphere.1 (6.3)"
+    says out "Pivot p = 17 between first = 28 and last = 25"
+    says out " 10   0.000  1.000  UNUSED"
+    says out "--seed 10 --answer FILE"
+    expect 0 practice --seed 10 --json
+    says out '"p":17,"first":28,"last":25,"neighbors":[25,28,20,'
+    expect 0 practice --seed 10 --solution
+    says out "remove 6                  # 33.sphere.1 (6.3)"
     cp out right.txt
-    expect 0 practice --seed 7 --answer right.txt
+    expect 0 practice --seed 10 --answer right.txt
     says out "right: all 5 moves"
-    sed 's/remove 17/keep 17/' right.txt >wrong.txt
-    expect 1 practice --seed 7 --answer wrong.txt
-    says out "move 2, keep 17: wrong"
-    says out "(24.sphere.1, 6.3)"
-    says right.txt "fan first 20 24 last"
+    sed 's/remove 6/keep 6/' right.txt >wrong.txt
+    expect 1 practice --seed 10 --answer wrong.txt
+    says out "move 2, keep 6: wrong"
+    says out "(33.sphere.1, 6.3)"
+    says right.txt "fan first 10 14 last"
     head -3 right.txt >part.txt
-    expect 1 practice --seed 7 --answer part.txt
+    expect 1 practice --seed 10 --answer part.txt
     says out "move 4, missing"
-    expect 1 practice --seed 7 --answer wrong.txt --json
+    expect 1 practice --seed 10 --answer wrong.txt --json
     says out '"section": "6.3"'
-    "$program" practice --seed 7 --answer - <right.txt | grep -q right || fail "standard input"
+    "$program" practice --seed 10 --answer - <right.txt | grep -q right || fail "standard input"
     echo "keep 99" >range.txt
-    expect 3 practice --seed 7 --answer range.txt
+    expect 3 practice --seed 10 --answer range.txt
     says err "range.txt: line 1: 99: there are 35 points, from 0"
     expect 3 practice --answer missing.txt
     expect 2 practice --seed x
@@ -1774,7 +1774,7 @@ pivots_are_played() {
         "$program" practice --seed "$seed" --answer moves.txt --result "$seed.result.json" >>log
     done
     expect 0 lesson results [0-9]*.result.json -o class.csv
-    says out "  1     30       67 %   6.3 sphere (10)   -               -                 Play a pivot"
+    says out "  1     30       67 %   6.3 sphere (8)    -               -                 Play a pivot"
     says class.csv "Practice,practice 1,1,Play a pivot,play,30,20,0.667,"
     grep -q tries 1.result.json && fail "tries are counted by a program that does not know of them"
 }
