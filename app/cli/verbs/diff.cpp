@@ -34,7 +34,7 @@ struct DiffArguments {
         std::string names;
         for (const teach::TraceStageRow& row : teach::traceStages())
             names += (names.empty() ? "" : ", ") + std::string(row.name);
-        app.add_option("--upto", stage, "Only the pivots of the trace, up to this stage: " + names)
+        app.add_option("--upto", stage, "Compare no stage after this one: " + names)
             ->type_name("STAGE");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the runs differ");
@@ -82,6 +82,8 @@ std::string diffJson(const TraceComparison& comparison, const teach::RuleGuess& 
         json["stage"] = found.stage ? DiffJson(teach::rowOf(*found.stage).name) : DiffJson();
         json["yours"] = pivotJson(found.trace);
         json["ours"] = pivotJson(found.run);
+        json["both"] = found.both;
+        json["our_pivots"] = found.runPivots > 0 ? DiffJson(found.runPivots) : DiffJson();
         json["reasons"] = DiffJson::array();
         for (const teach::TraceReason& each : found.reasons)
             json["reasons"].push_back(reasonJson(each));
@@ -133,7 +135,9 @@ ExitCode diffVerb(const Arguments& words) {
             return teach::compareTrace(trace, points, prepared.params, upto, progress);
         });
     teach::RuleGuess guess;
-    if (found.difference && !arguments.quiet) {
+    // A short trace is alike under every rule that does not matter to it.
+    const bool endsEarly = found.difference && found.difference->runPivots > 0;
+    if (found.difference && !endsEarly && !arguments.quiet) {
         guess = runWithProgress("trying rules", input, line, [&](const Progress& progress) {
             return teach::guessRules(trace, points, prepared.params, upto, progress);
         });
@@ -141,7 +145,7 @@ ExitCode diffVerb(const Arguments& words) {
         if (opposing) guess.whole.push_back(*opposing);
     }
     std::string text = teach::differenceText(found);
-    if (found.difference) text += teach::guessText(guess, trace);
+    if (found.difference && !endsEarly) text += teach::guessText(guess, trace);
     if (!arguments.quiet) writeOutput("-", arguments.json ? diffJson(found, guess) : text);
     return found.difference ? ExitCode::CheckFailed : ExitCode::Good;
 }

@@ -14,7 +14,8 @@
  * A pivot that is passed over (section 7 of the paper) gets a line, too, with an empty fan. Fields
  * beside p, first, last and fan are optional: `sort`, `limits`, `reciprocal`, `hole` and `sphere`,
  * the candidates after that stage by increasing angle; `start` and `end`; `ring`, the active edge
- * ring after the pivot, from the next pivot on; `next`. docs/file-formats.md has the rest.
+ * ring after the pivot, from the next pivot on; `next`. A trace that is meant to end before the run
+ * does says so in its last line, setrace_ends(). docs/file-formats.md has the rest.
  */
 #ifndef SETRACE_H
 #define SETRACE_H
@@ -101,6 +102,11 @@ static inline void setrace_next(setrace* trace, uint32_t next) {
     } else {
         setrace_point(trace, "next", next);
     }
+}
+
+/* Marks the pivot as the one with which the trace is meant to end. */
+static inline void setrace_ends(setrace* trace) {
+    setrace_check(trace, fputs(",\"ends\":true", trace->file));
 }
 
 /* Ends the last line. Returns 0 if all could be written; the file stays open. */

@@ -36,7 +36,8 @@ class Writer:
     def pivot(self, p, first, last, fan=None, **fields):
         """Adds a pivot. `fan`: the points from first to last, [] for no triangle. `fields`: `sort`,
         `limits`, `reciprocal`, `hole`, `sphere` (the candidates after that stage), `start`, `end`,
-        `ring` (the active edge ring after the pivot, from the next pivot on), `next`."""
+        `ring` (the active edge ring after the pivot, from the next pivot on), `next`; `ends=True`
+        in the last line of a trace that is meant to end before the run does."""
         line = {"p": p, "first": first, "last": last}
         if fan is not None:
             line["fan"] = fan

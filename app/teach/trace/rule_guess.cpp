@@ -38,10 +38,49 @@ std::vector<RuleValue> singleSettings(const Params& base) {
     return settings;
 }
 
+namespace {
+
+/// The trace with the fans alone.
+Trace fansOf(const Trace& trace) {
+    Trace fans{trace.points, trace.hash, {}};
+    fans.pivots.reserve(trace.pivots.size());
+    for (const TracePivot& each : trace.pivots) {
+        TracePivot pivot;
+        pivot.line = each.line;
+        pivot.p = each.p;
+        pivot.first = each.first;
+        pivot.last = each.last;
+        pivot.fan = each.fan;
+        pivot.ends = each.ends;
+        fans.pivots.push_back(std::move(pivot));
+    }
+    return fans;
+}
+
+/// Keeps the settings that give the stages of the trace too, if any does.
+void preferSameStages(const Trace& trace, const SharedPoints& points, const Params& base,
+                      std::optional<TraceStage> upto, std::vector<RuleValue>& whole) {
+    std::vector<RuleValue> same;
+    for (const RuleValue& each : whole) {
+        Params params = base;
+        findRuleSetting(each.name)->set(params, each.value);
+        if (matchTrace(trace, points, params, upto).whole) same.push_back(each);
+    }
+    if (!same.empty()) whole = std::move(same);
+}
+
+}  // namespace
+
 Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, const Params& base,
                              std::optional<TraceStage> upto, const Progress& progress) {
     RuleGuess guess;
-    guess.alike = matchTrace(trace, points, base, upto).alike;
+    // Another program may lack a rule in another way than our run without it: its stages differ,
+    // its fans do not. So the fans tell first, unless they are all alike.
+    const Trace fans = fansOf(trace);
+    const bool byFans = upto.value_or(TraceStage::Ring) >= TraceStage::Emit &&
+                        matchTrace(fans, points, base, {}).alike < trace.pivots.size();
+    const Trace& compared = byFans ? fans : trace;
+    guess.alike = matchTrace(compared, points, base, upto).alike;
     const std::vector<RuleValue> settings = singleSettings(base);
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const RuleValue& each = settings[i];
@@ -49,13 +88,14 @@ Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, con
             return Error{"cancelled"};
         Params params = base;
         findRuleSetting(each.name)->set(params, each.value);
-        const TraceMatch match = matchTrace(trace, points, params, upto);
+        const TraceMatch match = matchTrace(compared, points, params, upto);
         if (match.whole) guess.whole.push_back(each);
         if (match.alike <= guess.alike) continue;
         guess.alike = match.alike;
         guess.nearest = each;
     }
     if (!guess.whole.empty()) guess.nearest.reset();
+    if (byFans) preferSameStages(trace, points, base, upto, guess.whole);
     return guess;
 }
 
@@ -65,7 +105,7 @@ std::string guessText(const RuleGuess& guess, const Trace& trace) {
         std::string rules;
         for (const RuleValue& each : guess.whole)
             rules += (rules.empty() ? "--rule " : " or --rule ") + lineOf(each);
-        return "your whole trace, " + count + " pivots, is what " + rules + " gives\n";
+        return "your whole trace, " + count + " pivots, behaves like " + rules + "\n";
     }
     const std::string none = "no single rule of the paper's, changed, gives your whole trace";
     if (!guess.nearest) return none + "\n";

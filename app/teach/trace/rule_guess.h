@@ -23,12 +23,13 @@ struct RuleGuess {
     std::optional<RuleValue> nearest;
     std::size_t alike = 0;  ///< Pivots, with `nearest`.
 };
-/// Runs each of singleSettings() as far as it goes along with the trace. Fails if cancelled.
+/// Runs each of singleSettings() as far as it goes along with the fans of the trace, or with its
+/// stages where `upto` is before the fans or these are alike. Fails if cancelled.
 /// Requires requireTraceOf().
 Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, const Params& base,
                              std::optional<TraceStage> upto, const Progress& progress = {});
 
-/// "your whole trace, 83 pivots, is what --rule limits=off gives"
+/// "your whole trace, 83 pivots, behaves like --rule limits=off"
 std::string guessText(const RuleGuess& guess, const Trace& trace);
 
 }  // namespace se::teach

@@ -50,11 +50,13 @@ TraceJson jsonOfSteps(const std::vector<RingStep>& steps) {
 /// The fields of one line. After the first fault, which is kept, nothing more is read.
 class TraceLineReader {
   public:
-    TraceLineReader(const TraceJson& json, std::size_t points) : json_(json), points_(points) {}
+    /// `number`: of the pivot, from 1.
+    TraceLineReader(const TraceJson& json, std::size_t points, std::size_t number)
+        : json_(json), points_(points), number_(number) {}
 
     const std::string& fault() const { return fault_; }
 
-    TracePivot pivot(TraceStage upto) {
+    TracePivot pivot() {
         TracePivot pivot;
         pivot.p = point("p");
         pivot.first = point("first");
@@ -68,12 +70,8 @@ class TraceLineReader {
         for (const TraceStageRow& row : kTraceStages) {
             if (json_.contains(row.field)) pivot.*row.points = list(row.field);
         }
+        if (json_.contains("ends")) pivot.ends = truth("ends");
         if (fault_.empty() && pivot.fan) checkFan(pivot);
-        const TraceStageRow& last = rowOf(upto);
-        // A pivot that was passed over has no stages.
-        const bool mayBeMissing = last.id != TraceStage::Ring && pivot.fan && pivot.fan->empty();
-        if (!(pivot.*last.points) && !mayBeMissing)
-            complain(last.field, "a list of points, it is missing");
         return pivot;
     }
 
@@ -94,6 +92,11 @@ class TraceLineReader {
         if (isPoint(*found)) return found->get<Index>();
         complain(field, numbers() + ", got " + shortText(*found));
         return kNone;
+    }
+    bool truth(std::string_view field) {
+        const TraceJson& value = json_.at(std::string(field));
+        if (!value.is_boolean()) complain(field, "true or false, got " + shortText(value));
+        return value == true;
     }
     Index nextPivot() { return json_.at("next").is_null() ? kNone : point("next"); }
     std::vector<Index> list(std::string_view field) {
@@ -116,7 +119,10 @@ class TraceLineReader {
         if (fan.empty()) return;
         if (fan.front() != pivot.first || fan.back() != pivot.last) {
             return complain("fan", "points from first, " + std::to_string(pivot.first) +
-                                       ", to last, " + std::to_string(pivot.last));
+                                       ", to last, " + std::to_string(pivot.last) + ", got " +
+                                       shortText(json_.at("fan")) + " at pivot " +
+                                       std::to_string(number_) + " (point " +
+                                       std::to_string(pivot.p) + ")");
         }
         if (fan.size() < 2) return complain("fan", "two points or more, or [] for none");
         if (std::find(fan.begin(), fan.end(), pivot.p) != fan.end())
@@ -130,6 +136,7 @@ class TraceLineReader {
 
     const TraceJson& json_;
     std::size_t points_;
+    std::size_t number_;
     std::string fault_;
 };
 
@@ -169,7 +176,25 @@ Result<Trace> readTraceHeader(const TraceJson& json, std::size_t line, const std
     return trace;
 }
 
+/// Success if a pivot that another one follows has the stages up to `upto`, and does not end the
+/// trace.
+Status requireWhole(const TracePivot& pivot, TraceStage upto, const std::string& name) {
+    if (pivot.ends) {
+        return traceError(name, pivot.line,
+                          "\"ends\": expected in the last line only, another pivot follows");
+    }
+    if (hasStage(pivot, upto)) return success();
+    return traceError(
+        name, pivot.line,
+        '"' + std::string(rowOf(upto).field) + "\": expected a list of points, it is missing");
+}
+
 }  // namespace
+
+bool hasStage(const TracePivot& pivot, TraceStage stage) {
+    if (pivot.*rowOf(stage).points) return true;
+    return stage != TraceStage::Ring && pivot.fan && pivot.fan->empty();
+}
 
 std::span<const TraceStageRow> traceStages() { return kTraceStages; }
 
@@ -208,6 +233,7 @@ std::string traceLine(const TracePivot& pivot) {
         }
     }
     if (pivot.next) json["next"] = *pivot.next == kNone ? TraceJson() : TraceJson(*pivot.next);
+    if (pivot.ends) json["ends"] = true;
     if (!pivot.stack.empty()) json["stack"] = pivot.stack;
     if (!pivot.open.empty()) json["open"] = jsonOfSteps(pivot.open);
     if (!pivot.done.empty()) json["done"] = pivot.done;
@@ -227,8 +253,12 @@ Result<Trace> readTrace(std::string_view text, const std::string& name, TraceSta
     while (lines.nextContent()) {
         const Result<TraceJson> json = objectOfLine(lines, name);
         if (!json) return json.error();
-        TraceLineReader reader(json.value(), trace.points);
-        trace.pivots.push_back(reader.pivot(upto));
+        if (!trace.pivots.empty()) {
+            const Status whole = requireWhole(trace.pivots.back(), upto, name);
+            if (!whole) return whole.error();
+        }
+        TraceLineReader reader(json.value(), trace.points, trace.pivots.size() + 1);
+        trace.pivots.push_back(reader.pivot());
         if (!reader.fault().empty()) return traceError(name, lines.number(), reader.fault());
         trace.pivots.back().line = lines.number();
     }

@@ -46,6 +46,8 @@ struct TracePivot {
     TracedPoints fan;           ///< From first to last; empty: no triangle.
     TracedPoints ring;          ///< The active edge ring after the pivot, from the next one.
     std::optional<Index> next;  ///< The next pivot; kNone: no ring is left.
+    /// The trace is meant to end with this pivot, which may lack its last stages.
+    bool ends = false;
     // Written, not read: what a test of one stage needs to know of the run before the pivot.
     std::vector<std::vector<Index>> stack;  ///< The other rings after the pivot, bottom first.
     std::vector<RingStep> open;             ///< Steps of all rings that are no edges of the mesh.
@@ -61,6 +63,9 @@ struct TraceStageRow {
     Stage last;                        ///< Of the decisions that lead to its result.
     TracedPoints TracePivot::*points;  ///< Result of the stage.
 };
+/// True if the pivot has the result of a stage, or was passed over, so that there is none before
+/// its ring.
+bool hasStage(const TracePivot& pivot, TraceStage stage);
 /// All stages, in the order of the enum.
 std::span<const TraceStageRow> traceStages();
 const TraceStageRow& rowOf(TraceStage stage);
@@ -83,10 +88,11 @@ std::string traceHeader(const PointSet& points);
 /// The line of a pivot, with what it has: empty lists of `stack`, `open` and `done` are left out.
 std::string traceLine(const TracePivot& pivot);
 
-/// Reads a trace. `upto`: the last stage that has to be in each line, but for pivots that were
-/// passed over, with an empty fan; those before it may be missing. Fails with name, line and field:
-/// no JSON, not UTF-8, a cut line, a point that does not exist, a fan that does not lead from first
-/// to last. Unknown fields are passed over.
+/// Reads a trace. `upto`: the last stage that has to be in each line but the last one, whose
+/// program may have stopped there, and but for pivots that were passed over, with an empty fan;
+/// those before it may be missing. Fails with name, line and field: no JSON, not UTF-8, a cut line,
+/// a point that does not exist, a fan that does not lead from first to last. Unknown fields are
+/// passed over.
 Result<Trace> readTrace(std::string_view text, const std::string& name,
                         TraceStage upto = TraceStage::Emit);
 /// As readTrace(), of a file of at most kMaxTraceBytes.

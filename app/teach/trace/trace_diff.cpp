@@ -1,13 +1,10 @@
 // Both runs go side by side until the first pivot that differs; only that pivot's events are kept.
-// A point of one fan that the other has not is explained by the last decision about it.
 #include "trace_diff.h"
 
 #include <algorithm>
 #include <cassert>
-#include <unordered_map>
 
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "trace_reasons.h"
 
 namespace se::teach {
 namespace {
@@ -71,221 +68,6 @@ std::optional<TraceStage> firstDifference(const TracePivot& trace, const TracePi
     return std::nullopt;
 }
 
-// ---- reasons ------------------------------------------------------------------------------------
-
-std::string_view sideText(Side side) { return side == Side::Start ? "start" : "end"; }
-
-/// The effect of a decision on its point: "moved start to it", "kept it: inside sphere".
-std::string decisionText(const Event& event) {
-    if (const auto* limit = as<LimitEvidence>(event))
-        return "moved " + std::string(sideText(limit->side)) + " to it";
-    if (verdictOf(event) == Verdict::Kept) return "kept it";
-    return (isAgainst(outcomeOf(event)) ? "left it out: " : "kept it: ") +
-           std::string(endingText(event));
-}
-
-/// True for the tests that decide about a candidate.
-bool decidesCandidate(const Event& event, Index point) {
-    if (testedPoint(event) != point) return false;
-    if (const auto* e = as<LimitEvidence>(event)) return e->moves();
-    if (const auto* e = as<DropEvidence>(event); e && e->isLimit()) return false;
-    return verdictOf(event).has_value();
-}
-
-/// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
-/// test was made, one that kept it, if any did. Null if there is none.
-const Event* decisionAbout(const std::vector<Event>& events, Index point, Stage last) {
-    const Event* found = nullptr;
-    for (const Event& event : events) {
-        if (event.address.stage > last) continue;
-        if (!decidesCandidate(event, point)) continue;
-        // A point that start or end has passed is in the fan, although outside of them.
-        if (found != nullptr && isA<LimitEvidence>(*found)) continue;
-        const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
-                                  isA<ReciprocalEvidence>(*found) &&
-                                  verdictOf(*found) == Verdict::Kept;
-        if (!isOtherEntry) found = &event;
-    }
-    return found;
-}
-
-TraceReason reasonFor(const std::vector<Event>& events, Stage last, const PointSet& points,
-                      Index pivot, Index point, bool inTrace) {
-    const Event* event = decisionAbout(events, point, last);
-    if (event != nullptr) return {point, inTrace, decisionText(*event), event->address};
-    const auto list = points.neighbors[pivot];
-    const bool isListed = std::find(list.begin(), list.end(), point) != list.end();
-    return {point,
-            inTrace,
-            isListed ? "made no decision about it" : "has it not in the list of the pivot",
-            {}};
-}
-
-/// The reasons for the points that only one of two lists has, in the order of the lists.
-std::vector<TraceReason> reasonsFor(const std::vector<Event>& events, Stage last,
-                                    const PointSet& points, Index pivot,
-                                    const std::vector<Index>& trace,
-                                    const std::vector<Index>& run) {
-    const auto has = [](const std::vector<Index>& list, Index point) {
-        return std::find(list.begin(), list.end(), point) != list.end();
-    };
-    std::vector<TraceReason> reasons;
-    for (const Index point : run) {
-        if (!has(trace, point))
-            reasons.push_back(reasonFor(events, last, points, pivot, point, false));
-    }
-    for (const Index point : trace) {
-        if (!has(run, point))
-            reasons.push_back(reasonFor(events, last, points, pivot, point, true));
-    }
-    return reasons;
-}
-
-/// The last event of a stage; null if there is none.
-const Event* lastOf(const std::vector<Event>& events, Stage stage) {
-    const auto found = std::find_if(events.rbegin(), events.rend(), [&](const Event& event) {
-        return event.address.stage == stage;
-    });
-    return found == events.rend() ? nullptr : &*found;
-}
-
-/// A decision of ours as a sentence.
-TraceReason sentenceReason(const Event& event) {
-    std::string text = describe(event);
-    if (text.ends_with('.')) text.pop_back();
-    return {kNone, false, std::move(text), event.address};
-}
-
-/// The last change of the rings about each point.
-using RingChanges = std::unordered_map<Index, Event>;
-
-void takeRingChanges(const std::vector<Event>& events, RingChanges& changes) {
-    for (const Event& event : events) {
-        if (const auto* ring = as<RingEvidence>(event))
-            changes.insert_or_assign(ring->point, event);
-    }
-}
-
-/// The last change about a point, if it entered or left as asked; null otherwise.
-const Event* lastChange(const RingChanges& changes, Index point, bool entered) {
-    const auto found = changes.find(point);
-    if (found == changes.end()) return nullptr;
-    return as<RingEvidence>(found->second)->inserted == entered ? &found->second : nullptr;
-}
-
-/// Why first or last of the same pivot differ: their point has left our ring, or ours has entered.
-void addNeighborReasons(const TracePivot& trace, const TracePivot& run, const RingChanges& changes,
-                        std::vector<TraceReason>& reasons) {
-    for (const auto side : {&TracePivot::first, &TracePivot::last}) {
-        if (trace.*side == run.*side) continue;
-        const Event* change = lastChange(changes, trace.*side, false);
-        if (change == nullptr) change = lastChange(changes, run.*side, true);
-        if (change != nullptr) reasons.push_back(sentenceReason(*change));
-    }
-}
-
-/// Where another pivot is next: the advance, what else changed the rings as a whole at the pivot
-/// before, and the removal of their pivot from our ring.
-void addAdvanceReasons(const TracePivot& trace, const std::vector<Event>& before,
-                       const RingChanges& changes, std::vector<TraceReason>& reasons) {
-    if (const Event* advance = lastOf(before, Stage::Advance))
-        reasons.push_back(sentenceReason(*advance));
-    for (const Event& event : before) {
-        if (isA<SplitEvidence>(event) || isA<JoinEvidence>(event) || isA<CloseEvidence>(event))
-            reasons.push_back(sentenceReason(event));
-    }
-    if (const Event* left = lastChange(changes, trace.p, false))
-        reasons.push_back(sentenceReason(*left));
-}
-
-/// The decisions that led to the pivot: the rings, the advance, third points and seeds.
-std::vector<TraceReason> pivotReasons(const TracePivot& trace, const TracePivot& run,
-                                      const std::vector<Event>& before, const RingChanges& changes,
-                                      const std::vector<Event>& events) {
-    std::vector<TraceReason> reasons;
-    if (trace.p == run.p) addNeighborReasons(trace, run, changes, reasons);
-    if (reasons.empty()) addAdvanceReasons(trace, before, changes, reasons);
-    for (const Stage stage : {Stage::Seed, Stage::Insert}) {
-        if (const Event* event = lastOf(events, stage)) reasons.push_back(sentenceReason(*event));
-    }
-    return reasons;
-}
-
-/// The decision for or against a fan as a whole; nothing if there was none.
-std::vector<TraceReason> fanReasons(const std::vector<Event>& events) {
-    for (const Stage stage : {Stage::Guard, Stage::TwoPoint, Stage::Skip}) {
-        if (const Event* event = lastOf(events, stage)) return {sentenceReason(*event)};
-    }
-    return {};
-}
-
-/// The changes of the rings at the pivot.
-std::vector<TraceReason> ringReasons(const std::vector<Event>& events) {
-    std::vector<TraceReason> reasons;
-    for (const Event& event : events) {
-        const Stage stage = event.address.stage;
-        if (stage == Stage::Ring || stage == Stage::Split || stage == Stage::Join ||
-            stage == Stage::Advance)
-            reasons.push_back(sentenceReason(event));
-    }
-    return reasons;
-}
-
-std::string stageWhat(TraceStage stage) {
-    if (stage == TraceStage::Emit) return "the fans differ";
-    if (stage == TraceStage::Ring) return "the edge rings differ";
-    return "the candidates after " + std::string(rowOf(stage).name) + " differ";
-}
-
-/// The candidates of a stage, of the fan those between first and last; of the limits with start and
-/// end.
-std::vector<Index> pointsOf(const TracePivot& pivot, const TracePivot& both, TraceStage stage) {
-    const TracedPoints& points = pivot.*rowOf(stage).points;
-    std::vector<Index> list = points.value_or(std::vector<Index>{});
-    if (stage == TraceStage::Emit && !list.empty()) return {list.begin() + 1, list.end() - 1};
-    if (stage != TraceStage::Limits) return list;
-    for (const auto limit : {&TracePivot::start, &TracePivot::end}) {
-        if (both.*limit && pivot.*limit) list.push_back(*(pivot.*limit));
-    }
-    return list;
-}
-
-TraceDifference differenceAt(std::optional<TracePivot> trace, std::optional<TracePivot> run,
-                             std::optional<TraceStage> stage, const std::vector<Event>& before,
-                             const RingChanges& changes, const std::vector<Event>& events,
-                             const PointSet& points) {
-    TraceDifference found;
-    found.stage = stage;
-    found.trace = std::move(trace);
-    found.run = std::move(run);
-    if (!found.trace) {
-        found.what = "the trace ends, our run goes on (with --upto a trace may end early)";
-    } else if (!found.run) {
-        found.what = "our run has ended, the trace goes on";
-    } else if (!stage) {
-        const bool same = found.trace->p == found.run->p;
-        found.what = same ? "the edge rings beside it differ" : "the pivots differ";
-        found.reasons = pivotReasons(*found.trace, *found.run, before, changes, events);
-    } else if (*stage == TraceStage::Ring) {
-        found.what = stageWhat(*stage);
-        found.reasons = ringReasons(events);
-    } else {
-        found.what = stageWhat(*stage);
-        found.reasons = reasonsFor(events, rowOf(*stage).last, points, found.run->p,
-                                   pointsOf(*found.trace, *found.trace, *stage),
-                                   pointsOf(*found.run, *found.trace, *stage));
-        const bool noFan =
-            *stage == TraceStage::Emit && found.trace->fan->empty() != found.run->fan->empty();
-        if (noFan) {
-            for (TraceReason& each : fanReasons(events)) found.reasons.push_back(std::move(each));
-            found.what += found.run->fan->empty() ? ": ours has none" : ": yours has none";
-        } else if (found.reasons.empty()) {
-            found.what += ": the same points in another order";
-        }
-    }
-    return found;
-}
-
 std::string pivotText(const TracePivot& pivot) {
     return "point " + std::to_string(pivot.p) + " between " + std::to_string(pivot.first) +
            " and " + std::to_string(pivot.last);
@@ -302,6 +84,44 @@ std::string countedPivots(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " pivot" : " pivots");
 }
 
+/// The end of a trace that is alike so far, at our next pivot or in it.
+TraceDifference earlyEnd(std::optional<TracePivot> trace, TracePivot ours, TracedRun& run,
+                         std::size_t alike) {
+    TraceDifference found;
+    found.trace = std::move(trace);
+    found.run = std::move(ours);
+    found.runPivots = alike + 1;
+    while (run.next()) ++found.runPivots;
+    found.what = "the trace ends, our run goes on";
+    return found;
+}
+
+/// The last stage that a pivot has; nothing if it has none.
+std::optional<TraceStage> lastStage(const TracePivot& pivot) {
+    std::optional<TraceStage> last;
+    for (const TraceStageRow& row : traceStages()) {
+        if (pivot.*row.points) last = row.id;
+    }
+    return last;
+}
+
+/// "alike as far as yours goes, 5 pivots and pivot 6 up to limits; ours goes on to 83 pivots"
+std::string earlyEndText(const TraceComparison& comparison) {
+    const TraceDifference& found = *comparison.difference;
+    const auto reached = found.trace ? lastStage(*found.trace) : std::nullopt;
+    if (comparison.alike == 0 && !reached) {
+        return "yours has no pivots, ours has " + std::to_string(found.runPivots) +
+               ": nothing is compared\n";
+    }
+    std::string text = "alike as far as yours goes, " + countedPivots(comparison.alike);
+    if (reached) {
+        text += " and pivot " + std::to_string(found.pivot) + " up to " +
+                std::string(rowOf(*reached).name);
+    }
+    return text + "; ours goes on to " + countedPivots(found.runPivots) +
+           "\n  the last line of a trace that is meant to end early has \"ends\": true\n";
+}
+
 }  // namespace
 
 Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
@@ -314,7 +134,7 @@ Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& poi
     RingChanges changes;
     while (true) {
         const bool ended = comparison.alike == trace.pivots.size();
-        if (ended && upto) return comparison;
+        if (ended && comparison.alike > 0 && trace.pivots.back().ends) return comparison;
         if (progress && !progress(static_cast<double>(comparison.alike) /
                                   static_cast<double>(trace.pivots.size() + 1)))
             return Error{"cancelled"};
@@ -325,15 +145,21 @@ Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& poi
         std::optional<TracePivot> theirs;
         if (!ended) theirs = trace.pivots[comparison.alike];
         std::optional<TraceStage> stage;
+        bool endsEarly = ended;
         if (ours && theirs && isSamePivot(*theirs, *ours)) {
             stage = firstDifference(*theirs, *ours, upto.value_or(TraceStage::Ring));
-            if (!stage) {
+            // Only the last pivot of a trace may lack its last stages.
+            endsEarly =
+                !stage && !theirs->ends && !hasStage(*theirs, upto.value_or(TraceStage::Emit));
+            if (!stage && !endsEarly) {
                 ++comparison.alike;
                 continue;
             }
         }
-        comparison.difference = differenceAt(std::move(theirs), std::move(ours), stage, before,
-                                             changes, run.events(), *points);
+        comparison.difference =
+            endsEarly ? earlyEnd(std::move(theirs), std::move(*ours), run, comparison.alike)
+                      : differenceAt(std::move(*theirs), std::move(ours), stage, before, changes,
+                                     run.events(), *points);
         comparison.difference->pivot = comparison.alike + 1;
         return comparison;
     }
@@ -351,7 +177,8 @@ TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Para
             return match;
         ++match.alike;
     }
-    match.whole = upto.has_value() || !run.next();
+    const bool mayEnd = upto || (match.alike > 0 && trace.pivots.back().ends);
+    match.whole = mayEnd || !run.next();
     return match;
 }
 
@@ -373,9 +200,11 @@ std::string reasonText(const TraceReason& reason) {
 std::string differenceText(const TraceComparison& comparison) {
     const std::string alike = countedPivots(comparison.alike) + " alike";
     if (!comparison.difference) return "all " + alike + "\n";
-    std::string text = "after " + alike + ", " + headText(*comparison.difference) + "\n";
-    for (const TraceReason& each : comparison.difference->reasons)
-        text += "  " + reasonText(each) + "\n";
+    const TraceDifference& found = *comparison.difference;
+    if (found.runPivots > 0) return earlyEndText(comparison);
+    std::string text = "after " + alike + ", " + headText(found) + "\n";
+    for (const std::string& each : found.both) text += "  " + each + "\n";
+    for (const TraceReason& each : found.reasons) text += "  " + reasonText(each) + "\n";
     return text;
 }
 

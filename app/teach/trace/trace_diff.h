@@ -28,9 +28,13 @@ struct TraceDifference {
     std::size_t pivot = 0;            ///< From 1.
     std::string what;                 ///< "the fans differ"
     std::optional<TraceStage> stage;  ///< That differs; nothing if it is the pivot itself.
-    std::optional<TracePivot> trace;  ///< Nothing: the trace has ended.
+    std::optional<TracePivot> trace;  ///< Nothing: the trace has ended. It may end in a pivot.
     std::optional<TracePivot> run;    ///< Nothing: the run has ended.
     std::vector<TraceReason> reasons;
+    /// Results of both, where they are no lists of candidates: "start: yours 19, ours 18".
+    std::vector<std::string> both;
+    /// Pivots of our whole run, where the trace ends before it, alike so far; otherwise 0.
+    std::size_t runPivots = 0;
 };
 
 /// The outcome of a comparison.
@@ -40,8 +44,8 @@ struct TraceComparison {
 };
 
 /// Compares pivot by pivot: p, first and last, then of the stages those that the trace has.
-/// `upto`: no stage after this one; then the trace may also end before the run. Fails if cancelled.
-/// Requires requireTraceOf().
+/// `upto`: no stage after this one. A trace that ends before the run differs, unless its last pivot
+/// says that it is meant to end there. Fails if cancelled. Requires requireTraceOf().
 Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
                                      const Params& params, std::optional<TraceStage> upto,
                                      const Progress& progress = {});
@@ -60,7 +64,7 @@ std::string headText(const TraceDifference& difference);
 /// "yours has no 17: ours moved start to it, 8.limits.1 (6.1)"
 std::string reasonText(const TraceReason& reason);
 /// The difference in lines of text: "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the
-/// fans differ", then a line for each reason.
+/// fans differ", then a line for each result of both and for each reason.
 std::string differenceText(const TraceComparison& comparison);
 
 }  // namespace se::teach

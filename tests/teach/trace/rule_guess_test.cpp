@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "traced_scenes.h"
@@ -26,7 +27,7 @@ TEST_CASE("a planted change of one rule is named") {
     Trace trace;
     trace.pivots.resize(83);
     CHECK(guessText(guess, trace) ==
-          "your whole trace, 83 pivots, is what --rule limits=off gives\n");
+          "your whole trace, 83 pivots, behaves like --rule limits=off\n");
 }
 
 TEST_CASE("two changes are no single one, and the one alike for longest is named") {
@@ -49,6 +50,18 @@ TEST_CASE("a half-built program is guessed by the stages that it has") {
         guessFor(scene, withRule(scene.params, "maxangle=off"), TraceStage::Sort);
     REQUIRE(guess.whole.size() >= 1);
     CHECK(lineOf(guess.whole[0]) == "maxangle=off");
+}
+
+TEST_CASE("a rule is named by the fans where stages differ from ours without the rule") {
+    const TracedScene scene = tracedScene("figure-8");
+    const Params without = withRule(scene.params, "limits=off");
+    Trace trace = readTrace(traceText(scene.points, without, TraceDetail::Stages), "x").value();
+    for (TracePivot& each : trace.pivots) {
+        if (each.sort) std::reverse(each.sort->begin(), each.sort->end());
+    }
+    const RuleGuess guess = guessRules(trace, scene.points, scene.params, {}).value();
+    REQUIRE(guess.whole.size() == 1);
+    CHECK(lineOf(guess.whole[0]) == "limits=off");
 }
 
 TEST_CASE("every other value of the paper's switches is tried") {

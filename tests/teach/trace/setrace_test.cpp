@@ -63,7 +63,8 @@ TEST_CASE("a malformed trace is refused with line and field") {
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,6,2]}\n") ==
           "x.setrace: line 2: \"fan\": expected the number of a point, from 0 to 5, got \"6\"");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[3,2]}\n") ==
-          "x.setrace: line 2: \"fan\": expected points from first, 1, to last, 2");
+          "x.setrace: line 2: \"fan\": expected points from first, 1, to last, 2, got \"[3,2]\" "
+          "at pivot 1 (point 0)");
     CHECK(traceFault("\n{\"p\":-1,\"first\":1,\"last\":2,\"fan\":[]}\n") ==
           "x.setrace: line 3: \"p\": expected the number of a point, from 0 to 5, got \"-1\"");
     CHECK(
@@ -76,8 +77,10 @@ TEST_CASE("a malformed trace is refused with line and field") {
           "the last line may be cut off");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,2],\"x\":\"\xff\"}\n") ==
           "x.setrace: line 2: not UTF-8; a trace is a text file");
-    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2}\n") ==
+    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2}\n{\"p\":0,\"first\":1,\"last\":2}\n") ==
           "x.setrace: line 2: \"fan\": expected a list of points, it is missing");
+    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[],\"ends\":1}\n") ==
+          "x.setrace: line 2: \"ends\": expected true or false, got \"1\"");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":7}\n") ==
           "x.setrace: line 2: \"fan\": expected a list of points, got \"7\"");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":1,\"fan\":[1]}\n") ==
@@ -102,11 +105,26 @@ TEST_CASE("a malformed header of a trace is refused") {
 TEST_CASE("only the last stage that is compared has to be in a line") {
     const std::string sorted = "{\"p\":0,\"first\":1,\"last\":2,\"sort\":[3]}\n";
     CHECK(traceFault(sorted, TraceStage::Sort) == "none");
-    CHECK(traceFault(sorted, TraceStage::Sphere) ==
+    CHECK(traceFault(sorted + sorted, TraceStage::Sphere) ==
           "x.setrace: line 2: \"sphere\": expected a list of points, it is missing");
     // Passed over, a pivot has no stages.
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[]}\n", TraceStage::Sphere) ==
           "none");
+}
+
+TEST_CASE("the last pivot of a trace may lack stages, where its program stopped") {
+    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2}\n") == "none");
+    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,2]}\n", TraceStage::Ring) ==
+          "none");
+}
+
+TEST_CASE("only the last pivot of a trace can say that it ends there") {
+    const std::string meant = "{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,2],\"ends\":true}\n";
+    const Trace trace = readTrace(kHeader + meant, "x").value();
+    CHECK(trace.pivots[0].ends);
+    CHECK(traceLine(trace.pivots[0]) == meant);
+    CHECK(traceFault(meant + meant) ==
+          "x.setrace: line 2: \"ends\": expected in the last line only, another pivot follows");
 }
 
 TEST_CASE("unknown fields of a trace are passed over") {

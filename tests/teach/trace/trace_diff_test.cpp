@@ -71,15 +71,38 @@ TEST_CASE("another first or last is named with the point that left our ring, or 
     CHECK(textOfDifference(scene, trace).find("48 ") != std::string::npos);
 }
 
-TEST_CASE("a trace that ends early differs, unless it is compared up to a stage") {
+TEST_CASE("a trace that ends early differs, unless its last pivot says that it is meant to") {
     const TracedScene scene = tracedScene("figure-8");
     Trace trace = traceOf(scene, "");
     trace.pivots.resize(10);
-    CHECK(textOfDifference(scene, trace).starts_with("after 10 pivots alike, pivot 11 (point "));
-    CHECK(textOfDifference(scene, trace, TraceStage::Emit) == "all 10 pivots alike\n");
+    for (const std::optional<TraceStage> upto : {std::optional<TraceStage>{}, {TraceStage::Emit}}) {
+        CHECK(textOfDifference(scene, trace, upto) ==
+              "alike as far as yours goes, 10 pivots; ours goes on to 76 pivots\n"
+              "  the last line of a trace that is meant to end early has \"ends\": true\n");
+    }
+    trace.pivots.back().ends = true;
+    CHECK(textOfDifference(scene, trace) == "all 10 pivots alike\n");
+    trace.pivots.back().fan = {trace.pivots[9].first, trace.pivots[9].last};
+    CHECK(textOfDifference(scene, trace).find("the fans differ") != std::string::npos);
+    trace.pivots.clear();
+    CHECK(textOfDifference(scene, trace, TraceStage::Emit) ==
+          "yours has no pivots, ours has 76: nothing is compared\n");
     Trace longer = traceOf(scene, "");
     longer.pivots.push_back(longer.pivots.back());
     CHECK(textOfDifference(scene, longer).find("our run has ended") != std::string::npos);
+}
+
+TEST_CASE("a trace that ends in a pivot is compared as far as it goes") {
+    const TracedScene scene = tracedScene("figure-8");
+    Trace trace = traceOf(scene, "", TraceDetail::Stages);
+    trace.pivots.resize(6);
+    TracePivot& last = trace.pivots.back();
+    last.reciprocal = last.hole = last.sphere = last.fan = last.ring = std::nullopt;
+    CHECK(textOfDifference(scene, trace, TraceStage::Ring)
+              .starts_with("alike as far as yours goes, 5 pivots and pivot 6 up to limits; ours "));
+    last.sort = std::vector<Index>{};
+    CHECK(textOfDifference(scene, trace).find("the candidates after sort differ") !=
+          std::string::npos);
 }
 
 TEST_CASE("stages are compared in their order, up to the last one asked for") {
@@ -87,6 +110,7 @@ TEST_CASE("stages are compared in their order, up to the last one asked for") {
     Trace trace = traceOf(scene, "sphere=off", TraceDetail::Stages);
     CHECK(textOfDifference(scene, trace, TraceStage::Hole).starts_with("after 1 pivot alike"));
     trace.pivots.resize(1);
+    trace.pivots[0].ends = true;
     CHECK(textOfDifference(scene, trace, TraceStage::Hole) == "all 1 pivot alike\n");
     CHECK(textOfDifference(scene, trace, TraceStage::Sphere)
               .find("the candidates after sphere differ\n  yours has 3: ours left it out: removed, "
@@ -137,8 +161,14 @@ TEST_CASE("moved limits are compared where a trace has them") {
     Trace trace = traceOf(scene, "", TraceDetail::Stages);
     trace.pivots[0].start = trace.pivots[0].first;
     const std::string text = textOfDifference(scene, trace, TraceStage::Limits);
-    CHECK(text.find("the candidates after limits differ\n  yours has no 5: ours moved start to it, "
-                    "1.limits.1 (6.1)") != std::string::npos);
+    CHECK(text.find(
+              "the candidates after limits differ\n  start: yours 1, ours 5\n  ours: Point 5 ") !=
+          std::string::npos);
+    CHECK(text.find(", 1.limits.1 (6.1)") != std::string::npos);
+    trace.pivots[0].start = 8;
+    CHECK(
+        textOfDifference(scene, trace, TraceStage::Limits).find("start stays, 1.limits.2 (6.1)") !=
+        std::string::npos);
 }
 
 TEST_CASE("another edge ring is named with the changes of ours") {
@@ -147,7 +177,8 @@ TEST_CASE("another edge ring is named with the changes of ours") {
     trace.pivots[34].ring->pop_back();
     const std::string text = textOfDifference(scene, trace);
     CHECK(text.find("after 34 pivots alike, pivot 35") == 0);
-    CHECK(text.find("the edge rings differ") != std::string::npos);
+    CHECK(text.find("the edge rings differ\n  ring from place ") != std::string::npos);
+    CHECK(text.find(" on: yours no more, ours ") != std::string::npos);
     CHECK(text.find("35.split.1 (6.5)") != std::string::npos);
 }
 
