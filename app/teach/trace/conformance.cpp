@@ -1,8 +1,12 @@
 #include "conformance.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
+#include "spiraling_edge/base/random.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/figure_scenes.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 #include "trace_run.h"
@@ -27,6 +31,86 @@ PointFile opposingNormals() {
     return withNeighborLists(findScene("sharp-crease")->build(), lists);
 }
 
+/// A cloud of points that are no surface: rare cases are frequent there.
+struct CloudShape {
+    std::uint64_t seed;
+    std::size_t count;
+    double cells;   ///< Coordinates are multiples of one over this.
+    double height;  ///< Of a cloud that is 1 wide.
+    double tilt;    ///< Of the normals from z: up to half of this in x and in y.
+    std::size_t neighbors;
+};
+
+PointFile cloudPoints(const CloudShape& shape) {
+    PointFile file;
+    file.positionType = file.normalType = ScalarType::Double;
+    SplitMix random(shape.seed);
+    while (file.position.size() < shape.count) {
+        Vec3 x = random.inBox(Vec3(0.0), Vec3(shape.cells));
+        for (int i = 0; i < 3; ++i) x[i] = std::floor(x[i]) / shape.cells;
+        x.z *= shape.height;
+        const double u = shape.tilt * (random.unit() - 0.5);
+        const double v = shape.tilt * (random.unit() - 0.5);
+        if (std::find(file.position.begin(), file.position.end(), x) != file.position.end())
+            continue;
+        file.position.push_back(x);
+        file.normal.push_back(Vec3(u, v, 1.0) / std::sqrt(u * u + v * v + 1.0));
+    }
+    return withNeighborLists(file, {KNearest{shape.neighbors}});
+}
+
+/// The bay of Figure 4, of which no step is an edge: neither start nor end may move.
+GivenStart openBay() {
+    GivenStart start{.rings = {{0, 2, 6, 3, 4, 5, 1}}};
+    const std::vector<Index>& ring = start.rings.front();
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        start.open.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    return start;
+}
+
+/// The hole of Figure 7 without a triangle beyond its third step, which is open.
+GivenStart openHole() {
+    GivenStart start = figure7Start();
+    start.triangles.erase(start.triangles.begin());
+    start.rings = {{5, 6, 7, 8}, {5, 1, 2}, {0, 2, 1}};
+    start.open = {{1, 2}, {2, 1}};
+    return start;
+}
+
+/// Figure 6 with a new ring of two where the other patch was: its sector is a full turn.
+GivenStart ringOfTwo() {
+    GivenStart start = figure6Start();
+    start.triangles.resize(3);
+    start.rings.front() = {5, 7};
+    start.open = {{5, 7}, {7, 5}};
+    return start;
+}
+
+/// What no figure and no sample of a surface shows.
+std::vector<ConformanceInput> rareInputs() {
+    return {
+        {"open-steps", "Start and end do not move over open steps", figure4Points, openBay},
+        {"open-hole", "A ring of three with an open step is no hole", figure7Points, openHole},
+        {"ring-of-two", "The sector in a ring of two is a full turn", figure6Points, ringOfTwo},
+        {"cloud-holes", "Holes of three whose plane follows three normals",
+         [] {
+             return cloudPoints({2683, 15, 64, 1.0, 1.0, 8});
+         }},
+        {"cloud-half-turn", "No move of start across 180 degrees",
+         [] {
+             return cloudPoints({7291, 18, 64, 0.5, 1.0, 11});
+         }},
+        {"cloud-entries", "A second ring entry whose sector holds the pivot",
+         [] {
+             return cloudPoints({2631, 16, 64, 0.0, 1.0, 12});
+         }},
+        {"cloud-in-line", "The neighbors beside a candidate lie in line with the pivot",
+         [] {
+             return cloudPoints({1418, 17, 6, 0.125, 0.0, 11});
+         }},
+    };
+}
+
 ConformanceInput sceneInput(std::string_view id, std::string_view shows) {
     const Scene* scene = findScene(id);
     assert(scene != nullptr);
@@ -47,6 +131,7 @@ std::vector<ConformanceInput> buildInputs() {
                       "Lists with neighbors that a run leaves out, since their "
                       "normals oppose",
                       opposingNormals});
+    for (const ConformanceInput& each : rareInputs()) inputs.push_back(each);
     return inputs;
 }
 
