@@ -9,13 +9,16 @@
 Exit code: 0 all right, 1 a stage is wrong or not written, 2 wrong usage.
 """
 import argparse
+import contextlib
 import hashlib
 import importlib
 import json
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
+import traceback
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM = shutil.which("spiraling-edge")
@@ -27,8 +30,8 @@ sys.path += [str(folder) for folder in SHARES]
 try:
     import setrace
 except ModuleNotFoundError:
-    sys.exit("lab.py: setrace.py is missing; copy it from share/spiraling-edge/ of the program to "
-             "this folder")
+    sys.exit("lab.py: setrace.py is missing; copy it to this folder, from share/spiraling-edge/ of "
+             "the installed program or app/teach/share/ of a checkout")
 from geometry import Pivot  # noqa: E402
 
 DATA = pathlib.Path("data")
@@ -36,8 +39,73 @@ STAGES = ["sort", "limits", "reciprocal", "hole", "sphere", "emit"]
 MINE = {"shape": "torus", "points": 120, "neighbors": 10}
 
 
+SECONDS = 5  # The most that one call of a stage may take.
+# The parts of a pivot in the addresses of its decisions, in their order.
+PARTS = ["pivot", "skip", "insert", "sort", "limits", "convex", "reciprocal", "hole", "sphere",
+         "twopoint", "emit", "ring", "split", "join", "advance"]
+
+
+class Fault(Exception):
+    """What is wrong with a stage beside its result, as a sentence."""
+
+
+@contextlib.contextmanager
+def time_limit():
+    """Raises TimeoutError after SECONDS, where the system can."""
+    def stop(*_):
+        raise TimeoutError(f"no end after {SECONDS} seconds")
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def where_in_stage(problem):
+    """"stages/limits.py, line 31: ", or nothing if no stage was running."""
+    places = [(frame.filename, frame.lineno) for frame in traceback.extract_tb(problem.__traceback__)]
+    if isinstance(problem, SyntaxError):
+        places.append((problem.filename or "", problem.lineno))
+    places = [(file, line) for file, line in places if pathlib.Path(file).parent.name == "stages"]
+    return "stages/{}, line {}: ".format(pathlib.Path(places[-1][0]).name, places[-1][1]) \
+        if places else ""
+
+
 def call(stage, function, *arguments):
-    return getattr(importlib.import_module(stage), function)(*arguments)
+    """The result of a stage. Raises Fault if there is none, NotImplementedError if it is a stub."""
+    try:
+        with time_limit():
+            result = getattr(importlib.import_module(stage), function)(*arguments)
+    except NotImplementedError:
+        raise NotImplementedError(f"stages/{stage}.py is not written yet") from None
+    except Exception as problem:  # Whatever the student's code does.
+        raise Fault(f"{where_in_stage(problem)}{type(problem).__name__}: {problem}") from problem
+    if result is None:
+        raise Fault(f"stages/{stage}.py: {function} returns nothing")
+    if stage != "limits" and not isinstance(result, list):
+        raise Fault(f"stages/{stage}.py: {function} returns no list: {result}")
+    return result
+
+
+def call_limits(at, candidates):
+    result = call("limits", "limits", at, candidates)
+    if not isinstance(result, tuple) or len(result) != 3 or \
+            not all(place in range(1, len(at.ring)) for place in result[:2]):
+        raise Fault("stages/limits.py: expected (start, end, candidates), start and end places from "
+                    f"1 to {len(at.ring) - 1}, got {result}")
+    return result
+
+
+def labeled(result):
+    """"start 129, end 76, left [4, 8]", or a list as it is."""
+    if not isinstance(result, dict):
+        return str(result)
+    return ", ".join(f"{label} {value}" for label, value in result.items())
 
 
 # ---- the stages, each with the results of our run before it --------------------------------------
@@ -58,9 +126,9 @@ def try_sort(at, line):
 
 
 def try_limits(at, line):
-    start, end, candidates = call("limits", "limits", at, list(line["sort"]))
-    return ((at.ring[start], at.ring[end], candidates),
-            (line["start"], line["end"], line["limits"]))
+    start, end, candidates = call_limits(at, list(line["sort"]))
+    return ({"start": at.ring[start], "end": at.ring[end], "left": candidates},
+            {"start": line["start"], "end": line["end"], "left": line["limits"]})
 
 
 def try_reciprocal(at, line):
@@ -85,18 +153,21 @@ def try_emit(at, line):
     arguments = (*limits_of(at, line), list(line["sphere"]))
     fan = call("emit", "fan", at, *arguments)
     if fan != line["fan"] or not is_plain(at, line, line["sphere"]):
-        return fan, line["fan"]
+        return {"fan": fan}, {"fan": line["fan"]}
     ring = call("emit", "ring", at, *arguments, list(line["fan"]))
-    return (fan, ring), (line["fan"], line["ring"])
+    return {"fan": fan, "ring": ring}, {"fan": line["fan"], "ring": line["ring"]}
 
 
 # ---- the data ------------------------------------------------------------------------------------
 
 def inputs():
-    """The inputs of the data folder: name, points, start, pivots."""
+    """The inputs of the data folder, the figures first: name, points, start, pivots."""
+    def order(path):
+        word, _, number = path.stem.partition("-")
+        return word == "cloud", word != "figure", int(number) if word == "figure" else 0, path.stem
     if not (DATA / "mine.json").exists():
         sys.exit("lab.py: there is no data; make it with: ./lab.py data --seed N")
-    for path in sorted(DATA.glob("*.setrace")):
+    for path in sorted(DATA.glob("*.setrace"), key=order):
         start = path.with_suffix(".start.json")
         yield (path.stem, setrace.read_points(path.with_suffix(".ply")),
                json.loads(start.read_text()) if start.exists() else {}, setrace.read(path)[1])
@@ -119,6 +190,33 @@ def cases(points, start, pivots):
         open_steps = {tuple(step) for step in line.get("open", [])}
 
 
+def ask(*words):
+    """The lines that the program prints; none without the program."""
+    if not PROGRAM:
+        return []
+    return subprocess.run([PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          universal_newlines=True).stdout.splitlines()
+
+
+def nearest_address(source, number, stage):
+    """The decisions of a stage, or those of the last part before it that the pivot has."""
+    parts = {line.split(".")[1] for line in ask("run", *source, "-q", "--trace", "-")
+             if line.startswith(f"{number}.")}
+    parts = [part for part in PARTS[:PARTS.index(stage) + 1] if part in parts]
+    return f"{number}.{parts[-1]}" if parts else str(number)
+
+
+def see(name, number, stage):
+    """The command that shows the decision."""
+    source = [str(DATA / f"{name}.ply")]
+    if any(line.split()[0] == f"scene:{name}" for line in ask("scenes") if line.strip()):
+        source = [f"scene:{name}"]
+    elif (DATA / f"{name}.start.json").exists():
+        source += ["--start", str(DATA / f"{name}.start.json")]
+    return " ".join(["spiraling-edge-viewer", *source, "--goto",
+                     nearest_address(source, number, stage)])
+
+
 def test(stage):
     """Tests one stage on all inputs. Returns the number of pivots, and the first fault or None."""
     count = 0
@@ -129,12 +227,11 @@ def test(stage):
                 yours, ours = globals()["try_" + stage](at, line)
             except NotImplementedError:
                 return count, "not written yet"
-            except Exception as problem:  # Whatever the student's code does.
-                return count, f"{where}: {type(problem).__name__}: {problem}"
+            except Fault as fault:
+                return count, f"{where}: {fault}"
             if yours != ours:
-                source = "data/mine.ply" if name == "mine" else f"data/{name}.ply"
-                return count, (f"wrong at {where}\n  yours: {yours}\n  ours:  {ours}\n"
-                               f"  see: spiraling-edge-viewer {source} --goto {number}.{stage}")
+                return count, (f"wrong at {where}\n  yours: {labeled(yours)}\n"
+                               f"  ours:  {labeled(ours)}\n  see: {see(name, number, stage)}")
             count += 1
     return count, None
 
@@ -178,30 +275,56 @@ def hand_in(_):
     return 0 if all(fault is None for _, fault in results.values()) else 1
 
 
+def run_pivot(at, line):
+    """The ring after a pivot, or None if it meets a point again or closes, which is not part of the
+    lab. `line` takes the results of the stages, as far as they come."""
+    line["sort"] = call("sort", "sort", at)
+    start, end, line["limits"] = call_limits(at, list(line["sort"]))
+    line.update(start=at.ring[start], end=at.ring[end])
+    line["reciprocal"] = call("reciprocal", "reciprocal", at, list(line["limits"]))
+    line["hole"] = call("hole", "hole", at, start, end, list(line["reciprocal"]))
+    line["sphere"] = candidates = call("sphere", "sphere", at, start, end, list(line["hole"]))
+    fan = call("emit", "fan", at, start, end, list(candidates))
+    line["fan"] = fan
+    if fan and (any(x in at.entries for x in candidates) or start - end + 1 + len(candidates) <= 3):
+        line["ends"] = True
+        return None
+    ring = call("emit", "ring", at, start, end, list(candidates), list(fan))
+    if len(ring) < 3:
+        raise Fault(f"stages/emit.py: ring returns fewer than 3 points: {ring}")
+    line.update(ring=ring, next=ring[0])
+    return ring
+
+
 def run(arguments):
     points = setrace.read_points(arguments.points)
+    limit = 10 * len(points.position)
     p = 0
     ring = [p, points.lists[p][0]]
     open_steps, done = {(ring[0], ring[1]), (ring[1], ring[0])}, set()
     with setrace.Writer(arguments.output, points.position) as trace:
-        for number in range(1, 10 * len(points.position)):
+        for number in range(1, limit + 1):
             at = Pivot(points, ring[0], ring, [], open_steps, done)
-            start, end, candidates = call("limits", "limits", at, call("sort", "sort", at))
-            candidates = call("reciprocal", "reciprocal", at, candidates)
-            candidates = call("hole", "hole", at, start, end, candidates)
-            candidates = call("sphere", "sphere", at, start, end, candidates)
-            fan = call("emit", "fan", at, start, end, candidates)
-            if any(x in at.entries for x in candidates):
-                print(f"pivot {number} meets a point of the ring again: split and join are not part "
-                      f"of the lab; {number - 1} pivots are in {arguments.output}")
+            line = {}
+            try:
+                ring = run_pivot(at, line)
+            except (Fault, NotImplementedError) as fault:
+                print(f"pivot {number} (point {at.p} between {at.first} and {at.last}): "
+                      f"{fault}")
+                return 1
+            finally:
+                trace.pivot(at.p, at.first, at.last, **line)
+            if ring is None:
+                print(f"pivot {number} meets a point of the ring again, or closes it: the lab ends "
+                      f"before split and join; {number} pivots are in {arguments.output}")
                 return 0
-            ring = call("emit", "ring", at, start, end, candidates, fan)
-            trace.pivot(at.p, at.first, at.last, fan, ring=ring, next=ring[0])
             done = done | (set(at.ring) - set(ring))
-            if fan:
+            if line["fan"]:
                 open_steps = {step for step in open_steps
                               if at.p not in step and set(step) <= set(ring)}
-    return 0
+    print(f"stopped after {limit} pivots, 10 for each point: the ring does not end; the first fault "
+          f"is found by: spiraling-edge diff {arguments.output} {arguments.points}")
+    return 1
 
 
 def main():

@@ -1558,7 +1558,7 @@ traces_are_compared() {
     expect 1 diff mine.setrace scene:figure-8
     says out "after 7 pivots alike, pivot 8 (point 11 between 1 and 3): the fans differ"
     says out "  yours has no 17: ours moved start to it, 8.limits.1 (6.1)"
-    says out "your whole trace, 83 pivots, is what --rule limits=off gives"
+    says out "your whole trace, 83 pivots, behaves like --rule limits=off"
     expect 1 diff mine.setrace scene:figure-8 --json
     says out '"rules": ['
     is "$(number alike out)" 7 "pivots alike"
@@ -1568,7 +1568,13 @@ traces_are_compared() {
     says out "all 83 pivots alike"
     head -5 mine.setrace >part.setrace
     expect 1 diff part.setrace scene:figure-8 --rule limits=off
-    expect 0 diff part.setrace scene:figure-8 --rule limits=off --upto emit
+    expect 1 diff part.setrace scene:figure-8 --rule limits=off --upto emit
+    says out "alike as far as yours goes, 4 pivots; ours goes on to 83 pivots"
+    sed '5s/}$/,"ends":true}/' part.setrace >meant.setrace
+    expect 0 diff meant.setrace scene:figure-8 --rule limits=off
+    head -1 mine.setrace >none.setrace
+    expect 1 diff none.setrace scene:figure-8 --upto emit
+    says out "yours has no pivots, ours has 76"
     expect 0 run scene:figure-8 -q --trace stages.setrace --trace-stages
     "$program" diff - scene:figure-8 --upto ring <stages.setrace | grep -q "all 76 pivots" ||
         fail "a trace from standard input"
@@ -1610,7 +1616,7 @@ bad_traces_are_malformed_input() {
 conformance_is_written() {
     local trace input start
     expect 0 figures --conformance made
-    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "26 26" "inputs and traces"
+    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "33 33" "inputs and traces"
     for trace in made/*.setrace; do
         input=${trace%.setrace}
         start=()
@@ -1619,7 +1625,7 @@ conformance_is_written() {
     done
     expect 0 run made/opposing-normals.ply -q --rule opposing=off --trace opposing.setrace -o x.ply
     expect 1 diff opposing.setrace made/opposing-normals.ply
-    says out "is what --rule opposing=off gives"
+    says out "behaves like --rule opposing=off"
     expect 2 figures --conformance missing/folder
     says err "cannot be made"
     expect 2 figures 8 --conformance made
@@ -1786,7 +1792,7 @@ lab_with_solution() {
     mkdir bin && ln -s "$program" bin/spiraling-edge
     export PATH=$PWD/bin:$PATH PYTHONDONTWRITEBYTECODE=1
     ./lab.py data --seed 4711 >out || fail "data: $(cat out)"
-    says out "27 inputs with traces are in data/"
+    says out "34 inputs with traces are in data/"
     cp -r stages stubs
     cp "$root"/tests/lab/reference/*.py stages
 }
@@ -1795,13 +1801,13 @@ lab_is_solved() {
     command -v python3 >/dev/null || return 0
     lab_with_solution
     ./lab.py hand-in >out || fail "the solution is wrong"
-    is "$(grep -c ': right at 1132 pivots' out)" 6 "stages that are right"
+    is "$(grep -c ': right at 1216 pivots' out)" 6 "stages that are right"
     is "$(grep -c '"right": true' hand-in.json)" 6 "stages handed in"
     says hand-in.json '"seed": 4711'
     ./lab.py run data/mine.ply >out || fail "run"
     says out "pivot 30 meets a point of the ring again"
-    expect 0 diff mine.setrace data/mine.ply --upto ring
-    says out "all 29 pivots alike"
+    expect 0 diff mine.setrace data/mine.ply
+    says out "all 30 pivots alike"
     cp data/mine.ply first.ply
     ./lab.py data --seed 4712 >out || fail "data of another student"
     ! cmp -s data/mine.ply first.ply || fail "two students have the same points"
@@ -1823,16 +1829,51 @@ lab_names_the_wrong_stage() {
         ./lab.py check >out && fail "$stage: a wrong variant passes"
         grep -q "^$stage: wrong at " out || fail "$stage: another fault: $(cat out)"
         is "$(grep -c ': wrong at ' out)" 1 "stages that are wrong"
-        grep -q "see: spiraling-edge-viewer data/.* --goto [0-9]*\.$stage" out || fail "no address"
+        grep -q "see: spiraling-edge-viewer [a-z].* --goto [0-9]*\.[a-z]" out || fail "no address"
         cp "$here/../lab/reference/$stage.py" stages
     done <<'VARIANTS'
 sort s/ < end - SAME_ANGLE:/:/
 limits s/dot(cross(a, b), at.normal\[s\]) > 0.0/True/
 reciprocal s/at.position\[before\], at.position\[x\]/at.position[after], at.position[x]/
 hole s/\* side(at.p) > 0.0/* side(at.p) < 0.0/
+limits s/return (angle - low if side < 0 else high - angle) </return side < 0 or high - angle </
+limits s/((x, s) if side < 0 else (s, x)) in at.open or //
+reciprocal s/FULL_TURN if before == after else //
+hole s/(b, a) in at.open or //
+hole s/add(add(at.normal\[at.p\], at.normal\[a\]), at.normal\[b\])/at.normal[at.p]/
+hole s/at.position\[b\], at.position\[a\]/at.position[at.last], at.position[at.first]/
+sphere s/return True/return False/
 sphere s/ or gap > 120.0//
 emit s/at.ring\[end:start + 1\] + candidates/candidates + at.ring[end:start + 1]/
 VARIANTS
+}
+
+lab_says_where_a_run_stops() {
+    command -v python3 >/dev/null || return 0
+    local reference=$here/../lab/reference
+    lab_with_solution
+    sed 's/s, x = at.ring\[limit\]/s, x = at.ring[limit + 500]/' "$reference/limits.py" >stages/limits.py
+    ./lab.py run data/mine.ply >out && fail "run after an exception"
+    says out "pivot 2 (point 1 between 4 and 10): stages/limits.py, line 12: IndexError: list index"
+    expect 1 diff mine.setrace data/mine.ply --upto ring
+    says out "alike as far as yours goes, 1 pivot and pivot 2 up to sort; ours goes on to 96 pivots"
+    sed 's/    start, end = .*/    return at.ring/' "$reference/limits.py" >stages/limits.py
+    ./lab.py check limits >out && fail "a result of another kind passes"
+    says out "expected (start, end, candidates)"
+    sed 's/return kept$/pass/' "$reference/sort.py" >stages/sort.py
+    ./lab.py check sort >out && fail "no result passes"
+    says out "stages/sort.py: sort returns nothing"
+    sed 's/while moves(at, start, end, -1)/while True/; s/start -= 1/pass/' "$reference/limits.py" \
+        >stages/limits.py
+    ./lab.py check limits >out && fail "a loop without an end passes"
+    says out "TimeoutError: no end after 5 seconds"
+    cp "$reference"/*.py stages
+    sed 's/ + candidates$/[:-1] + candidates/' "$reference/emit.py" >stages/emit.py
+    ./lab.py check emit >out && fail "a ring without start passes"
+    grep -q "yours: fan \[.*\], ring \[" out || fail "no labels: $(cat out)"
+    ./lab.py run data/mine.ply >out
+    expect 1 diff mine.setrace data/mine.ply
+    says out "the edge rings differ"
 }
 
 results_are_summed_up() {

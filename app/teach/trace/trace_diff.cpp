@@ -105,23 +105,6 @@ std::optional<TraceStage> lastStage(const TracePivot& pivot) {
     return last;
 }
 
-/// "alike as far as yours goes, 5 pivots and pivot 6 up to limits; ours goes on to 83 pivots"
-std::string earlyEndText(const TraceComparison& comparison) {
-    const TraceDifference& found = *comparison.difference;
-    const auto reached = found.trace ? lastStage(*found.trace) : std::nullopt;
-    if (comparison.alike == 0 && !reached) {
-        return "yours has no pivots, ours has " + std::to_string(found.runPivots) +
-               ": nothing is compared\n";
-    }
-    std::string text = "alike as far as yours goes, " + countedPivots(comparison.alike);
-    if (reached) {
-        text += " and pivot " + std::to_string(found.pivot) + " up to " +
-                std::string(rowOf(*reached).name);
-    }
-    return text + "; ours goes on to " + countedPivots(found.runPivots) +
-           "\n  the last line of a trace that is meant to end early has \"ends\": true\n";
-}
-
 }  // namespace
 
 Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
@@ -182,6 +165,22 @@ TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Para
     return match;
 }
 
+std::string earlyEndText(const TraceComparison& comparison) {
+    const TraceDifference& found = *comparison.difference;
+    const auto reached = found.trace ? lastStage(*found.trace) : std::nullopt;
+    if (comparison.alike == 0 && !reached) {
+        return "yours has no pivots, ours has " + std::to_string(found.runPivots) +
+               ": nothing is compared";
+    }
+    std::string text = "alike as far as yours goes, " + countedPivots(comparison.alike);
+    if (reached) {
+        text += " and pivot " + std::to_string(found.pivot) + " up to " +
+                std::string(rowOf(*reached).name);
+    }
+    return text + "; ours goes on to " + countedPivots(found.runPivots) +
+           "\n  the last line of a trace that is meant to end early has \"ends\": true";
+}
+
 std::string headText(const TraceDifference& found) {
     const bool otherPivot = !found.stage && found.trace && found.run;
     return "pivot " + std::to_string(found.pivot) + " (" +
@@ -201,7 +200,7 @@ std::string differenceText(const TraceComparison& comparison) {
     const std::string alike = countedPivots(comparison.alike) + " alike";
     if (!comparison.difference) return "all " + alike + "\n";
     const TraceDifference& found = *comparison.difference;
-    if (found.runPivots > 0) return earlyEndText(comparison);
+    if (found.runPivots > 0) return earlyEndText(comparison) + "\n";
     std::string text = "after " + alike + ", " + headText(found) + "\n";
     for (const std::string& each : found.both) text += "  " + each + "\n";
     for (const TraceReason& each : found.reasons) text += "  " + reasonText(each) + "\n";

@@ -59,6 +59,9 @@ struct TraceMatch {
 TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Params& params,
                       std::optional<TraceStage> upto);
 
+/// "alike as far as yours goes, 5 pivots and pivot 6 up to limits; ours goes on to 83 pivots", and
+/// what to write if that is meant. Requires TraceDifference::runPivots.
+std::string earlyEndText(const TraceComparison& comparison);
 /// "pivot 8 (point 11 between 1 and 3): the fans differ"
 std::string headText(const TraceDifference& difference);
 /// "yours has no 17: ours moved start to it, 8.limits.1 (6.1)"

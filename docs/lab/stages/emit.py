@@ -6,7 +6,8 @@ def fan(at, start, end, candidates):
     """Returns the points of the fan from first to last; [] for no triangle.
 
     First, the ring points that start has passed, start, the candidates, end, the ring points that
-    end has passed, last. A fan of first and last alone has no triangle if their angle at p exceeds
+    end has passed, last; each once, but in a full turn first is last, too, and stands at both ends.
+    A fan of first and last alone has no triangle if the angle of last, at.end_angle(1), exceeds
     HALF_TURN (Figure 9).
     """
     raise NotImplementedError

@@ -7,17 +7,23 @@ def limits(at, candidates):
 
     start = len(at.ring) - 1 and end = 1 at first. If at.is_full_turn(), nothing changes.
 
-    Figure 4. First start moves on, from ring[start] to the point x = ring[start - 1], while
-      - x is neither p nor the place of end,
-      - the step from x to ring[start] is not open,
+    Figure 4. First start moves on, from s = ring[start] to the point x = ring[start - 1], while
+      - the step from x to s is not open,
       - x is in the list of p,
       - the angle of x lies between those of start and end, by more than SAME_ANGLE,
-      - the ring is concave at s = ring[start]: ((x - s) x (p - s)) . normal of s > 0,
-      - the angle from start to x is below HALF_TURN - SAME_ANGLE.
-    Then end moves in the same way, to x = ring[end + 1]: the step is that from ring[end] to x, and
-    the ring is concave at s = ring[end] if ((p - s) x (x - s)) . normal of s > 0.
-    If either moved, candidates go that are start or end now, or whose angle is not more than
-    SAME_ANGLE above that of start, or not more than SAME_ANGLE below that of end.
+      - the ring is concave at s: ((x - s) x (p - s)) . normal of s > 0,
+      - the angle of x less that of start is below HALF_TURN - SAME_ANGLE.
+    Then end moves on, from s = ring[end] to the point x = ring[end + 1], while
+      - the step from s to x is not open,
+      - x is in the list of p,
+      - the angle of x lies between those of start and end, by more than SAME_ANGLE,
+      - the ring is concave at s: ((p - s) x (x - s)) . normal of s > 0,
+      - the angle of end less that of x is below HALF_TURN - SAME_ANGLE.
+    If either moved, candidates go whose angle is not more than SAME_ANGLE above that of start, or
+    not more than SAME_ANGLE below that of end.
+
+    Angles are those of at.angle(), at.start_angle(start) and at.end_angle(end). A difference of two
+    may be compared with HALF_TURN only; for other angles take degrees() of each first.
 
     Figure 5, the convexity test. The candidates go that are next on the ring beyond start,
     ring[start - 1], or beyond end, ring[end + 1] (of a ring that ends there, ring[0]), if that is

@@ -7,7 +7,9 @@ def sphere(at, start, end, candidates):
 
     One pass, in order. For a candidate q let t be the one before it that stayed, or start, and s the
     one after it, or end. q stays if it is inside the sphere whose equator is the circle through p, t
-    and s, or if the angle from t to s exceeds 120 degrees, or if p, t and s lie in line.
+    and s, or if the angle from t to s exceeds 120 degrees, or if p, t and s lie in line. Take the
+    degrees() of each angle, then the difference; of end use at.end_angle(end), since at.angle(last)
+    is 0 in a full turn.
 
     With T, S and Q relative to p and N = T x S, the center, relative to p, is
     (|T|^2 S - |S|^2 T) x N / (2 |N|^2), and the radius is its length. So Q is inside if

@@ -3,7 +3,7 @@ from geometry import HALF_TURN, add, cross, dot, sub
 
 def hole(at, start, end, candidates):
     a, b = at.ring[start], at.ring[end]
-    if at.is_full_turn() or end + 1 != start or (b, a) in at.open or \
+    if end + 1 != start or (b, a) in at.open or \
             not at.end_angle(end) - at.start_angle(start) < HALF_TURN:
         return candidates
     total = add(add(at.normal[at.p], at.normal[a]), at.normal[b])

@@ -9,8 +9,6 @@ def is_concave(at, s, before, after):
 def moves(at, start, end, side):
     low, high = at.start_angle(start), at.end_angle(end)
     limit, to = (start, start - 1) if side < 0 else (end, (end + 1) % len(at.ring))
-    if to == 0 or to == (end if side < 0 else start):
-        return False
     s, x = at.ring[limit], at.ring[to]
     if ((x, s) if side < 0 else (s, x)) in at.open or x not in at.lists[at.p]:
         return False
@@ -32,8 +30,7 @@ def limits(at, candidates):
         end += 1
     if start < len(at.ring) - 1 or end > 1:
         low, high = at.start_angle(start) + SAME_ANGLE, at.end_angle(end) - SAME_ANGLE
-        candidates = [x for x in candidates if x not in (at.ring[start], at.ring[end]) and
-                      low < at.angle(x) < high]
+        candidates = [x for x in candidates if low < at.angle(x) < high]
     beyond = (at.ring[start - 1], at.ring[(end + 1) % len(at.ring)])
     return start, end, [x for x in candidates
                         if x not in beyond or len(at.entries.get(x, [])) != 1]

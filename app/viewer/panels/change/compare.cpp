@@ -213,7 +213,9 @@ void drawTraceDifference(const PanelContext& context, const Compared& found) {
             context, "First difference", "first",
             "To our first decision that accounts for it (" + context.key("step.difference") + ")"))
         context.state<ComparePage>().ask = CompareAsk::FirstDifference;
-    wrappedText(teach::headText(*difference));
+    const bool early = difference->runPivots > 0;
+    wrappedText(early ? teach::earlyEndText(traced.comparison) : teach::headText(*difference));
+    for (const std::string& each : difference->both) wrappedText(each);
     for (std::size_t i = 0; i < difference->reasons.size(); ++i)
         drawTraceReason(context, difference->reasons[i], i);
     wrappedText(traced.guess);
