@@ -290,14 +290,17 @@ def run_pivot(at, line):
         line["ends"] = True
         return None
     ring = call("emit", "ring", at, start, end, list(candidates), list(fan))
-    if len(ring) < 3:
-        raise Fault(f"stages/emit.py: ring returns fewer than 3 points: {ring}")
+    if len(ring) < 2:
+        raise Fault(f"stages/emit.py: ring returns fewer than 2 points: {ring}")
     line.update(ring=ring, next=ring[0])
     return ring
 
 
 def run(arguments):
     points = setrace.read_points(arguments.points)
+    if any(points.type) or pathlib.Path(arguments.points).with_suffix(".start.json").exists():
+        sys.exit(f"lab.py: {arguments.points} has points on walls or begins with a mesh, which is "
+                 "not part of the lab; run data/mine.ply")
     limit = 10 * len(points.position)
     p = 0
     ring = [p, points.lists[p][0]]

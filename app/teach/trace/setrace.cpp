@@ -115,20 +115,25 @@ class TraceLineReader {
         return points;
     }
     void checkFan(const TracePivot& pivot) {
+        const std::string expected = faultOfFan(pivot);
+        if (expected.empty()) return;
+        complain("fan", expected + ", got " + shortText(json_.at("fan")) + " at pivot " +
+                            std::to_string(number_) + " (point " + std::to_string(pivot.p) + ")");
+    }
+    /// What the fan should be; empty if it is that.
+    static std::string faultOfFan(const TracePivot& pivot) {
         const std::vector<Index>& fan = *pivot.fan;
-        if (fan.empty()) return;
+        if (fan.empty()) return {};
         if (fan.front() != pivot.first || fan.back() != pivot.last) {
-            return complain("fan", "points from first, " + std::to_string(pivot.first) +
-                                       ", to last, " + std::to_string(pivot.last) + ", got " +
-                                       shortText(json_.at("fan")) + " at pivot " +
-                                       std::to_string(number_) + " (point " +
-                                       std::to_string(pivot.p) + ")");
+            return "points from first, " + std::to_string(pivot.first) + ", to last, " +
+                   std::to_string(pivot.last);
         }
-        if (fan.size() < 2) return complain("fan", "two points or more, or [] for none");
+        if (fan.size() < 2) return "two points or more, or [] for none";
         if (std::find(fan.begin(), fan.end(), pivot.p) != fan.end())
-            return complain("fan", "no p, which every triangle has anyway");
+            return "no p, which every triangle has anyway";
         if (std::adjacent_find(fan.begin(), fan.end()) != fan.end())
-            complain("fan", "no point twice in a row");
+            return "no point twice in a row";
+        return {};
     }
     static std::string shortText(const TraceJson& value) {
         return io::inQuotes(value.dump(-1, ' ', true, TraceJson::error_handler_t::replace));

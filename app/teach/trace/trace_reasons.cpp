@@ -177,8 +177,7 @@ std::string bothText(std::string_view what, const std::string& yours, const std:
 
 /// The decision that keeps our limit from being at `yours`: the last one about it, or the last move
 /// if ours has moved over `yours`. Null if there is none. `from`: first or last, where it began.
-const Event* decisionAboutLimit(const std::vector<Event>& events, Side side, Index from,
-                                Index yours) {
+const Event* decisionOnLimit(const std::vector<Event>& events, Side side, Index from, Index yours) {
     const Event* last = nullptr;
     const Event* lastMove = nullptr;
     bool passed = from == yours;
@@ -201,7 +200,7 @@ void addLimits(const std::vector<Event>& events, TraceDifference& found) {
         if (!yours || !ours || yours == ours) return;
         found.both.push_back(
             bothText(sideText(side), std::to_string(*yours), std::to_string(*ours)));
-        if (const Event* event = decisionAboutLimit(events, side, from, *yours))
+        if (const Event* event = decisionOnLimit(events, side, from, *yours))
             found.reasons.push_back(sentenceReason(*event));
     };
     add(&TracePivot::start, Side::Start, found.run->first);

@@ -71,7 +71,8 @@ TEST_CASE("a malformed trace is refused with line and field") {
         traceFault("{\"p\":0,\"first\":1,\"fan\":[]}\n") ==
         "x.setrace: line 2: \"last\": expected the number of a point, from 0 to 5, it is missing");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,0,2]}\n") ==
-          "x.setrace: line 2: \"fan\": expected no p, which every triangle has anyway");
+          "x.setrace: line 2: \"fan\": expected no p, which every triangle has anyway, got "
+          "\"[1,0,2]\" at pivot 1 (point 0)");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3") ==
           "x.setrace: line 2: expected one JSON object, got \"{\"p\":0,\"first\":1,\"last\":...\"; "
           "the last line may be cut off");
@@ -84,7 +85,8 @@ TEST_CASE("a malformed trace is refused with line and field") {
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":7}\n") ==
           "x.setrace: line 2: \"fan\": expected a list of points, got \"7\"");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":1,\"fan\":[1]}\n") ==
-          "x.setrace: line 2: \"fan\": expected two points or more, or [] for none");
+          "x.setrace: line 2: \"fan\": expected two points or more, or [] for none, got \"[1]\" at "
+          "pivot 1 (point 0)");
 }
 
 TEST_CASE("a malformed header of a trace is refused") {
