@@ -10,7 +10,7 @@ traced mine.setrace --rule limits=off
 start scene:figure-8 --with "$work/mine.setrace"
 says layout compare; says compare_with trace; says compare_done true
 says trace_difference "after 7 pivots alike, pivot 8 \(point 11 .*the fans differ.*"
-says trace_guess "your whole trace, 83 pivots, is what --rule limits=off gives"
+says trace_guess "your whole trace, 83 pivots, behaves like --rule limits=off"
 denies only_b 0
 press d; says address "8\.limits\.1"
 says trace_sentence "Pivot 8 of the trace: point 11 between 1 and 3, fan .*"

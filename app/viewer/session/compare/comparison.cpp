@@ -89,10 +89,6 @@ std::string compareMesh(Compared& found, const std::string& path, const Progress
     return {};
 }
 
-/// All stages that the trace has; it may end before the run, as one of a program that is not
-/// finished.
-constexpr teach::TraceStage kTraceUpto = teach::TraceStage::Ring;
-
 /// The run, and the trace of another implementation.
 std::string compareWithTrace(Compared& found, const std::string& path, const Progress& progress) {
     Result<teach::Trace> trace = teach::readTraceFile(path);
@@ -103,11 +99,11 @@ std::string compareWithTrace(Compared& found, const std::string& path, const Pro
     const Params& params = found.a->params;
     const SharedPoints shared(std::shared_ptr<const PointSet>(found.a, &points));
     Result<teach::TraceComparison> comparison =
-        teach::compareTrace(trace.value(), shared, params, kTraceUpto, progress);
+        teach::compareTrace(trace.value(), shared, params, std::nullopt, progress);
     if (!comparison) return comparison.error().message;
     std::string guess;
     if (comparison.value().difference) {
-        const auto rules = teach::guessRules(trace.value(), shared, params, kTraceUpto, progress);
+        const auto rules = teach::guessRules(trace.value(), shared, params, std::nullopt, progress);
         if (!rules) return rules.error().message;
         guess = teach::guessText(rules.value(), trace.value());
         guess.pop_back();  // the end of the line
