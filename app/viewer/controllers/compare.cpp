@@ -127,7 +127,7 @@ void CompareController::fill(bool onPaper) {
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
     if (other != nullptr) {
-            CommandContext context{*other, c_.playback, c_.camera, c_.ui};
+        CommandContext context{*other, c_.playback, c_.camera, c_.ui};
         painter_->fill(context, onPaper, mine);
     } else {
         fillFile(mine);
