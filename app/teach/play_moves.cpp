@@ -252,7 +252,7 @@ const Event* decisionAgainst(std::span<const Event> events, const PlayMove& give
     return expected != nullptr ? &expected->event : nullptr;
 }
 
-std::string reasonText(const Event& event, std::span<const PointName> names) {
+std::string moveReasonText(const Event& event, std::span<const PointName> names) {
     // Its decision would be the answer.
     if (isA<AdvanceEvidence>(event))
         return "The next pivot is the point where end stands: last, unless end has moved.";

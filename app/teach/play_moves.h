@@ -67,8 +67,8 @@ std::size_t movesAlike(std::span<const PlayMove> given, std::span<const PlayMove
 const Event* decisionAgainst(std::span<const Event> events, const PlayMove& given,
                              const RunMove* expected);
 
-/// Why a move was wrong, by the decision against it, for users who go on trying: that of the next
-/// pivot tells the rule alone.
-std::string reasonText(const Event& event, std::span<const PointName> names);
+/// The reason why a move was wrong, by the decision against it, for users who go on trying: for the
+/// next pivot the rule alone.
+std::string moveReasonText(const Event& event, std::span<const PointName> names);
 
 }  // namespace se::teach

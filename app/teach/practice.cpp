@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kPracticePerSide = 3;
 
-/// How points are drawn.
+/// The random choice of points.
 struct PracticeSample {
     std::size_t interior;
     double taken;   ///< Share of the interior points taken away.
@@ -108,7 +108,7 @@ bool hasVerdict(const PracticeTask& task, Verdict verdict) {
                        [&](const Event& event) { return verdictOf(event) == verdict; });
 }
 
-/// What happens in the tasks of a seed, by its remainder; any task for the first.
+/// The demands on the tasks of a seed, by its remainder; none for the first.
 using Demand = bool (*)(const PracticeTask& task);
 constexpr Demand kDemands[] = {
     [](const PracticeTask&) { return true; },
@@ -214,7 +214,7 @@ PracticeGrade gradePractice(const PracticeTask& task, const std::vector<PlayMove
     grade.stage = stageName(event->address.stage);
     grade.address = toString(event->address);
     const std::vector<NamedPoint> names = practiceNames(task);
-    grade.sentence = reasonText(*event, pointNames(names));
+    grade.sentence = moveReasonText(*event, pointNames(names));
     return grade;
 }
 

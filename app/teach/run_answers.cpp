@@ -156,9 +156,12 @@ bool isOutcome(std::string_view words, std::string_view outcome) {
 
 bool isPossibleOutcome(std::string_view words) {
     const std::vector<std::string_view> known = outcomeWords();
-    // After "splits into" come numbers.
     return std::any_of(known.begin(), known.end(), [&](std::string_view each) {
-        return isOutcome(words, each) || isOutcome(each, words);
+        if (isOutcome(words, each)) return true;
+        // As in "splits into 19 and 13", "leaves, DONE".
+        const std::string_view rest = words.substr(std::min(each.size(), words.size()));
+        return isOutcome(each, words) &&
+               (rest == ", DONE" || rest.find_first_of("0123456789") != std::string_view::npos);
     });
 }
 

@@ -86,7 +86,7 @@ bool Application::poll() {
     const Compared* found = compare_.comparison().result();
     if (options_.atDifference && found != nullptr && !session_.moves().busy() &&
         !std::exchange(differenceAsked_, true)) {
-        options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
+        options_.atDifference = !found->meshes.same() || found->alignment().diverge;
         actions::askOfComparison(commands_, CompareAsk::FirstDifference);
     }
     // The lists of a figure are those of its drawing, and nothing is to be mended.
@@ -134,7 +134,8 @@ bool Application::animating() const {
            painter_.unfinished() || ui_.look.blinking() || ui_.click.waiting() ||
            compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
            sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
-           ui_.cameraMove.active() || lesson_.moving() || export_->busy();
+           ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||
+           ui_.startPage.sampling.busy();
 }
 
 std::string Application::title() const {

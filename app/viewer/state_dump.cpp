@@ -205,7 +205,7 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
         out["difference_b"] = addressOf(found->runs.first->b);
     }
     if (found->trace) {
-        const TracedRun& traced = *found->trace;
+        const ComparedTrace& traced = *found->trace;
         out["trace_sentence"] = traced.replay.sentence(now->tracePosition(run));
         out["trace_difference"] = teach::differenceText(traced.comparison);
         out["trace_guess"] = traced.guess;

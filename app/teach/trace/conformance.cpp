@@ -86,7 +86,7 @@ GivenStart ringOfTwo() {
     return start;
 }
 
-/// What no figure and no sample of a surface shows.
+/// Inputs for rules that no figure and no sample of a surface shows.
 std::vector<ConformanceInput> rareInputs() {
     return {
         {"open-steps", "Start and end do not move over open steps", figure4Points, openBay},

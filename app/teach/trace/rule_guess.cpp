@@ -75,7 +75,7 @@ Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, con
                              std::optional<TraceStage> upto, const Progress& progress) {
     RuleGuess guess;
     // Another program may lack a rule in another way than our run without it: its stages differ,
-    // its fans do not. So the fans tell first, unless they are all alike.
+    // its fans do not. So the fans are compared first, unless they are all alike.
     const Trace fans = fansOf(trace);
     const bool byFans = upto.value_or(TraceStage::Ring) >= TraceStage::Emit &&
                         matchTrace(fans, points, base, {}).alike < trace.pivots.size();

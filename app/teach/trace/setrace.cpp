@@ -120,7 +120,7 @@ class TraceLineReader {
         complain("fan", expected + ", got " + shortText(json_.at("fan")) + " at pivot " +
                             std::to_string(number_) + " (point " + std::to_string(pivot.p) + ")");
     }
-    /// What the fan should be; empty if it is that.
+    /// The sentence on what the fan should be; empty if it is that.
     static std::string faultOfFan(const TracePivot& pivot) {
         const std::vector<Index>& fan = *pivot.fan;
         if (fan.empty()) return {};

@@ -160,7 +160,7 @@ TraceMatch matchTrace(const Trace& trace, const SharedPoints& points, const Para
             return match;
         ++match.alike;
     }
-    const bool mayEnd = upto || (match.alike > 0 && trace.pivots.back().ends);
+    const bool mayEnd = match.alike > 0 && trace.pivots.back().ends;
     match.whole = mayEnd || !run.next();
     return match;
 }

@@ -45,7 +45,7 @@ struct TraceComparison {
 
 /// Compares pivot by pivot: p, first and last, then of the stages those that the trace has.
 /// `upto`: no stage after this one. A trace that ends before the run differs, unless its last pivot
-/// says that it is meant to end there. Fails if cancelled. Requires requireTraceOf().
+/// has TracePivot::ends. Fails if cancelled. Requires requireTraceOf().
 Result<TraceComparison> compareTrace(const Trace& trace, const SharedPoints& points,
                                      const Params& params, std::optional<TraceStage> upto,
                                      const Progress& progress = {});

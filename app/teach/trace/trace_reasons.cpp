@@ -99,7 +99,8 @@ const Event* lastChange(const RingChanges& changes, Index point, bool entered) {
     return as<RingEvidence>(found->second)->inserted == entered ? &found->second : nullptr;
 }
 
-/// Why first or last of the same pivot differ: their point has left our ring, or ours has entered.
+/// The reasons why first or last of the same pivot differ: their point has left our ring, or ours
+/// has entered.
 void addNeighborReasons(const TracePivot& trace, const TracePivot& run, const RingChanges& changes,
                         std::vector<TraceReason>& reasons) {
     for (const auto side : {&TracePivot::first, &TracePivot::last}) {
@@ -110,8 +111,8 @@ void addNeighborReasons(const TracePivot& trace, const TracePivot& run, const Ri
     }
 }
 
-/// Where another pivot is next: the advance, what else changed the rings as a whole at the pivot
-/// before, and the removal of their pivot from our ring.
+/// The reasons for another next pivot: the advance, what else changed the rings as a whole at the
+/// pivot before, and the removal of their pivot from our ring.
 void addAdvanceReasons(const TracePivot& trace, const std::vector<Event>& before,
                        const RingChanges& changes, std::vector<TraceReason>& reasons) {
     if (const Event* advance = lastOf(before, Stage::Advance))
@@ -272,7 +273,7 @@ TraceDifference differenceAt(TracePivot trace, std::optional<TracePivot> run,
         if (noFan) {
             for (TraceReason& each : fanReasons(events)) found.reasons.push_back(std::move(each));
             found.what += found.run->fan->empty() ? ": ours has none" : ": yours has none";
-        } else if (found.reasons.empty()) {
+        } else if (found.reasons.empty() && found.both.empty()) {
             found.what += ": the same points in another order";
         }
     }

@@ -46,16 +46,16 @@ bool CompareController::poll() {
     if (waiting_ && c_.session.ready() && c_.session.input().phase() != SessionPhase::Loading)
         begin(*std::exchange(waiting_, std::nullopt));
     const bool changed = comparison_.poll(c_.session);
-    sayRefusal();
+    reportRefusal();
     if (comparison_.result() != shaded_) makeShades();
     shareSelection();
     shareNames();
     return changed;
 }
 
-void CompareController::sayRefusal() {
-    if (std::exchange(refusal_, comparison_.refusal()) == comparison_.refusal()) return;
-    if (!refusal_.empty()) c_.session.messages().say(refusal_);
+void CompareController::reportRefusal() {
+    if (std::exchange(reportedRefusal_, comparison_.refusal()) == comparison_.refusal()) return;
+    if (!reportedRefusal_.empty()) c_.session.messages().say(reportedRefusal_);
 }
 
 void CompareController::waitUntilDone() {
@@ -87,6 +87,8 @@ void CompareController::shareNames() {
 
 void CompareController::makeShades() {
     shaded_ = comparison_.result();
+    // The triangles of the result before may have had the same address.
+    if (painter_) painter_->forgetStill();
     tracedState_.reset();
     shades_ = {};
     ghosts_ = {};
@@ -201,8 +203,12 @@ void CompareController::carryOut(CompareAsk ask) {
 
 /// To our first decision that accounts for the difference.
 void CompareController::goToTraced(const std::optional<teach::TraceDifference>& difference) {
-    if (!difference)
-        return c_.session.messages().say("The trace and the run are the same from start to end.");
+    if (!difference) {
+        return c_.session.messages().say(
+            shaded_->meshes.onlyA == 0
+                ? "The trace and the run are the same from start to end."
+                : "The trace is that of the run, which goes on where it ends.");
+    }
     Address at{static_cast<std::uint32_t>(difference->pivot), Stage::Pivot, 0};
     for (const teach::TraceReason& each : difference->reasons) {
         if (!each.address) continue;

@@ -47,7 +47,7 @@ class CompareController {
     bool otherBusy() const;
     bool inLayout() const { return c_.ui.compare.isIn(c_.ui.layoutPreset); }
     void rememberBefore();
-    void sayRefusal();
+    void reportRefusal();
     void fillFile(const DifferenceLook* look);
     void goToTraced(const std::optional<teach::TraceDifference>& difference);
     void shareSelection();
@@ -65,7 +65,7 @@ class CompareController {
     CommandContext& c_;
     Comparison comparison_;
     std::optional<CompareWith> waiting_;
-    std::string refusal_;  ///< That was said last.
+    std::string reportedRefusal_;
     std::filesystem::path shaders_;
     std::unique_ptr<ScenePainter> painter_;
     bool failed_ = false;  ///< The second view cannot be drawn.

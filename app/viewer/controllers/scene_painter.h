@@ -22,6 +22,8 @@ class ScenePainter {
     /// the last time. In saved pictures, brief highlights are shown too. `look`: triangles that
     /// another mesh lacks are colored; null: none.
     void fill(CommandContext& context, bool onPaper, const DifferenceLook* look = nullptr);
+    /// Uploads the triangles of a file again the next time.
+    void forgetStill() { uploadedStill_ = nullptr; }
     /// Fills the list with a finished mesh that is compared with a run.
     void fillStill(const std::shared_ptr<const Model>& model,
                    const std::vector<Triangle>& triangles, const ViewSettings& settings,
@@ -100,10 +102,10 @@ class ScenePainter {
     Theme particleTheme_ = Theme::Dark;
     const Model* uploaded_ = nullptr;  ///< Only compared, never dereferenced.
     std::uint32_t uploadedGeneration_ = 0;
-    std::uint32_t uploadedDrag_ = 0;      ///< Revision of the point that is being dragged.
-    std::shared_ptr<const Model> model_;  ///< Content of the list.
-    std::shared_ptr<const Model> still_;  ///< The uploaded mesh; null: a run was uploaded.
-    const void* uploadedStill_ = nullptr;
+    std::uint32_t uploadedDrag_ = 0;       ///< Revision of the point that is being dragged.
+    std::shared_ptr<const Model> model_;   ///< Content of the list.
+    std::shared_ptr<const Model> still_;   ///< The uploaded mesh; null: a run was uploaded.
+    const void* uploadedStill_ = nullptr;  ///< Its triangles.
 };
 
 }  // namespace se::view

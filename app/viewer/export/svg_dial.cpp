@@ -29,7 +29,7 @@ struct DialMarkLook {
     Shape shape;
     Color Palette::*color;
 };
-/// As of the panel, by DialRole.
+/// Looks of ticks, those of the panel, by DialRole.
 constexpr std::array<DialMarkLook, 8> kDialLooks = {{
     {Shape::Circle, &Palette::unused},
     {Shape::Dot, &Palette::done},

@@ -61,6 +61,10 @@ std::string titleBarOf(const FrameShapes& shapes, SvgClasses& classes) {
     out += fmt::format("<text class=\"{}\" x=\"{:.1f}\"{}>{}</text>",
                        classes.fill(bothThemes(shapes, &Palette::text)), bar.min.x + kNameAt * em,
                        letters, escapedXml(shapes.title->name));
+    constexpr float kLetterEms = 0.56F;  // About the mean width of a letter.
+    const auto letterCount =
+        static_cast<float>(shapes.title->name.size() + shapes.title->note.size());
+    if (bar.size.x < (kNameAt + kNoteAt + 1.0F + kLetterEms * letterCount) * em) return out;
     out += fmt::format(
         "<text class=\"{}\" xml:space=\"preserve\" text-anchor=\"end\" x=\"{:.1f}\"{}>{}</text>",
         mark, bar.max().x - kNoteAt * em, letters, escapedXml(shapes.title->note));

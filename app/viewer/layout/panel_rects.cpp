@@ -26,7 +26,7 @@ constexpr float kWideView = 40.0F;
 constexpr float kMaxNarration = 0.5F;
 /// Share of the height that the text of a lesson has in Present.
 constexpr float kLessonShare = 0.34F;
-/// ... at most, where a question needs more.
+/// The most, where a question needs more.
 constexpr float kQuestionShare = 0.5F;
 /// Line above it, where nothing else shows the address.
 constexpr float kAddressLine = 1.4F;

@@ -31,7 +31,7 @@ struct PanelSizes {
     bool folded = false;   ///< Find and Change show their tabs alone.
     bool quiet = false;    ///< Find and Change show a line each below their tabs.
     bool lesson = false;   ///< In Present: the text of a lesson is the caption, without the drawer.
-    float caption = 0.0F;  ///< ... of this height in em, within limits; 0: the usual one.
+    float caption = 0.0F;  ///< Height of the caption in em, within limits; 0: the usual one.
     bool beside = false;   ///< In Present: a second view beside the first.
 
     float& of(Splitter splitter) { return ems[static_cast<std::size_t>(splitter)]; }

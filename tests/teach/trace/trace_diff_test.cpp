@@ -68,7 +68,7 @@ TEST_CASE("another first or last is named with the point that left our ring, or 
           "between 48 and 103): the edge rings beside it differ\n"
           "  ours: Point 158 leaves the ring: now DONE, 46.ring.3 (6.5)\n");
     trace.pivots[46].first = 51;
-    CHECK(textOfDifference(scene, trace).find("48 ") != std::string::npos);
+    CHECK(textOfDifference(scene, trace).find("Point 48 ") != std::string::npos);
 }
 
 TEST_CASE("a trace that ends early differs, unless its last pivot says that it is meant to") {

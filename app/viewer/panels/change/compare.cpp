@@ -201,7 +201,7 @@ void drawTraceReason(const PanelContext& context, const teach::TraceReason& reas
 
 /// The first difference from a trace: the sentences of spiraling-edge diff.
 void drawTraceDifference(const PanelContext& context, const Compared& found) {
-    const TracedRun& traced = *found.trace;
+    const ComparedTrace& traced = *found.trace;
     const auto& difference = traced.comparison.difference;
     heading(context, "First difference", "after " + grouped(traced.comparison.alike) + " pivots");
     if (!difference) {

@@ -14,7 +14,7 @@ constexpr float kExportColumn = 4.5F;
 constexpr float kAddressEms = 9.0F;
 constexpr float kSpeedEms = 3.5F;
 
-/// Where the captions of a format are.
+/// The place of the captions of a format.
 std::string captionsTip(const ExportFormat& format) {
     if (format.captioned) return "The sentence of each decision, below the view";
     if (format.content == FrameContent::BothThemes) return "The sentence below each drawing";

@@ -120,7 +120,7 @@ void drawTry(const PanelContext& context, const LessonWalk& walk) {
         teach::movesAlike(walk.state().given.moves, walk.right().answer.moves);
     wrappedText((alike == 0 ? "Not so" : "Right up to move " + std::to_string(alike)) +
                     ". Section " + sectionOf(*against) + ": " +
-                    withShortNumbers(teach::reasonText(*against, walk.names())),
+                    withShortNumbers(teach::moveReasonText(*against, walk.names())),
                 context.palette.last);
 }
 

@@ -102,7 +102,8 @@ std::string compareWithTrace(Compared& found, const std::string& path, const Pro
         teach::compareTrace(trace.value(), shared, params, std::nullopt, progress);
     if (!comparison) return comparison.error().message;
     std::string guess;
-    if (comparison.value().difference) {
+    const auto& difference = comparison.value().difference;
+    if (difference && difference->runPivots == 0) {
         const auto rules = teach::guessRules(trace.value(), shared, params, std::nullopt, progress);
         if (!rules) return rules.error().message;
         guess = teach::guessText(rules.value(), trace.value());
@@ -115,8 +116,8 @@ std::string compareWithTrace(Compared& found, const std::string& path, const Pro
     found.runs.commonPivots = static_cast<std::uint32_t>(comparison.value().alike);
     TraceReplay replay(std::move(trace.value()), params.start.triangles, points.size());
     found.runs.b = replay.mesh();
-    found.trace = std::make_shared<const TracedRun>(
-        TracedRun{std::move(replay), std::move(comparison.value()), std::move(guess)});
+    found.trace = std::make_shared<const ComparedTrace>(
+        ComparedTrace{std::move(replay), std::move(comparison.value()), std::move(guess)});
     return {};
 }
 

@@ -43,7 +43,7 @@ struct Compared {
     std::shared_ptr<const Model>
         b;               ///< For a mesh from a file: A's points, and the vertices on none of them.
     RunComparison runs;  ///< For a file: without decisions.
-    std::shared_ptr<const TracedRun> trace;  ///< Null: B is no trace.
+    std::shared_ptr<const ComparedTrace> trace;  ///< Null: B is no trace.
     MeshDifference meshes;
     TriangleSet setA, setB;
     std::vector<Index> unmatchedVertices;  ///< Vertices of the file that lie on no point.

@@ -51,7 +51,7 @@ class TraceReplay {
 };
 
 /// A trace beside the open run, and their first difference.
-struct TracedRun {
+struct ComparedTrace {
     TraceReplay replay;
     teach::TraceComparison comparison;
     std::string guess;  ///< A sentence on the rules that account for it; empty: no difference.

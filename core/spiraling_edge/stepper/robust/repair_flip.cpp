@@ -83,7 +83,7 @@ class FlipScore {
     int faults(const Triangle& a, const Triangle& b) const {
         return shapeFaults(points_, a) + shapeFaults(points_, b) + (folded(points_, a, b) ? 2 : 0);
     }
-    /// As folded() takes it.
+    /// The area vector that folded() compares.
     Vec3 areaOf(const Triangle& t) const { return areaVector(points_, fromLeastCorner(t)); }
     int outerFold(HalfEdge side, const Vec3& mine) const {
         const HalfEdge other = m_.twin[side];

@@ -114,7 +114,7 @@ TEST_CASE("A trace by another rule differs first where diff says, and that rule 
     TracedPair pair("scene:figure-8");
     pair.write(pair.text("limits=off"));
     pair.compare();
-    const TracedRun& traced = *pair.comparison.result()->trace;
+    const ComparedTrace& traced = *pair.comparison.result()->trace;
     REQUIRE(traced.comparison.difference);
     CHECK(traced.comparison.difference->what == "the fans differ");
     CHECK(traced.guess.find("like --rule limits=off") != std::string::npos);
@@ -136,6 +136,7 @@ TEST_CASE("A trace that ends early is that of the run as far as it goes") {
     REQUIRE(difference);
     CHECK(difference->pivot == 21);
     CHECK(difference->runPivots == 76);
+    CHECK(pair.comparison.result()->trace->guess.empty());
     CHECK(pair.comparison.result()->meshes.onlyA > 0);
     pair.goTo("40.emit.1");
     CHECK(pair.comparison.tracePosition(pair.run) == TracePosition{20, 0, true});
