@@ -22,6 +22,7 @@ inline DrawList drawn(OpenSession& open, const Address& address, std::initialize
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark), selected,
                   kNone};
     in.marked = open.session.highlights().marked();
+    in.labeled = open.session.highlights().labeled();
     in.names = open.session.names();
     DrawList list;
     fillDrawList(in, on, list);

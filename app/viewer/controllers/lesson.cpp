@@ -82,10 +82,28 @@ bool LessonController::poll() {
         if (!walk().isOpen()) return true;
     }
     if (walk().asks()) walk().addSeconds(passed.count());
-    if (walk().takesPoints() && !entering_ && hasInput())
-        c_.session.highlights().mark(walk().givenPoints());
+    const bool takes = walk().takesPoints() && !entering_ && hasInput();
+    if (takes) c_.session.highlights().mark(walk().givenPoints());
+    c_.session.highlights().label(takes ? possiblePoints() : std::vector<Index>{});
     panel().away = isAway();
     return changed;
+}
+
+/// Points that can be an answer: the neighbors of the pivot; of a pivot to play, those beside it on
+/// the ring as well.
+std::vector<Index> LessonController::possiblePoints() const {
+    const DecisionState& picture = c_.session.picture();
+    if (picture.pivot == kNone) return {};
+    const auto& neighbors = c_.session.shown().points.neighbors[picture.pivot];
+    std::vector<Index> points(neighbors.begin(), neighbors.end());
+    if (c_.ui.lesson.walk.question()->kind != "play" || picture.rings.empty()) return points;
+    const std::vector<Index>& ring = picture.rings.front().points;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (ring[i] != picture.pivot) continue;
+        points.push_back(ring[(i + ring.size() - 1) % ring.size()]);
+        points.push_back(ring[(i + 1) % ring.size()]);
+    }
+    return points;
 }
 
 void LessonController::take(OpenedLesson lesson) {
@@ -165,6 +183,7 @@ void LessonController::arrive() {
 
 void LessonController::goTo(std::size_t step) {
     leaveStep();
+    if (step != walk().step()) panel().countsHands = false;
     walk().goTo(step);
     keepStep();
     const Result<InputSpec> input = inputOfStep(walk().setting(), walk().folder());
@@ -204,6 +223,7 @@ void LessonController::leaveStep() {
     c_.session.setHorizon(std::nullopt);
     c_.session.giveNames({});
     c_.session.highlights().mark({});
+    c_.session.highlights().label({});
     choices_.putBack();
     entering_ = aiming_ = false;
 }

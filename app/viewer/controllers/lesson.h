@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "document.h"
 #include "jobs/background_job.h"
@@ -51,6 +52,7 @@ class LessonController {
     LessonWalk& walk() { return c_.ui.lesson.walk; }
     void open(const std::string& source, std::optional<std::size_t> step);
     void take(OpenedLesson lesson);
+    std::vector<Index> possiblePoints() const;
     std::size_t keptStep(const OpenedLesson& lesson) const;
     void keepStep();
     void watchFile();

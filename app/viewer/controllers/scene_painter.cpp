@@ -176,7 +176,8 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         finished,
         faults,
         session.noticedHere(),
-        session.names()};
+        session.names(),
+        session.highlights().labeled()};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)
         addDifference(*look, session.model(), session.picture().finishedTriangles,

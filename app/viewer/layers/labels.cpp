@@ -1,4 +1,5 @@
 // Labels of the points that matter at the cursor, one per point.
+#include <algorithm>
 #include <set>
 
 #include "layer.h"
@@ -14,8 +15,10 @@ void addLabels(const LayerInput& in, DrawList& out) {
     std::set<Index> seen;
     const auto add = [&](Index point, const char* prefix, const Color& color, bool strong) {
         if (point == kNone || !seen.insert(point).second) return;
+        const bool essential =
+            strong || std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
         out.labels.push_back(
-            {in.at(point), pointLabel(prefix, point, in.names), color, strong, strong});
+            {in.at(point), pointLabel(prefix, point, in.names), color, strong, essential});
     };
     add(p.pivot, "p", c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
@@ -44,6 +47,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
         const bool onRing = each.point < p.status.size() && p.status[each.point] > 0;
         if (onRing) add(each.point, "", c.used, false);
     }
+    for (const Index point : in.labeled) add(point, "", c.text, false);
     if (in.hovered != kNone) {
         out.mark(in.at(in.hovered), Shape::Circle, c.text.withAlpha(0.8F), 1.5F);
         add(in.hovered, "", c.text, true);

@@ -55,6 +55,7 @@ struct LayerInput {
     const RunFailureSearch* faults = nullptr;  ///< Of the finished mesh, once they are known.
     std::span<const LiveFailure> noticed{};    ///< Failures at this event.
     std::span<const PointName> names{};        ///< Names of points; others have their numbers.
+    std::span<const Index> labeled{};          ///< Points whose names are always shown.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
     std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {

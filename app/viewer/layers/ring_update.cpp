@@ -34,7 +34,9 @@ void addMarks(const LayerInput& in, DrawList& out) {
         const RingEvidence& change = changes[i];
         const float size = change.inserted ? popSize(in.moment, i, changes.size()) : 0.6F;
         if (!(size > 0.0F)) continue;
-        std::string text = change.inserted ? "+ joins the ring" : "\xE2\x88\x92 leaves: DONE";
+        std::string text =
+            change.inserted ? "+ joins the ring"
+                            : pointLabel("\xE2\x88\x92", change.point, in.names) + " leaves: DONE";
         if (!change.inserted && change.status > 0) {
             text = std::to_string(change.status + 1) + "\xE2\x86\x92" +
                    std::to_string(change.status) + " instances";

@@ -31,7 +31,7 @@ struct LessonPanel {
     std::string saveLesson;             ///< The file to save bookmarks in, as a lesson.
     bool showsRuns = false;             ///< In Compare: the column shows the runs, not the lesson.
     float captionEms = 0.0F;            ///< Height of the text in Present, in its largest type.
-    bool countsHands = false;           ///< Of a room: the fields for hands are open.
+    bool countsHands = false;           ///< Of the question: the fields for hands are open.
 
     std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.
 
@@ -41,6 +41,10 @@ struct LessonPanel {
     std::string complaint;  ///< Why a lesson could not be opened; empty: no problem.
     bool away = false;      ///< The run is at another position, or has other settings.
 
+    /// Hands of a room are counted for the open question: clicks mark nothing.
+    bool countsRoom() const {
+        return countsHands && walk.question() != nullptr && !walk.question()->options.empty();
+    }
     /// A question is open: all decisions after it are hidden.
     bool hides() const { return walk.isOpen() && walk.asks() && !away; }
 };

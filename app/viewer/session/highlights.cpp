@@ -16,6 +16,12 @@ void Highlights::mark(std::vector<Index> points) {
     ++revision_;
 }
 
+void Highlights::label(std::vector<Index> points) {
+    if (labeled_ == points) return;
+    labeled_ = std::move(points);
+    ++revision_;
+}
+
 void Highlights::chooseRing(Index ring) {
     chosenRing_ = chosenRing_ == ring ? kNone : ring;
     ++revision_;

@@ -18,6 +18,9 @@ class Highlights {
     /// Points that are highlighted, such as those of a finding; none by default.
     std::span<const Index> marked() const { return marked_; }
     void mark(std::vector<Index> points);
+    /// Points that show their names, such as the possible answers to a question; none by default.
+    std::span<const Index> labeled() const { return labeled_; }
+    void label(std::vector<Index> points);
     Index chosenRing() const { return chosenRing_; }
     /// Chooses a ring; none if it was chosen already.
     void chooseRing(Index ring);
@@ -34,6 +37,7 @@ class Highlights {
     Index chosenRing_ = kNone;
     Index hoveredRing_ = kNone;
     std::vector<Index> marked_;
+    std::vector<Index> labeled_;
     std::uint32_t revision_ = 0;
 };
 

@@ -117,6 +117,28 @@ TEST_CASE("A way off the step is noticed, and leads back to position, rules and 
     CHECK_FALSE(app.ui.lesson.away);
 }
 
+TEST_CASE("While a question for points is open the neighbors of the pivot have labels") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    REQUIRE(app.walk().takesPoints());
+    const Index pivot = app.session.picture().pivot;
+    CHECK(app.session.highlights().labeled().size() ==
+          app.session.shown().points.neighbors[pivot].size());
+    app.goTo(2);
+    CHECK(app.session.highlights().labeled().empty());
+}
+
+TEST_CASE("Hands of a room are counted for one question only") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    app.ui.lesson.countsHands = true;
+    CHECK(app.ui.lesson.countsRoom());
+    app.goTo(3);
+    CHECK_FALSE(app.ui.lesson.countsRoom());
+}
+
 TEST_CASE("Names of the lesson are those of its points, and end with it") {
     LessonApp app;
     app.open("lesson:removal");

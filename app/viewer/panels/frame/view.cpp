@@ -140,6 +140,16 @@ bool isOn(const PanelContext& context, LayerId layer) {
         .test(static_cast<std::size_t>(layer));
 }
 
+/// Tolerance of clicks, in em; larger while a question for points is open.
+constexpr float kClickEms = 0.6F;
+constexpr float kAnswerEms = 1.0F;
+
+/// A question for points is open in this view.
+bool asksForPoints(const PanelContext& context) {
+    const LessonPanel& panel = context.state<LessonPanel>();
+    return !context.beside && panel.walk.isOpen() && panel.walk.takesPoints();
+}
+
 /// Only visible things can be picked.
 Pick underMouse(const PanelContext& context) {
     const Session& session = context.session();
@@ -151,15 +161,17 @@ Pick underMouse(const PanelContext& context) {
         mesh ? session.shownTriangles() : std::span<const Triangle>{},
         session.picture().repaired ? nullptr : &session.meshIndex(),
         rings ? std::span<const RingPath>(session.picture().rings) : std::span<const RingPath>{}};
-    return pick(scene, {context.camera().matrices(view.size.x / view.size.y), view.size,
-                        localMouse(view), 0.6F * context.em});
+    return pick(scene,
+                {context.camera().matrices(view.size.x / view.size.y), view.size, localMouse(view),
+                 (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em});
 }
 
 /// While a question for points is open, a click marks a point.
 bool answerByClick(const PanelContext& context, const Selection& picked) {
     LessonPanel& panel = context.state<LessonPanel>();
-    if (context.beside || !panel.walk.isOpen() || !panel.walk.takesPoints()) return false;
-    if (picked.kind == SelectionKind::Point) panel.walk.toggle(picked.points[0]);
+    if (!asksForPoints(context)) return false;
+    if (picked.kind == SelectionKind::Point && !panel.countsRoom())
+        panel.walk.toggle(picked.points[0]);
     return true;
 }
 
@@ -204,7 +216,7 @@ void hoverNeighbor(const PanelContext& context) {
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
     context.state<Navigation>().pointedAt =
         pickAmong(session.shown(), session.shown().points.neighbors[pivot], camera, view.size,
-                  localMouse(view), 0.6F * context.em);
+                  localMouse(view), (asksForPoints(context) ? kAnswerEms : kClickEms) * context.em);
 }
 
 void handleMouse(const PanelContext& context) {

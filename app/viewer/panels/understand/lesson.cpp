@@ -146,8 +146,10 @@ void drawFoot(const PanelContext& context, const LessonWalk& walk) {
         const bool primary = !walk.asks();
         if (primary) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
         if (primary) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        askButton(context, "Next", "lesson next", LessonAsk::Next,
-                  "The next step (" + context.key("lesson.next") + ")", half);
+        askButton(context, primary ? "Next" : "Skip", "lesson next", LessonAsk::Next,
+                  (primary ? "The next step (" : "The next step, without an answer (") +
+                      context.key("lesson.next") + ")",
+                  half);
         if (primary) ImGui::PopStyleColor(2);
     }
 }

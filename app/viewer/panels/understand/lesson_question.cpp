@@ -32,8 +32,8 @@ std::string taskOf(const LessonWalk& walk) {
     return kind == "number" ? "Your number:" : "Your choice:";
 }
 
-/// Of a pivot to play: the move that a click makes, and the moves so far.
-void drawMoves(const PanelContext& context, LessonWalk& walk) {
+/// Of a pivot to play: the move that a click makes.
+void drawMoveChoice(const PanelContext& context, LessonWalk& walk) {
     for (const teach::MoveRow& row : teach::moveTable()) {
         const bool on = walk.state().move == row.id;
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
@@ -46,6 +46,10 @@ void drawMoves(const PanelContext& context, LessonWalk& walk) {
         if (ImGui::GetContentRegionAvail().x < 4.0F * context.em) ImGui::NewLine();
     }
     ImGui::NewLine();
+}
+
+/// Of a pivot to play, below the buttons, which keep their place: the moves so far.
+void drawMoves(const PanelContext& context, LessonWalk& walk) {
     const std::vector<teach::PlayMove>& moves = walk.state().given.moves;
     std::optional<std::size_t> gone;
     for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -93,14 +97,27 @@ void drawHands(const PanelContext& context, LessonWalk& walk) {
     if (changed) walk.setHands(std::move(hands));
 }
 
+/// An example of how points are typed: by name where they have names.
+std::string exampleOfPoints(const LessonWalk& walk) {
+    constexpr std::size_t kMaxNamed = 3;
+    const std::vector<teach::NamedPoint>& names = walk.setting().names;
+    const bool one = walk.question()->kind == "point";
+    if (names.empty()) return one ? "for example 3" : "for example 3, 4, 5";
+    std::string text = "for example " + names.front().name;
+    for (std::size_t i = 1; !one && i < std::min(names.size(), kMaxNamed); ++i)
+        text += ", " + names[i].name;
+    return text;
+}
+
 void drawField(const PanelContext& context, LessonWalk& walk) {
     std::string typed = walk.state().typed;
     ImGui::SetNextItemWidth(-1.0F);
     const std::string& kind = walk.question()->kind;
-    const char* hint = kind == "number" ? "a number"
-                       : kind == "play" ? "start 4; keep 7; fan 3 4 7 9; next 4"
-                                        : "for example 3, 4, 5";
-    const bool entered = textField("##answer", hint, typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    const std::string hint = kind == "number" ? "a number"
+                             : kind == "play" ? "start 4; keep 7; fan 3 4 7 9; next 4"
+                                              : exampleOfPoints(walk);
+    const bool entered =
+        textField("##answer", hint.c_str(), typed, ImGuiInputTextFlags_EnterReturnsTrue);
     nameItem(context, "lesson answer field");
     if (typed != walk.state().typed) walk.type(std::move(typed));
     if (entered) context.state<LessonPanel>().ask = LessonAsk::Answer;
@@ -126,14 +143,14 @@ void drawTry(const PanelContext& context, const LessonWalk& walk) {
 
 void drawOpen(const PanelContext& context, LessonWalk& walk) {
     LessonPanel& panel = context.state<LessonPanel>();
-    const bool room = panel.countsHands && !walk.question()->options.empty();
+    const bool room = panel.countsRoom();
     dimText(room ? "Hands for each option:" : taskOf(walk));
     if (room) {
         drawHands(context, walk);
     } else if (isChoice(walk)) {
         drawOptions(context, walk);
     } else {
-        if (walk.question()->kind == "play") drawMoves(context, walk);
+        if (walk.question()->kind == "play") drawMoveChoice(context, walk);
         drawField(context, walk);
     }
     ImGui::Spacing();
@@ -151,6 +168,7 @@ void drawOpen(const PanelContext& context, LessonWalk& walk) {
         nameItem(context, "lesson hands");
     }
     drawTry(context, walk);
+    if (walk.question()->kind == "play") drawMoves(context, walk);
 }
 
 /// The share of a room that chose each option.
