@@ -4,6 +4,7 @@
 #include <set>
 
 #include "disc.h"
+#include "run/point_label.h"
 
 namespace se::view {
 
