@@ -262,6 +262,7 @@ void LessonController::show() {
     if (decisions.empty()) return;
     const Address until = decisions.back().address;
     home_ = until;
+    if (walk().shownStep().frame == "all") aiming_ = true;
     if (!walk().shownStep().compare.empty()) compare();
     if (c_.session.reached(until)) return;
     if (!walk().shownStep().play && decisions.size() > kMaxShown)
@@ -276,6 +277,10 @@ bool LessonController::isAway() const {
 }
 
 bool LessonController::takeAim() {
+    // Playback follows the pivot: all of an answer is framed at its end.
+    if (aiming_ && walk().question() != nullptr && c_.playback.playing() &&
+        walk().shownStep().frame == "all")
+        return false;
     return aiming_ && !isUnderWay() && std::exchange(aiming_, false);
 }
 
