@@ -2,6 +2,8 @@
 // answer with the decisions that led to it.
 #include <algorithm>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "lesson_parts.h"
 #include "panel_state/lesson_panel.h"
@@ -97,15 +99,17 @@ void drawHands(const PanelContext& context, LessonWalk& walk) {
     if (changed) walk.setHands(std::move(hands));
 }
 
-/// An example of how points are typed: by name where they have names.
+/// An example of how points are typed: by name where candidates have names.
 std::string exampleOfPoints(const LessonWalk& walk) {
-    constexpr std::size_t kMaxNamed = 3;
-    const std::vector<teach::NamedPoint>& names = walk.setting().names;
-    const bool one = walk.question()->kind == "point";
-    if (names.empty()) return one ? "for example 3" : "for example 3, 4, 5";
-    std::string text = "for example " + names.front().name;
-    for (std::size_t i = 1; !one && i < std::min(names.size(), kMaxNamed); ++i)
-        text += ", " + names[i].name;
+    const std::size_t most = walk.question()->kind == "point" ? 1 : 3;
+    std::vector<std::string> words;
+    for (const teach::NamedPoint& each : walk.setting().names) {
+        const bool isCandidate = each.name != "p" && each.name != "first" && each.name != "last";
+        if (isCandidate && words.size() < most) words.push_back(each.name);
+    }
+    if (words.empty()) words = {"3", "4", "5"};
+    std::string text = "for example " + words.front();
+    for (std::size_t i = 1; i < std::min(words.size(), most); ++i) text += ", " + words[i];
     return text;
 }
 
