@@ -80,7 +80,9 @@ void readStartKey(const std::string& file, const std::string& name, const StartJ
                   GivenStart& start) {
     for (const StartKey& key : kStartKeys) {
         if (key.name != name) continue;
-        key.read({value, file + ": " + name}, start);
+        std::string where = file;
+        where.append(": ").append(name);
+        key.read({value, where}, start);
         return;
     }
     throw StartFault{file + ": \"" + name +

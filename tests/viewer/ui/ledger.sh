@@ -5,6 +5,8 @@
 . "$(dirname "$0")/harness.sh"
 start scene:stranded-point
 says phase ready
+# Its failure is shown once it is found, with the paper's sentence.
+says open_tab Paper
 press w; says open_tab Ledger
 # Without a selection the box has the keyboard.
 type_text "point 32"; press Return
