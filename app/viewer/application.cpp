@@ -135,7 +135,7 @@ bool Application::animating() const {
            compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
            sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
            ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||
-           ui_.startPage.sampling.busy();
+           (session_.startPage() && ui_.startPage.sampling.busy());
 }
 
 std::string Application::title() const {
