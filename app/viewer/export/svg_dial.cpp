@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "layout/dial.h"
 #include "layout/overlays.h"
+#include "rows/dial_looks.h"
 #include "run/point_label.h"
 #include "svg_canvas.h"
 
@@ -24,23 +24,6 @@ constexpr float kDialMargin = 0.7F;
 constexpr float kHeading = 2.4F;
 constexpr float kDialCaption = 2.0F;
 constexpr float kSvgDegree = 3.14159265F / 180.0F;
-
-struct DialMarkLook {
-    Shape shape;
-    Color Palette::*color;
-};
-/// Looks of ticks, those of the panel, by DialRole.
-constexpr std::array<DialMarkLook, 8> kDialLooks = {{
-    {Shape::Circle, &Palette::unused},
-    {Shape::Dot, &Palette::done},
-    {Shape::Disc, &Palette::used},
-    {Shape::Cross, &Palette::rejected},
-    {Shape::Forward, &Palette::first},
-    {Shape::Back, &Palette::last},
-    {Shape::Forward, &Palette::first},
-    {Shape::Back, &Palette::last},
-}};
-static_assert(static_cast<std::size_t>(DialRole::End) + 1 == kDialLooks.size());
 
 class SvgDialDrawer {
   public:
@@ -94,13 +77,9 @@ class SvgDialDrawer {
     }
     /// Points in the list alone have no name.
     void addText(const DialTick& tick) {
-        const bool faint = tick.role == DialRole::Neighbor || tick.role == DialRole::Done;
-        if (faint && !tick.underTest) return;
+        if (isFaint(tick) && !tick.underTest) return;
         add(tick.degrees, pointLabel(tick.letter, tick.point, frame_.names),
-            tick.underTest ? &Palette::text : lookOf(tick).color);
-    }
-    static const DialMarkLook& lookOf(const DialTick& tick) {
-        return kDialLooks[static_cast<std::size_t>(tick.role)];
+            tick.underTest ? &Palette::text : lookOf(tick.role).color);
     }
 
     void circle(const std::string& attributes) {
@@ -135,35 +114,21 @@ class SvgDialDrawer {
                         data + "L" + arcData(arc, reach) + "z");
     }
     void drawArc(const DialArc& each) {
-        switch (each.kind) {
-            case DialArc::Kind::Range:
-                fillSector(each, 1.0F, &Palette::pivot, 0.15F);
-                return stroke(each, 1.0F, &Palette::pivot, 0.16F);
-            case DialArc::Kind::OldRange:
-                return stroke(each, 1.05F, &Palette::textDim, 0.1F);
-            case DialArc::Kind::Gap:
-                return stroke(each, 0.5F, &Palette::test, 0.22F);
-            case DialArc::Kind::TooWide:
-                return stroke(each, 0.5F, &Palette::rejected, 0.22F);
-            case DialArc::Kind::Angle:
-                return stroke(each, 0.4F, &Palette::test, 0.16F);
-            case DialArc::Kind::Triangle:
-                return fillSector(each, 0.9F, &Palette::test, 0.3F);
-        }
+        const DialArcLook& look = lookOf(each.kind);
+        if (look.fill > 0.0F) fillSector(each, look.reach, look.color, look.fill);
+        if (look.width > 0.0F) stroke(each, look.reach, look.color, look.width);
     }
 
     void drawTick(const DialTick& tick) {
-        const bool faint = tick.role == DialRole::Neighbor || tick.role == DialRole::Done;
-        const bool tested = tick.role == DialRole::Candidate && tick.underTest;
-        Color Palette::*which = tested ? &Palette::test : lookOf(tick).color;
+        Color Palette::*which = colorOf(tick);
         const glm::vec2 tip = at(tick.degrees, 0.92F * std::max(0.12F, tick.reach));
         const float alpha = tick.role == DialRole::Rejected ? 0.45F : 0.9F;
-        if (!faint) line(disc_.center, tip, which, alpha, tick.underTest ? 0.14F : 0.08F);
+        if (!isFaint(tick)) line(disc_.center, tip, which, alpha, tick.underTest ? 0.14F : 0.08F);
         const float top =
             std::clamp(tip.y - tick.height * disc_.radius, room_.min.y, room_.max().y);
         if (std::abs(top - tip.y) > 0.2F * em_) line(tip, {tip.x, top}, which, 0.8F, 0.07F);
-        const float size = (tick.role == DialRole::Done ? 0.4F : faint ? 0.5F : 0.72F) * em_;
-        drawSvgShape(canvas_, lookOf(tick).shape, tip, 0.5F * size, color(which), tick.point);
+        drawSvgShape(canvas_, lookOf(tick.role).shape, tip, 0.5F * sizeOf(tick) * em_, color(which),
+                     tick.point);
         if (tick.underTest)
             drawSvgShape(canvas_, Shape::Circle, tip, 0.7F * em_, color(&Palette::test),
                          tick.point);

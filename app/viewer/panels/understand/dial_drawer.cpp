@@ -5,39 +5,15 @@
 #include "dial_drawer.h"
 
 #include <algorithm>
-#include <array>
 
 #include "panels/widgets/widgets.h"
+#include "rows/dial_looks.h"
 #include "run/point_label.h"
-#include "scene/draw_list.h"
 #include "session/session.h"
 
 namespace se::view {
 
 namespace {
-
-/// A point on the disc, by its role.
-struct TickLook {
-    Shape shape;
-    Color Palette::*color;
-};
-constexpr std::array<TickLook, 8> kTickLooks = {{
-    {Shape::Circle, &Palette::unused},
-    {Shape::Dot, &Palette::done},
-    {Shape::Disc, &Palette::used},
-    {Shape::Cross, &Palette::rejected},
-    {Shape::Forward, &Palette::first},
-    {Shape::Back, &Palette::last},
-    {Shape::Forward, &Palette::first},
-    {Shape::Back, &Palette::last},
-}};
-static_assert(static_cast<std::size_t>(DialRole::End) + 1 == kTickLooks.size());
-
-const TickLook& tickLook(DialRole role) { return kTickLooks[static_cast<std::size_t>(role)]; }
-
-bool isFaint(const DialTick& tick) {
-    return tick.role == DialRole::Neighbor || tick.role == DialRole::Done;
-}
 
 // ---- the rim and its texts ------------------------------------------------------------------
 
@@ -139,28 +115,14 @@ class DialDrawer {
     }
 
     void drawArc(const DialArc& arc) {
-        const Palette& colors = c_.palette;
-        switch (arc.kind) {
-            case DialArc::Kind::Range:
-                fillSector(disc_, arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.15F));
-                strokeArc(arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.9F), 0.16F, false);
-                break;
-            case DialArc::Kind::OldRange:
-                strokeArc(arc.from, arc.to, 1.05F, colors.textDim, 0.1F, true);
-                break;
-            case DialArc::Kind::Gap:
-                strokeArc(arc.from, arc.to, 0.5F, colors.test, 0.22F, false);
-                break;
-            case DialArc::Kind::TooWide:
-                strokeArc(arc.from, arc.to, 0.5F, colors.rejected, 0.22F, true);
-                break;
-            case DialArc::Kind::Angle:
-                strokeArc(arc.from, arc.to, 0.4F, colors.test, 0.16F, false);
-                break;
-            case DialArc::Kind::Triangle:
-                fillSector(disc_, arc.from, arc.to, 0.9F, colors.test.withAlpha(0.3F));
-                break;
-        }
+        const DialArcLook& look = lookOf(arc.kind);
+        const Color& color = c_.palette.*look.color;
+        if (look.fill > 0.0F)
+            fillSector(disc_, arc.from, arc.to, look.reach, color.withAlpha(look.fill));
+        if (look.width == 0.0F) return;
+        // The line around a sector is a little fainter.
+        strokeArc(arc.from, arc.to, look.reach, look.fill > 0.0F ? color.withAlpha(0.9F) : color,
+                  look.width, look.dashed);
     }
 
     /// The plane of §6.2 seen from above: the far side of the chord is hatched.
@@ -204,11 +166,6 @@ class DialDrawer {
         }
     }
 
-    Color colorOf(const DialTick& tick) const {
-        if (tick.role == DialRole::Candidate && tick.underTest) return c_.palette.test;
-        return c_.palette.*tickLook(tick.role).color;
-    }
-
     /// The height above the plane: up is the outer side. A height that exceeds the panel ends in an
     /// arrow head instead of a bar.
     void drawStem(const DialTick& tick, const Color& color) {
@@ -242,17 +199,15 @@ class DialDrawer {
     }
 
     void drawTick(const DialTick& tick) {
-        const Color color = colorOf(tick);
+        const Color color = c_.palette.*colorOf(tick);
         const ImVec2 at = tip(tick);
-        const bool faint = isFaint(tick);
-        if (!faint) {
+        if (!isFaint(tick)) {
             const bool rejected = tick.role == DialRole::Rejected;
             list_->AddLine(disc_.center, at, toU32(color.withAlpha(rejected ? 0.45F : 0.9F)),
                            px(tick.underTest ? 0.14F : 0.08F));
         }
         drawStem(tick, color);
-        const float size = (tick.role == DialRole::Done ? 0.4F : faint ? 0.5F : 0.72F) * c_.em;
-        drawShape(list_, at, size, tickLook(tick.role).shape, toU32(color));
+        drawShape(list_, at, sizeOf(tick) * c_.em, lookOf(tick.role).shape, toU32(color));
         if (tick.role == DialRole::Rejected) drawRefusal(tick, toU32(color));
         if (tick.passed) {
             list_->AddLine(disc_.at(tick.degrees, 0.94F), disc_.at(tick.degrees, 1.0F),
@@ -272,7 +227,7 @@ class DialDrawer {
             if (isFaint(tick) && !lit) continue;
             const RimText text{tick.degrees,
                                pointLabel(tick.letter, tick.point, c_.session().names()),
-                               lit ? c_.palette.text : colorOf(tick)};
+                               lit ? c_.palette.text : c_.palette.*colorOf(tick)};
             const bool named = !tick.letter.empty();
             (lit ? first : named ? ends : others).push_back(text);
         }
