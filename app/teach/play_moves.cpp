@@ -22,7 +22,8 @@ constexpr std::array kMoveTable{
     MoveRow{MoveKind::Remove, "remove", "this candidate is left out"},
     MoveRow{MoveKind::Fan, "fan", "all points of the fan from first to last; none: no triangle"},
     MoveRow{MoveKind::NextPivot, "next",
-            "the next pivot: where end stands (last, if it has not moved), on a wall too; none: no ring is left"},
+            "the next pivot: where end stands (last, if it has not moved), on a wall too; none: no "
+            "ring is left"},
 };
 static_assert(isInOrder(kMoveTable));
 
