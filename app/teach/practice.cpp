@@ -1,7 +1,7 @@
 // The points of a seed are a sample of a flat square, of which some are taken away, rounded to
 // thousandths; of its run those pivots are tasks at which start or end moves, a candidate is kept,
 // another removed, and no decision is near. On an even sample such pivots are all alike: of five
-// seeds four have an uneven one, and a pivot at which something else happens, too (kDemands). A
+// seeds four have an uneven one, and a pivot at which something else happens, too (kSorts). A
 // sample without such a pivot is passed over.
 #include "practice.h"
 
@@ -108,24 +108,29 @@ bool hasVerdict(const PracticeTask& task, Verdict verdict) {
                        [&](const Event& event) { return verdictOf(event) == verdict; });
 }
 
-/// The demands on the tasks of a seed, by its remainder; none for the first.
-using Demand = bool (*)(const PracticeTask& task);
-constexpr Demand kDemands[] = {
-    [](const PracticeTask&) { return true; },
+/// A sort of tasks: the sample, and what happens in them.
+struct PracticeSort {
+    const PracticeSample& sample;
+    bool (*holds)(const PracticeTask& task);
+};
+/// The sorts, by the remainder of the seed.
+constexpr PracticeSort kSorts[] = {
+    {kEvenSample, [](const PracticeTask&) { return true; }},
     // A point outside its sphere stays, since the gap would be too wide.
-    [](const PracticeTask& task) { return hasVerdict(task, Verdict::GapTooWide); },
+    {kUnevenSample, [](const PracticeTask& task) { return hasVerdict(task, Verdict::GapTooWide); }},
     // A point of the edge ring is a candidate.
-    [](const PracticeTask& task) {
-        return std::any_of(task.solution.begin(), task.solution.end(), [&](const RunMove& each) {
-            const MoveKind kind = each.move.kind;
-            return (kind == MoveKind::Keep || kind == MoveKind::Remove) &&
-                   std::find(task.ring.begin(), task.ring.end(), each.move.points.front()) !=
-                       task.ring.end();
-        });
-    },
-    [](const PracticeTask& task) { return limitMoves(task.solution) > 1; },
+    {kUnevenSample,
+     [](const PracticeTask& task) {
+         return std::any_of(task.solution.begin(), task.solution.end(), [&](const RunMove& each) {
+             const MoveKind kind = each.move.kind;
+             return (kind == MoveKind::Keep || kind == MoveKind::Remove) &&
+                    std::find(task.ring.begin(), task.ring.end(), each.move.points.front()) !=
+                        task.ring.end();
+         });
+     }},
+    {kUnevenSample, [](const PracticeTask& task) { return limitMoves(task.solution) > 1; }},
     // A candidate is no longer between start and end.
-    [](const PracticeTask& task) { return hasVerdict(task, Verdict::Outside); },
+    {kUnevenSample, [](const PracticeTask& task) { return hasVerdict(task, Verdict::Outside); }},
 };
 
 std::vector<Index> pointsOfRing(const EdgeRings& rings, Index ring, Index entry) {
@@ -185,12 +190,11 @@ std::vector<PracticeTask> tasksOf(std::uint64_t seed, const SharedPoints& points
 
 PracticeTask practiceTask(std::uint64_t seed) {
     SplitMix random(seed);
-    const Demand demand = kDemands[seed % std::size(kDemands)];
-    const PracticeSample& sample = demand == kDemands[0] ? kEvenSample : kUnevenSample;
+    const PracticeSort& sort = kSorts[seed % std::size(kSorts)];
     while (true) {
-        const SharedPoints points(practicePoints(sample, random));
+        const SharedPoints points(practicePoints(sort.sample, random));
         std::vector<PracticeTask> tasks = tasksOf(seed, points);
-        std::erase_if(tasks, [&](const PracticeTask& task) { return !demand(task); });
+        std::erase_if(tasks, [&](const PracticeTask& task) { return !sort.holds(task); });
         if (!tasks.empty()) return std::move(tasks[random.bits() % tasks.size()]);
     }
 }
