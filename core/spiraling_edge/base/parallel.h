@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <thread>
 #include <utility>
@@ -61,6 +63,27 @@ void forEachItem(std::size_t count, unsigned threads, std::size_t least, Work&& 
     forRanges(count, threads, least, [&work](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) work(i);
     });
+}
+
+/// As forEachItem(), for items of unequal length: a thread takes the next one when it is free.
+template <typename Work>
+void forEachTask(std::size_t count, unsigned threads, Work&& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto takeTasks = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    Workers others;
+    for (std::size_t i = 1; i < std::min<std::size_t>(count, threadCount(threads)); ++i)
+        others.start(takeTasks);
+    takeTasks();
+    others.join();
+}
+
+/// Calls each of the functions once, as forEachTask() does.
+template <typename... Task>
+void runTasks(unsigned threads, Task&&... tasks) {
+    const std::array<std::function<void()>, sizeof...(tasks)> all{std::ref(tasks)...};
+    forEachTask(all.size(), threads, [&all](std::size_t i) { all[i](); });
 }
 
 /// As forRanges(), but calls work(i) for each item, and `progress` at intervals from the caller's

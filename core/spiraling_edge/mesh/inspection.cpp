@@ -8,8 +8,8 @@
 #include <optional>
 #include <tuple>
 
-#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -30,35 +30,44 @@ std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
     return points;
 }
 
+/// InspectedMesh::lost. Copies of points are looked for only where some point is in no triangle.
+std::vector<Index> lostPoints(const InspectedMesh& mesh, const PointSet& input) {
+    std::vector<Index> lost;
+    for (Index p = 0; p < input.size(); ++p) {
+        if (!mesh.topology.used[p]) lost.push_back(p);
+    }
+    if (lost.empty()) return lost;
+    const std::vector<Fitness> fitness = fitnessOf(input.position, input.normal);
+    std::erase_if(lost, [&](Index p) {
+        return fitness[p] != Fitness::Usable || (p < input.setAside.size() && input.setAside[p]);
+    });
+    return lost;
+}
+
+double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
+    double sum = 0.0;
+    for (const TriangleSide& side : sides) {
+        const Vec3 d = points.position[side.high] - points.position[side.low];
+        sum += std::sqrt(glm::dot(d, d));
+    }
+    return sides.empty() ? 0.0 : sum / static_cast<double>(sides.size());
+}
+
 }  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
     : filled(withNormalsAndTypes(input)),
       points(filled ? *filled : input),
       triangles(mesh),
-      sides(sortedSides(mesh)),
-      used(usedPoints(input.size(), mesh)),
-      aside(input.setAside),
-      piece(input.size()),
-      pieceTriangles(input.size(), 0) {
-    const std::vector<Fitness> fitness = fitnessOf(input.position, input.normal);
-    aside.resize(input.size(), false);
-    for (std::size_t p = 0; p < input.size(); ++p)
-        aside[p] = aside[p] || fitness[p] != Fitness::Usable;
-    double sum = 0.0;
-    for (const TriangleSide& side : sides) {
-        const Vec3 d = points.position[side.high] - points.position[side.low];
-        sum += std::sqrt(glm::dot(d, d));
-    }
-    if (!sides.empty()) meanEdge = sum / static_cast<double>(sides.size());
-    DisjointSets joined(input.size());
-    for (const Triangle& t : triangles) {
-        joined.unite(t.a, t.b);
-        joined.unite(t.b, t.c);
-    }
-    for (Index p = 0; p < input.size(); ++p) piece[p] = joined.find(p);
-    for (const Triangle& t : triangles) ++pieceTriangles[piece[t.a]];
-    loops = inspect::boundaryLoops(*this);
+      topology(input.size(), mesh),
+      componentTriangles(input.size(), 0) {
+    runTasks(
+        threadsFor(mesh), [&] { meanEdge = meanLength(points, topology.sides); },
+        [&] {
+            for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
+            loops = inspect::boundaryLoops(*this);
+        },
+        [&] { lost = lostPoints(*this, input); });
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
@@ -117,7 +126,7 @@ Index cornerOpposite(const Triangle& t, const TriangleSide& side) {
 /// Triangles of the same points share all sides: those at the side of their two lowest points.
 void duplicates(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
     std::vector<std::pair<Index, Index>> at;  // highest corner and triangle
-    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+    forEachEdge(mesh.topology.sides, [&](std::span<const TriangleSide> edge) {
         if (edge.size() < 2) return;
         at.clear();
         for (const TriangleSide& side : edge) {
@@ -278,24 +287,37 @@ std::optional<FaultKind> pairsOf(const FailureClass& each) {
     return {};
 }
 
+/// Counts the mesh; the search has the triangles without a good shape already.
+MeshReport reportOf(const InspectedMesh& mesh, std::span<const std::size_t> counts) {
+    MeshReport report = reportTopology(mesh.points, mesh.triangles, mesh.topology);
+    report.degenerateTriangles = counts[static_cast<std::size_t>(FaultKind::Degenerate)];
+    report.flippedTriangles = counts[static_cast<std::size_t>(FaultKind::Flipped)];
+    return report;
+}
+
 MeshInspection inspected(const InspectedMesh& mesh) {
     const auto counts = countFaults(mesh.search.faults);
     MeshInspection found;
-    std::vector<MeshFailure>& all = found.failures;
-    for (const FailureClass& each : kClasses) {
-        const std::size_t begin = all.size();
-        if (each.find != nullptr) each.find(mesh, all);
-        for (std::size_t i = begin; i < all.size(); ++i) all[i].kind = &each;
-        ClassTotal total{all.size() - begin, all.size() - begin, true};
+    std::array<std::vector<MeshFailure>, std::size(kClasses)> failures;
+    forEachTask(std::size(kClasses), threadsFor(mesh.triangles), [&](std::size_t i) {
+        if (kClasses[i].find != nullptr) kClasses[i].find(mesh, failures[i]);
+    });
+    for (std::size_t i = 0; i < std::size(kClasses); ++i) {
+        const FailureClass& each = kClasses[i];
+        ClassTotal total{failures[i].size(), failures[i].size(), true};
         if (const auto kind = pairsOf(each)) {
             total.total = counts[static_cast<std::size_t>(*kind)];
             total.exact = mesh.search.complete;
         }
         found.totals.push_back(total);
+        for (MeshFailure& failure : failures[i]) {
+            failure.kind = &each;
+            found.failures.push_back(std::move(failure));
+        }
     }
     found.work = mesh.search.work;
     found.meanEdge = mesh.meanEdge;
-    found.report = reportMesh(mesh.points, mesh.triangles, mesh.sides);
+    found.report = reportOf(mesh, counts);
     return found;
 }
 
@@ -304,14 +326,14 @@ MeshInspection inspected(const InspectedMesh& mesh) {
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()));
     InspectedMesh mesh(points, triangles);
-    mesh.search = searchFaults(mesh.points, triangles, mesh.sides);
+    mesh.search = searchFaults(mesh.points, triangles, mesh.topology.sides);
     return inspected(mesh);
 }
 
 MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> triangles) {
     assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
     InspectedMesh mesh(points, triangles);
-    mesh.search = searchLocalFaults(mesh.points, triangles, mesh.sides);
+    mesh.search = searchLocalFaults(mesh.points, triangles, mesh.topology.sides);
     return inspected(mesh);
 }
 

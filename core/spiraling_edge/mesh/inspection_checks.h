@@ -6,7 +6,7 @@
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/inspection.h"
-#include "spiraling_edge/mesh/sorted_sides.h"
+#include "spiraling_edge/mesh/mesh_topology.h"
 
 namespace se {
 
@@ -29,17 +29,16 @@ struct InspectedMesh {
     std::optional<PointSet> filled;  ///< The points, if the input lacks normals or types: zeros.
     const PointSet& points;          ///< With normals and types; lists may be absent.
     std::span<const Triangle> triangles;
-    std::vector<TriangleSide> sides;
-    FaultSearch search;                       ///< Empty unless assigned.
-    std::vector<bool> used;                   ///< Per point: in some triangle.
-    std::vector<bool> aside;                  ///< Per point: set aside, or unfit for any mesh.
-    double meanEdge = 0.0;                    ///< Length, scene units.
-    std::vector<Index> piece;                 ///< Per point: the least point of its component.
-    std::vector<std::size_t> pieceTriangles;  ///< Of the component of that least point.
-    std::vector<BoundaryLoop> loops;          ///< By least point.
+    MeshTopology topology;
+    FaultSearch search;                           ///< Empty unless assigned.
+    std::vector<Index> lost;                      ///< Points in no triangle, neither set aside nor
+                                                  ///< unfit for any mesh; ascending.
+    double meanEdge = 0.0;                        ///< Length, scene units.
+    std::vector<std::size_t> componentTriangles;  ///< Of the component of that least point.
+    std::vector<BoundaryLoop> loops;              ///< By least point.
 
     /// Number of triangles of the component that a used point belongs to.
-    std::size_t trianglesAround(Index p) const { return pieceTriangles[piece[p]]; }
+    std::size_t trianglesAround(Index p) const { return componentTriangles[topology.component[p]]; }
     /// A failure at these points and triangles; its place is the center of the points.
     MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;
 };

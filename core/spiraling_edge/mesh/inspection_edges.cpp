@@ -24,7 +24,7 @@ class UsedPoints {
     UsedPoints(const InspectedMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
         std::vector<Vec3> position;
         for (Index p = 0; p < mesh.points.size(); ++p) {
-            if (!mesh.used[p]) continue;
+            if (!mesh.topology.used[p]) continue;
             points_.push_back(p);
             position.push_back(mesh.points.position[p]);
         }
@@ -53,12 +53,11 @@ class UsedPoints {
     std::optional<CellGrid> grid_;
 };
 
-/// Finds the points in no triangle that were not set aside: those near a used point, or the
-/// isolated ones.
+/// Finds the lost points near a used one, or the isolated ones.
 void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
+    if (mesh.lost.empty()) return;
     const UsedPoints used(mesh, kIsolated * mesh.meanEdge);
-    for (Index p = 0; p < mesh.points.size(); ++p) {
-        if (mesh.used[p] || mesh.aside[p]) continue;
+    for (const Index p : mesh.lost) {
         const bool near = used.anyNear(mesh.points.position[p], [](Index) { return true; });
         if (near != isolatedOnes) failures.push_back(mesh.at({p}, {}));
     }
@@ -67,22 +66,20 @@ void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures
 }  // namespace
 
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
-    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
         if (edge.size() > 2) failures.push_back(atEdge(mesh, edge));
-    });
+    }
 }
 
 void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
-    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
         if (isInconsistent(edge)) failures.push_back(atEdge(mesh, edge));
-    });
+    }
 }
 
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
     std::map<Index, std::vector<Index>> trianglesAt;
-    for (const Index p : nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size())) {
-        trianglesAt[p] = {};
-    }
+    for (const Index p : mesh.topology.nonManifoldPoints) trianglesAt[p] = {};
     for (std::size_t i = 0; i < mesh.triangles.size() && !trianglesAt.empty(); ++i) {
         const Triangle& t = mesh.triangles[i];
         for (const Index p : {t.a, t.b, t.c}) {
@@ -96,13 +93,13 @@ void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
 void smallComponents(const InspectedMesh& mesh, Failures& failures) {
     std::map<Index, std::vector<Index>> small;  // triangles by least point
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Index piece = mesh.piece[mesh.triangles[i].a];
-        if (mesh.pieceTriangles[piece] < kSmallComponent)
-            small[piece].push_back(static_cast<Index>(i));
+        const Index component = mesh.topology.component[mesh.triangles[i].a];
+        if (mesh.componentTriangles[component] < kSmallComponent)
+            small[component].push_back(static_cast<Index>(i));
     }
     if (small.empty() || !(mesh.meanEdge > 0.0)) return;
     const UsedPoints used(mesh, kNearComponent * mesh.meanEdge);
-    for (auto& [piece, triangles] : small) {
+    for (auto& [component, triangles] : small) {
         std::vector<Index> points;
         for (const Index i : triangles) {
             const Triangle& t = mesh.triangles[i];

@@ -34,9 +34,9 @@ void ofLoops(const InspectedMesh& mesh, bool wanted, Failures& failures) {
 
 std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
     std::vector<TriangleSide> border;
-    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
         if (edge.size() == 1) border.push_back(edge[0]);
-    });
+    }
     std::vector<BoundaryLoop> loops;
     for (std::vector<TriangleSide>& its : connectedParts(border, mesh.points.size())) {
         const std::vector<LoopSide> chain = loopSidesOf(its);

@@ -1,46 +1,23 @@
-/// Counts from sorted sides and union-find: components over points, boundary loops over boundary
-/// edges. O(t) for t triangles, but for inverses of the Ackermann function.
 #include "spiraling_edge/mesh/mesh_report.h"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
+#include <atomic>
+#include <vector>
 
-#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/boundary_loop.h"
-#include "spiraling_edge/mesh/sorted_sides.h"
-#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/mesh/mesh_topology.h"
 
 namespace se {
 namespace {
 
-/// A mesh with the sides of its triangles.
-struct MeshSides {
-    const PointSet& points;
-    std::span<const Triangle> triangles;
-    std::span<const TriangleSide> sides;
-};
-
-void countPieces(const MeshSides& mesh, MeshReport& report) {
-    DisjointSets pieces(mesh.points.size());
-    std::size_t joined = 0;
-    for (const Triangle& t : mesh.triangles) {
-        joined += pieces.unite(t.a, t.b) ? 1U : 0U;
-        joined += pieces.unite(t.b, t.c) ? 1U : 0U;
-    }
-    report.usedPoints = countUsedPoints(mesh.points.size(), mesh.triangles);
-    report.components = report.usedPoints - joined;
-}
-
 /// Counts the loops of the boundary, of which these are the sides, and measures the widest.
-void countLoops(const MeshSides& mesh, const std::vector<TriangleSide>& border,
+void countLoops(const PointSet& points, const std::vector<TriangleSide>& border,
                 MeshReport& report) {
-    const auto loops = connectedParts(border, mesh.points.size());
+    const auto loops = connectedParts(border, points.size());
     report.boundaryLoops = loops.size();
     for (const std::vector<TriangleSide>& loop : loops) {
-        const double width = shapeOf(mesh.points, loopSidesOf(loop)).width();
+        const double width = shapeOf(points, loopSidesOf(loop)).width();
         if (width < report.widestLoopWidth) continue;
         report.widestLoopWidth = width;
         report.widestLoopEdges = loop.size();
@@ -48,56 +25,56 @@ void countLoops(const MeshSides& mesh, const std::vector<TriangleSide>& border,
 }
 
 /// Counts the edges by the number of their triangles, and the loops of the boundary.
-void countEdges(const MeshSides& mesh, MeshReport& report) {
+void countEdges(const PointSet& points, const MeshTopology& topology, MeshReport& report) {
+    report.edges = topology.edges;
     std::vector<TriangleSide> border;
-    forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
-        ++report.edges;
+    for (const std::span<const TriangleSide> edge : topology.irregularEdges) {
         if (edge.size() > 2) ++report.nonManifoldEdges;
         if (isInconsistent(edge)) ++report.inconsistentEdges;
-        if (edge.size() == 1) {
-            ++report.boundaryEdges;
-            border.push_back(edge[0]);
-        }
-    });
-    countLoops(mesh, border, report);
-}
-
-void countFans(const MeshSides& mesh, MeshReport& report) {
-    report.nonManifoldVertices =
-        nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size()).size();
-}
-
-void countShapes(const MeshSides& mesh, MeshReport& report) {
-    for (const Triangle& t : mesh.triangles) {
-        if (isDegenerate(mesh.points, t)) {
-            ++report.degenerateTriangles;
-        } else if (isFlipped(mesh.points, t)) {
-            ++report.flippedTriangles;
-        }
+        if (edge.size() == 1) border.push_back(edge[0]);
     }
+    report.boundaryEdges = border.size();
+    countLoops(points, border, report);
 }
 
-/// Independent of one another: each has counts of its own.
-constexpr std::array kCounts{countPieces, countShapes, countFans, countEdges};
-/// Fewer triangles are not worth a thread.
-constexpr std::size_t kTrianglesPerThread = 32768;
+void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
+    std::atomic<std::size_t> degenerate = 0;
+    std::atomic<std::size_t> flipped = 0;
+    forRanges(triangles.size(), 0, kTrianglesPerThread, [&](std::size_t from, std::size_t to) {
+        std::size_t without = 0;
+        std::size_t against = 0;
+        for (const Triangle& t : triangles.subspan(from, to - from)) {
+            if (isDegenerate(points, t)) {
+                ++without;
+            } else if (isFlipped(points, t)) {
+                ++against;
+            }
+        }
+        degenerate += without;
+        flipped += against;
+    });
+    report.degenerateTriangles = degenerate;
+    report.flippedTriangles = flipped;
+}
 
 }  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
-    return reportMesh(points, triangles, sortedSides(triangles));
+    MeshReport report = reportTopology(points, triangles, MeshTopology(points.size(), triangles));
+    countShapes(points, triangles, report);
+    return report;
 }
 
-MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles,
-                      std::span<const TriangleSide> sides) {
-    assert(cornersBelow(triangles, points.size()));
+MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
+                          const MeshTopology& topology) {
     MeshReport report;
     report.points = points.size();
     report.triangles = triangles.size();
-    const MeshSides mesh{points, triangles, sides};
-    const std::size_t least = triangles.size() < kTrianglesPerThread ? kCounts.size() : 1;
-    forEachItem(kCounts.size(), 0, least, [&](std::size_t i) { kCounts[i](mesh, report); });
+    report.usedPoints = topology.usedPoints;
     report.unusedPoints = report.points - report.usedPoints;
+    report.components = topology.components;
+    report.nonManifoldVertices = topology.nonManifoldPoints.size();
+    countEdges(points, topology, report);
     report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
                                  static_cast<long long>(report.edges) +
                                  static_cast<long long>(report.triangles);

@@ -7,7 +7,7 @@
 
 namespace se {
 
-struct TriangleSide;  // sorted_sides.h
+struct MeshTopology;
 
 /// Counts over a triangle mesh. "Edge" is a pair of points that some triangle joins.
 struct MeshReport {
@@ -39,8 +39,9 @@ struct MeshReport {
 
 /// Counts a mesh. Requires corners below points.size(). About O(t) for t triangles.
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles);
-/// As above, with the sides of the triangles at hand.
-MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles,
-                      std::span<const TriangleSide> sides);
+/// The same, but for the counts of degenerate and flipped triangles, which stay 0. `topology` is
+/// that of the triangles.
+MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
+                          const MeshTopology& topology);
 
 }  // namespace se

@@ -3,7 +3,6 @@
 #include "spiraling_edge/mesh/sorted_sides.h"
 
 #include <numeric>
-#include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/parallel.h"
@@ -15,16 +14,18 @@ namespace {
 constexpr std::size_t kLeastPoints = 16384;
 
 bool precedes(const TriangleSide& x, const TriangleSide& y) {
-    return std::tie(x.high, x.triangle) < std::tie(y.high, y.triangle);
+    return x.high != y.high ? x.high < y.high : x.triangle < y.triangle;
 }
+
+constexpr Index kTriangleBits = 0x7fffffffU;
 
 /// Calls visit(side) for each side, by ascending triangle.
 template <typename Visit>
 void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (Index i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
-            visit(TriangleSide{std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
+            visit(TriangleSide{std::min(u, v), std::max(u, v), i & kTriangleBits, u < v ? 1U : 0U});
     }
 }
 

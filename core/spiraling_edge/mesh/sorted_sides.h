@@ -13,8 +13,8 @@ namespace se {
 /// One side of a triangle, named by its points in ascending order.
 struct TriangleSide {
     Index low, high;
-    Index triangle;
-    bool ascending;  ///< Passed from low to high.
+    Index triangle : 31;  ///< A third of the sides, which are numbered by Index.
+    Index ascending : 1;  ///< Passed from low to high. A bit: a mesh has millions of sides.
 
     bool sameEdge(const TriangleSide& other) const {
         return low == other.low && high == other.high;
