@@ -38,9 +38,8 @@ std::vector<Index> lostPoints(const InspectedMesh& mesh, const PointSet& input) 
     }
     if (lost.empty()) return lost;
     const std::vector<Fitness> fitness = fitnessOf(input.position, input.normal);
-    std::erase_if(lost, [&](Index p) {
-        return fitness[p] != Fitness::Usable || (p < input.setAside.size() && input.setAside[p]);
-    });
+    const auto isAside = [&](Index p) { return p < input.setAside.size() && input.setAside[p]; };
+    std::erase_if(lost, [&](Index p) { return isAside(p) || fitness[p] != Fitness::Usable; });
     return lost;
 }
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <atomic>
 #include <new>
 #include <stdexcept>
@@ -34,6 +35,23 @@ TEST_CASE("parallel: of several exceptions the caller gets that of the first pie
         if (from > 0) throw std::out_of_range(std::to_string(from));
     };
     CHECK_THROWS_WITH(forRanges(1000, 4, 1, others), "250");
+}
+
+TEST_CASE("parallel: each task is done once, whatever the number of threads") {
+    for (const unsigned threads : {1U, 2U, 7U}) {
+        CAPTURE(threads);
+        std::array<std::atomic<int>, 5> done{};
+        forEachTask(done.size(), threads, [&](std::size_t i) { ++done[i]; });
+        for (const auto& each : done) CHECK(each == 1);
+        forEachTask(0, threads, [&](std::size_t i) { ++done[i]; });
+        runTasks(
+            threads, [&] { ++done[0]; }, [&] { ++done[1]; });
+        CHECK(done[0] == 2);
+        CHECK(done[1] == 2);
+        CHECK_THROWS_WITH(runTasks(
+                              threads, [] {}, [] { throw std::runtime_error("task"); }),
+                          "task");
+    }
 }
 
 TEST_CASE("parallel: neighbors are searched by threads without memory: the caller gets bad_alloc") {

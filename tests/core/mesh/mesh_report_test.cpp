@@ -5,7 +5,7 @@
 
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_report.h"
-#include "spiraling_edge/mesh/sorted_sides.h"
+#include "spiraling_edge/mesh/mesh_topology.h"
 #include "support/oracles.h"
 #include "support/rig.h"
 
@@ -135,6 +135,19 @@ TEST_CASE("mesh: a ring of triangles has two boundary loops and Euler number 0")
     CHECK(r.eulerCharacteristic == 0);
     CHECK(r.flippedTriangles == 0);
     CHECK(r.nonManifoldVertices == 0);
+}
+
+TEST_CASE("mesh: an edge is irregular unless two triangles pass it in opposite directions") {
+    CHECK(MeshTopology(4, kTetrahedron).irregularEdges.empty());
+    // 0-1 has three triangles, 1-2 two that pass it alike; the others have one each.
+    const Triangles triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 2, 5}};
+    const MeshTopology mesh(6, triangles);
+    CHECK(mesh.edges == 9);
+    CHECK(mesh.irregularEdges.size() == 9);
+    CHECK(mesh.irregularEdges[0].size() == 3);
+    CHECK(std::count_if(mesh.irregularEdges.begin(), mesh.irregularEdges.end(), isInconsistent) ==
+          2);
+    CHECK(MeshTopology(3, Triangles{{0, 1, 2}}).irregularEdges.size() == 3);
 }
 
 TEST_CASE("mesh: sides are sorted by edge and then by triangle, whatever the order of triangles") {
