@@ -82,8 +82,12 @@ Equations equationsOf(const PatchFrame& frame, std::span<const Vec3> position,
     for (const Index q : patch) {
         const FitRow row = frame.rowOf(position[q]);
         for (std::size_t i = 0; i < kFitCoefficients; ++i) {
-            for (std::size_t j = 0; j <= kFitCoefficients; ++j) equations[i][j] += row[i] * row[j];
+            for (std::size_t j = i; j <= kFitCoefficients; ++j) equations[i][j] += row[i] * row[j];
         }
+    }
+    // They are symmetric.
+    for (std::size_t i = 1; i < kFitCoefficients; ++i) {
+        for (std::size_t j = 0; j < i; ++j) equations[i][j] = equations[j][i];
     }
     return equations;
 }
