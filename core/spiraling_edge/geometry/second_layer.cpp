@@ -122,11 +122,6 @@ bool liesBeyondEdge(const PointSet& points, const Triangle& t, const Vec3& norma
 
 }  // namespace
 
-namespace {
-
-/// True if two parallel triangles clearly lie side by side, seen along the sum of their normals:
-/// neither do they share more than common corners then, nor is one a layer over the other. An
-/// answer for most pairs without a projection.
 bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
                    const Triangle& b, const LayerShape& shapeB) {
     const Vec3 along = shapeA.outward + shapeB.outward;
@@ -136,6 +131,8 @@ bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& 
     return haveArea && (liesBeyondEdge(points, a, shapeA.normal, b, along, margin) ||
                         liesBeyondEdge(points, b, shapeB.normal, a, along, margin));
 }
+
+namespace {
 
 /// isSecondLayer() for parallel triangles that do not lie side by side.
 bool isOverOther(const PointSet& points, const Triangle& a, const LayerShape& shapeA,

@@ -32,6 +32,12 @@ inline bool areParallel(const LayerShape& a, const LayerShape& b) {
     return glm::dot(a.outward, b.outward) >= kLayerCosine;
 }
 
+/// True if two triangles clearly lie side by side, seen along the sum of their normals: they share
+/// no more than common corners, nor is one a layer over the other. An answer for most parallel
+/// pairs, at a fraction of the cost of others.
+bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
+                   const Triangle& b, const LayerShape& shapeB);
+
 /// True if one triangle is a second layer over the other: their normals, each turned outward, are
 /// within 45 degrees; seen along the sum of these, at least 2 % of the smaller one lies over or
 /// under the other; and the least gap there is at most half of the mean length of their six edges.

@@ -130,8 +130,9 @@ class PairTester {
             for (Index b = 0; b < input_.triangles.size(); ++b) {
                 ++counts_.visits;
                 if (b == each || input_.usable[b] == 0) continue;
-                if (mayConflict(a.box, boxOf(input_.points, input_.triangles[b])))
-                    testPair(a, PairCandidate(input_, b));
+                if (!mayConflict(a.box, boxOf(input_.points, input_.triangles[b]))) continue;
+                const PairCandidate other(input_, b);
+                if (a.wide.meets(other.wide)) testPair(a, other);
             }
         }
     }
@@ -176,16 +177,20 @@ void PairTester::testBlock(std::span<const InBlock> block) {
         for (std::size_t j = i + 1; j < inCells_.size() && inCells_[j].cell == cell; ++j) {
             const PairCandidate& b = candidates_[inCells_[j].candidate];
             ++counts_.visits;
-            if (input_.grid.cellOfPair(a.wide.low, b.wide.low) == cell) testPair(a, b);
+            if (a.wide.meets(b.wide) && input_.grid.cellOfPair(a.wide.low, b.wide.low) == cell)
+                testPair(a, b);
         }
     }
 }
 
+/// Tests a pair whose wider boxes meet.
 void PairTester::testPair(const PairCandidate& a, const PairCandidate& b) {
-    if (isOver() || !a.wide.meets(b.wide)) return;
+    if (isOver()) return;
     counts_.visits += kLayerTestWork;
     const Triangle& one = input_.triangles[a.triangle];
     const Triangle& other = input_.triangles[b.triangle];
+    if (areParallel(a.shape, b.shape) && lieSideBySide(input_.points, one, a.shape, other, b.shape))
+        return;
     if (isSecondLayer(input_.points, one, a.shape, other, b.shape)) {
         add(FaultKind::SecondLayer, a.triangle, b.triangle);
         ++counts_.layers;
