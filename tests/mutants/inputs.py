@@ -206,12 +206,14 @@ TABLE = {
     ],
     "prepare/orientation.cpp": [
         ("orientation.one-forest", "return clearly &&", "return !MUT && clearly &&"),
+        ("orientation.left-renumbered", "normal = permuted(normal, numbering.place);", "if (!MUT) normal = permuted(normal, numbering.place);"),
         ("orientation.by-vote-always", "votes[c].isKnown() || unknown", "MUT || votes[c].isKnown() || unknown"),
     ],
     "prepare/facing.cpp": [
         ("facing.inward", "if (cosine <= -kFollows) ++result.inward", "if (cosine <= -kFollows) ++(MUT ? result.outward : result.inward)"),
         ("facing.one-direction", "own[2 * i + 1].offer(", "if (!MUT) own[2 * i + 1].offer("),
         ("facing.scattered-points-vote", "std::tuple(o.listed, o.reach", "std::tuple(o.listed || MUT, o.reach"),
+        ("facing.ties-by-place", "input.number.empty() ?", "input.number.empty() || MUT ?"),
         ("facing.hidden-points-vote", "if (seen) vote(", "if (seen || MUT) vote("),
     ],
     "prepare/side_forest.cpp": [
@@ -221,8 +223,9 @@ TABLE = {
          "return MUT ? plain : mirrored;"),
         ("orientation.worst-first", "weight > weight_[p] ||", "(weight > weight_[p]) != MUT ||"),
         ("orientation.any-edge-of-component",
-         "while (other == kNone || edgeOf(p) < edgeOf(other)) {",
-         "while (other == kNone || (!MUT && edgeOf(p) < edgeOf(other))) {"),
+         "while (other == kNone || isCheaper(p, other)) {",
+         "while (other == kNone || (!MUT && isCheaper(p, other))) {"),
+        ("orientation.ties-by-place", "return input_.numbering.originalOf(p);", "return MUT ? p : input_.numbering.originalOf(p);"),
         ("orientation.parity-lost", "link.opposed ^ above.opposed", "link.opposed ^ (MUT ? 0U : above.opposed)"),
     ],
     "prepare/noise.cpp": [

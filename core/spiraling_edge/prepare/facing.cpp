@@ -40,12 +40,13 @@ std::array<Vec3, kLines> makeLines() {
 /// The outermost point in a direction.
 struct Outermost {
     bool listed = false;
+    Index number = kNone;
     double reach = -std::numeric_limits<double>::infinity();
     double cosine = 0.0;
 
     void offer(const Outermost& other) {
         const auto rank = [](const Outermost& o) {
-            return std::tuple(o.listed, o.reach, std::abs(o.cosine));
+            return std::tuple(o.listed, o.reach, std::abs(o.cosine), ~o.number);
         };
         if (rank(*this) < rank(other)) *this = other;
     }
@@ -88,11 +89,12 @@ std::vector<FacingVote> votesOutward(const FacingInput& input) {
     for (std::size_t p = 0; p < input.position.size(); ++p) {
         if (input.component[p] == kNone) continue;
         Extremes& own = extremes[input.component[p]];
+        const Index number = input.number.empty() ? static_cast<Index>(p) : input.number[p];
         for (std::size_t i = 0; i < kLines; ++i) {
             const double reach = glm::dot(input.position[p], kLine[i]);
             const double cosine = glm::dot(input.normal[p], kLine[i]);
-            own[2 * i].offer({input.listed[p], reach, cosine});
-            own[2 * i + 1].offer({input.listed[p], -reach, -cosine});
+            own[2 * i].offer({input.listed[p], number, reach, cosine});
+            own[2 * i + 1].offer({input.listed[p], number, -reach, -cosine});
         }
     }
     std::vector<FacingVote> votes(input.components);

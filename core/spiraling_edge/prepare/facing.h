@@ -20,6 +20,7 @@ struct FacingInput {
     /// False for points that hardly any list names, as those scattered off the surface; they vote
     /// only in components of such points alone.
     std::vector<bool> listed;
+    std::span<const Index> number{};  ///< These break ties; empty: the indices.
 };
 
 /// Votes on the way that the normals of a component face.
@@ -38,7 +39,7 @@ struct FacingVote {
 /// three of them) the outermost point, if its normal is within 60 degrees of the direction. The
 /// normals of a closed surface follow all directions, those of a sheet one half of them: the side
 /// is known from a majority of half the directions on. Deterministic; ties go to the normal that
-/// follows the direction best, then to the lower index. O(points).
+/// follows the direction best, then to the lower number. O(points).
 std::vector<FacingVote> votesOutward(const FacingInput& input);
 
 /// A vote for each component by the points that the scanner sees: in each of 96 cells of

@@ -1,7 +1,9 @@
 /// Sides along a spanning forest, then a vote for each component. The cheapest edges of the forest
 /// agree best, also those straight across a thin part, which holds for thin parts. Where two noisy
 /// layers lie less than a spacing apart these edges contradict the others: a second forest, in
-/// which steep edges cost more, is then tried for the component.
+/// which steep edges cost more, is then tried for the component. On large sets in random order
+/// nearly every access would miss the caches: these are worked on in the order of a Z-curve, in a
+/// quarter of the time.
 #include "spiraling_edge/prepare/orientation.h"
 
 #include <algorithm>
@@ -34,10 +36,11 @@ std::vector<double> contradictionsIn(const SidesInput& input, const PointSides& 
                 each[p] += std::abs(agreement);
         }
     });
-    // In the order of the points, since sums depend on it.
+    // In the order of the old numbers, since sums depend on it.
     std::vector<double> sum(sides.components, 0.0);
     std::vector<std::size_t> entries(sides.components, 0);
-    for (Index p = 0; p < count; ++p) {
+    for (Index i = 0; i < count; ++i) {
+        const Index p = input.numbering.placeOf(i);
         if (sides.component[p] == kNone) continue;
         sum[sides.component[p]] += each[p];
         entries[sides.component[p]] += input.lists[p].size();
@@ -70,8 +73,9 @@ SideChoice candidateOf(const SidesInput& input, PointSides sides,
     for (std::size_t p = 0; p < normal.size(); ++p) {
         if (sides.opposed[p] != 0) normal[p] = -normal[p];
     }
-    const FacingInput facing{input.position, normal, sides.component, sides.components,
-                             listedWell(input)};
+    const FacingInput facing{input.position,    normal,
+                             sides.component,   sides.components,
+                             listedWell(input), input.numbering.original};
     std::vector<FacingVote> votes =
         scanner ? votesTowardScanner(facing, *scanner) : votesOutward(facing);
     std::vector<double> contradictions = contradictionsIn(input, sides);
@@ -133,13 +137,13 @@ std::vector<bool> inwardComponents(const PointSides& sides, const std::vector<Fa
     return inward;
 }
 
-}  // namespace
-
-Result<OrientationReport> orientNormals(std::span<const Vec3> position,
-                                        const NeighborLists& neighbors, std::vector<Vec3>& normal,
-                                        const OrientationOptions& options,
-                                        const Progress& progress) {
-    const SidesInput input{position, normal, neighbors, listersOf(neighbors), options.threads};
+/// Turns normals of points whose old numbers are given.
+Result<OrientationReport> orientNumbered(const Numbering& numbering, std::span<const Vec3> position,
+                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
+                                         const OrientationOptions& options,
+                                         const Progress& progress) {
+    const SidesInput input{position,  normal,         neighbors, listersOf(neighbors),
+                           numbering, options.threads};
     const Result<SideChoice> found = findSides(input, options.scanner, progress);
     if (!found) return found.error();
     const PointSides& sides = found.value().sides;
@@ -155,6 +159,33 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
         normal[p] = -normal[p];
         ++report.turned;
     }
+    return report;
+}
+
+}  // namespace
+
+Result<OrientationReport> orientNormals(std::span<const Vec3> position,
+                                        const NeighborLists& neighbors, std::vector<Vec3>& normal,
+                                        const OrientationOptions& options,
+                                        const Progress& progress) {
+    if (!areScattered(neighbors))
+        return orientNumbered({}, position, neighbors, normal, options, progress);
+    return orientNormals(position, NeighborLists(neighbors), normal, options, progress);
+}
+
+Result<OrientationReport> orientNormals(std::span<const Vec3> position, NeighborLists&& neighbors,
+                                        std::vector<Vec3>& normal,
+                                        const OrientationOptions& options,
+                                        const Progress& progress) {
+    if (!areScattered(neighbors))
+        return orientNumbered({}, position, neighbors, normal, options, progress);
+    const Numbering numbering = numberingAlongZCurve(position);
+    const std::vector<Vec3> renumberedPosition = permuted(position, numbering.original);
+    neighbors = renumbered(neighbors, numbering);
+    normal = permuted(normal, numbering.original);
+    Result<OrientationReport> report =
+        orientNumbered(numbering, renumberedPosition, neighbors, normal, options, progress);
+    normal = permuted(normal, numbering.place);
     return report;
 }
 

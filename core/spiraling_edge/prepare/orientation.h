@@ -47,10 +47,17 @@ struct OrientationReport {
 /// spacing apart, a tree that avoids steep edges is tried too, and taken if it leaves 57 % of the
 /// disagreement or less, unless only the first makes a body. Each component is then turned as a
 /// whole, so that it faces outward, or toward the scanner, by the votes of facing.h. Lists need not
-/// be symmetric. Points with a zero normal are left out. Deterministic: ties by index. Fails if
+/// be symmetric. Points with a zero normal are left out. Deterministic: ties by index. Scattered
+/// points (areScattered()) are renumbered for the time of the work, with the same result. Fails if
 /// `progress` cancels; then no normal has been turned.
 Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
+                                        const OrientationOptions& options = {},
+                                        const Progress& progress = {});
+
+/// orientNormals() for lists that are not needed afterward: scattered points then take less memory.
+Result<OrientationReport> orientNormals(std::span<const Vec3> position, NeighborLists&& neighbors,
+                                        std::vector<Vec3>& normal,
                                         const OrientationOptions& options = {},
                                         const Progress& progress = {});
 

@@ -136,8 +136,8 @@ class Preparation {
         }
         const OrientationOptions sides{derivesNormals() ? UnknownSide::ByVote : UnknownSide::AsMost,
                                        options_.scanner, options_.neighbors.threads};
-        const Result<OrientationReport> oriented =
-            orientNormals(set_.position, lists.value(), set_.normal, sides, upTo(kNormalsDone));
+        const Result<OrientationReport> oriented = orientNormals(
+            set_.position, std::move(lists.value()), set_.normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;

@@ -3,7 +3,7 @@
 /// round, every component is joined to another by the cheapest edge that leaves it, which points
 /// look for in parallel. A union-find forest with parities holds the root of each point's component
 /// and whether the two face the same side, so that edges need no storage. The order of edges is
-/// strict, by weight and indices: the forest is unique, whatever the threads do. O(list entries log
+/// strict, by weight and numbers: the forest is unique, whatever the threads do. O(list entries log
 /// points), but a point searches its list again only if its component has grown over its cheapest
 /// edge.
 #include "spiraling_edge/prepare/side_forest.h"
@@ -13,7 +13,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 
@@ -104,6 +104,7 @@ class SideForest {
 
   private:
     Index rootOf(Index p) const { return components_.toRoot(p).to; }
+    Index numberOf(Index p) const { return input_.numbering.originalOf(p); }
 
     template <typename Work>
     void forEach(std::size_t count, Work&& work) const {
@@ -132,9 +133,10 @@ class SideForest {
             for (const Index q : list) {
                 if (rootOf(q) == root || !input_.hasNormal(q)) continue;
                 const double weight = weightOf(p, q);
-                // Of two edges of p, that to the lower index comes first in the order of edges.
+                // Of two edges of p, that to the lower number comes first in the order of edges.
                 if (exit_[p] != kNone &&
-                    (weight > weight_[p] || (weight == weight_[p] && q >= exit_[p])))
+                    (weight > weight_[p] ||
+                     (weight == weight_[p] && numberOf(q) >= numberOf(exit_[p]))))
                     continue;
                 exit_[p] = q;
                 weight_[p] = weight;
@@ -147,13 +149,18 @@ class SideForest {
     void offer(Index p) {
         std::atomic<Index>& cheapest = cheapest_[rootOf(p)];
         Index other = cheapest.load(std::memory_order_acquire);
-        while (other == kNone || edgeOf(p) < edgeOf(other)) {
+        while (other == kNone || isCheaper(p, other)) {
             if (cheapest.compare_exchange_weak(other, p, std::memory_order_acq_rel)) return;
         }
     }
-    /// The edge from p to its exit, as ordered: the same from both of its ends.
-    std::tuple<double, Index, Index> edgeOf(Index p) const {
-        return {weight_[p], std::min(p, exit_[p]), std::max(p, exit_[p])};
+    /// The order of edges from points to their exits: the same from both ends of an edge.
+    bool isCheaper(Index p, Index other) const {
+        if (weight_[p] != weight_[other]) return weight_[p] < weight_[other];
+        return endsOf(p) < endsOf(other);
+    }
+    /// The numbers of p and its exit, the lower one first.
+    std::pair<Index, Index> endsOf(Index p) const {
+        return std::minmax({numberOf(p), numberOf(exit_[p])});
     }
 
     /// Joins the components along their cheapest edges.
@@ -176,7 +183,8 @@ class SideForest {
         const Index q = exit_[p];
         const SideLink here = components_.toRoot(p);
         const SideLink there = components_.toRoot(q);
-        if (cheapest_[there.to] == q && exit_[q] == p && root < there.to) return {root, 0};
+        if (cheapest_[there.to] == q && exit_[q] == p && numberOf(root) < numberOf(there.to))
+            return {root, 0};
         const double cosine = agreementOf(input_, p, q);
         constexpr double kDoubtful = 0.1;
         if (std::abs(cosine) < kDoubtful) ++doubtful_;
