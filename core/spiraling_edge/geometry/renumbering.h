@@ -41,4 +41,34 @@ auto permuted(const Values& values, std::span<const Index> order) {
 /// The lists of the points by their new numbers; every list keeps its order. O(points + entries).
 NeighborLists renumbered(const NeighborLists& lists, const Numbering& numbering);
 
+/// Points and their lists, renumbered along a Z-curve if they are scattered; else as they are.
+class NearTogether {
+  public:
+    /// Positions and lists must outlive this object.
+    NearTogether(std::span<const Vec3> position, const NeighborLists& lists);
+    /// Takes the lists over, which saves the memory of a copy. The positions must outlive it.
+    NearTogether(std::span<const Vec3> position, NeighborLists&& lists);
+    NearTogether(const NearTogether&) = delete;
+    NearTogether& operator=(const NearTogether&) = delete;
+
+    /// The numbers; empty if the points are not scattered.
+    const Numbering& numbering() const { return numbering_; }
+    std::span<const Vec3> position() const { return position_; }
+    const NeighborLists& lists() const { return *lists_; }
+
+    /// The values of points by their new numbers, given those by the old ones.
+    std::vector<Vec3> renumbered(std::vector<Vec3> values) const;
+    /// The values of points by their old numbers, given those by the new ones.
+    std::vector<Vec3> restored(std::vector<Vec3> values) const;
+
+  private:
+    void renumberIfScattered();
+
+    Numbering numbering_;
+    std::vector<Vec3> ownPosition_;
+    NeighborLists ownLists_;
+    std::span<const Vec3> position_;
+    const NeighborLists* lists_;
+};
+
 }  // namespace se

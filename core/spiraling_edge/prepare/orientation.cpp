@@ -137,13 +137,14 @@ std::vector<bool> inwardComponents(const PointSides& sides, const std::vector<Fa
     return inward;
 }
 
-/// Turns normals of points whose old numbers are given.
-Result<OrientationReport> orientNumbered(const Numbering& numbering, std::span<const Vec3> position,
-                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
-                                         const OrientationOptions& options,
-                                         const Progress& progress) {
-    const SidesInput input{position,  normal,         neighbors, listersOf(neighbors),
-                           numbering, options.threads};
+}  // namespace
+
+Result<OrientationReport> orientNormals(const NearTogether& points, std::vector<Vec3>& normal,
+                                        const OrientationOptions& options,
+                                        const Progress& progress) {
+    const SidesInput input{points.position(),  normal,
+                           points.lists(),     listersOf(points.lists()),
+                           points.numbering(), options.threads};
     const Result<SideChoice> found = findSides(input, options.scanner, progress);
     if (!found) return found.error();
     const PointSides& sides = found.value().sides;
@@ -162,30 +163,14 @@ Result<OrientationReport> orientNumbered(const Numbering& numbering, std::span<c
     return report;
 }
 
-}  // namespace
-
 Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
                                         const OrientationOptions& options,
                                         const Progress& progress) {
-    if (!areScattered(neighbors))
-        return orientNumbered({}, position, neighbors, normal, options, progress);
-    return orientNormals(position, NeighborLists(neighbors), normal, options, progress);
-}
-
-Result<OrientationReport> orientNormals(std::span<const Vec3> position, NeighborLists&& neighbors,
-                                        std::vector<Vec3>& normal,
-                                        const OrientationOptions& options,
-                                        const Progress& progress) {
-    if (!areScattered(neighbors))
-        return orientNumbered({}, position, neighbors, normal, options, progress);
-    const Numbering numbering = numberingAlongZCurve(position);
-    const std::vector<Vec3> renumberedPosition = permuted(position, numbering.original);
-    neighbors = renumbered(neighbors, numbering);
-    normal = permuted(normal, numbering.original);
-    Result<OrientationReport> report =
-        orientNumbered(numbering, renumberedPosition, neighbors, normal, options, progress);
-    normal = permuted(normal, numbering.place);
+    const NearTogether points(position, neighbors);
+    normal = points.renumbered(std::move(normal));
+    Result<OrientationReport> report = orientNormals(points, normal, options, progress);
+    normal = points.restored(std::move(normal));
     return report;
 }
 

@@ -9,6 +9,7 @@
 
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/geometry/renumbering.h"
 #include "spiraling_edge/points/point_set.h"
 
 namespace se {
@@ -55,9 +56,8 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const OrientationOptions& options = {},
                                         const Progress& progress = {});
 
-/// orientNormals() for lists that are not needed afterward: scattered points then take less memory.
-Result<OrientationReport> orientNormals(std::span<const Vec3> position, NeighborLists&& neighbors,
-                                        std::vector<Vec3>& normal,
+/// orientNormals() for points whose normals are in the order of their new numbers.
+Result<OrientationReport> orientNormals(const NearTogether& points, std::vector<Vec3>& normal,
                                         const OrientationOptions& options = {},
                                         const Progress& progress = {});
 

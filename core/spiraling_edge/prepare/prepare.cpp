@@ -124,21 +124,26 @@ class Preparation {
         StopWatch watch;
         Result<NeighborLists> lists = listsForNormals();
         if (!lists) return lists.error();
+        const NearTogether points(set_.position, std::move(lists.value()));
         DerivedPieces& derived = report_.derived;
+        std::vector<Vec3> normal;
         if (derivesNormals()) {
-            Result<std::vector<Vec3>> normals = estimateNormals(
-                set_.position, lists.value(), options_.neighbors.threads, upTo(kPlanesDone));
-            if (!normals) return normals.error();
-            set_.normal = std::move(normals.value());
-            setAsidePlaneless();
+            Result<std::vector<Vec3>> planes = estimateNormals(
+                points.position(), points.lists(), options_.neighbors.threads, upTo(kPlanesDone));
+            if (!planes) return planes.error();
+            normal = std::move(planes.value());
             derived.normals = true;
             derived.normalSeconds = watch.lap();
+        } else {
+            normal = points.renumbered(std::move(set_.normal));
         }
         const OrientationOptions sides{derivesNormals() ? UnknownSide::ByVote : UnknownSide::AsMost,
                                        options_.scanner, options_.neighbors.threads};
-        const Result<OrientationReport> oriented = orientNormals(
-            set_.position, std::move(lists.value()), set_.normal, sides, upTo(kNormalsDone));
+        const Result<OrientationReport> oriented =
+            orientNormals(points, normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
+        set_.normal = points.restored(std::move(normal));
+        if (derivesNormals()) setAsidePlaneless();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;
         derived.turnedNormals = derivesNormals() ? 0 : turned.turned;
