@@ -153,24 +153,28 @@ void Batch::upload(int buffer, const void* data, std::size_t bytes) {
     capacity_[buffer] = bytes;
 }
 
-void Batch::append(int buffer, std::size_t offset, const void* data, std::size_t bytes) {
+void Batch::reserve(int buffer, std::size_t bytes) {
     bind();
-    if (offset + bytes > capacity_[buffer]) {
-        const std::size_t capacity = std::max(offset + bytes, 2 * capacity_[buffer]);
+    const std::size_t before = capacity_[buffer];
+    if (bytes <= before) return;
+    capacity_[buffer] = std::max(bytes, 2 * before);
+    GLuint larger = 0;
+    glGenBuffers(1, &larger);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity_[buffer]), nullptr,
+                 GL_STATIC_DRAW);
+    if (before > 0) {
         glBindBuffer(GL_COPY_READ_BUFFER, buffers_[buffer]);
-        GLuint larger = 0;
-        glGenBuffers(1, &larger);
-        glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
-        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity), nullptr,
-                     GL_STATIC_DRAW);
-        if (offset > 0) {
-            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                                static_cast<GLsizeiptr>(offset));
-        }
-        glDeleteBuffers(1, &buffers_[buffer]);
-        buffers_[buffer] = larger;
-        capacity_[buffer] = capacity;
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                            static_cast<GLsizeiptr>(before));
     }
+    glDeleteBuffers(1, &buffers_[buffer]);
+    buffers_[buffer] = larger;
+}
+
+void Batch::append(int buffer, std::size_t offset, const void* data, std::size_t bytes) {
+    reserve(buffer, offset + bytes);
+    bind();
     glBindBuffer(GL_ARRAY_BUFFER, buffers_[buffer]);
     glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
                     data);

@@ -71,6 +71,8 @@ class Batch {
                   bool perInstance = false);
     /// Replaces the contents of a buffer.
     void upload(int buffer, const void* data, std::size_t bytes);
+    /// Grows the buffer to at least `bytes`, keeping its contents.
+    void reserve(int buffer, std::size_t bytes);
     /// Replaces the bytes from `offset` on; grows the buffer, keeping what is before.
     void append(int buffer, std::size_t offset, const void* data, std::size_t bytes);
     void bind();

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "draw_pacer.h"
 #include "scene/detail.h"
 
 namespace se::view {
@@ -33,6 +34,8 @@ struct FaceVertex {
 
 /// Share of the point spacing by which points are moved toward the eye.
 constexpr float kMarkBias = 0.12F;
+/// Vertices that are uploaded at a time: all of a large mesh would take its memory twice.
+constexpr std::size_t kUploaded = std::size_t{1} << 16U;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
 /// Diameter of solid dots, as a share of their distance.
@@ -54,17 +57,19 @@ std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
 Bounds uploadCorners(Batch& batch, BlockBounds* blocks, const Model& model,
                      std::span<const Triangle> triangles, BlockBounds::Range range) {
     Bounds all;
+    batch.reserve(0, 3 * range.second * sizeof(MeshVertex));
     std::vector<MeshVertex> corners;
-    corners.reserve(3 * (range.second - range.first));
     for (std::size_t i = range.first; i < range.second; ++i) {
         for (const Index p : {triangles[i].a, triangles[i].b, triangles[i].c}) {
             corners.push_back({model.place[p], packed(model.normal[p])});
             all.add(model.place[p]);
             if (blocks != nullptr) blocks->add(i, model.place[p]);
         }
+        if (corners.size() < kUploaded && i + 1 < range.second) continue;
+        batch.append(0, 3 * (i + 1) * sizeof(MeshVertex) - corners.size() * sizeof(MeshVertex),
+                     corners.data(), corners.size() * sizeof(MeshVertex));
+        corners.clear();
     }
-    batch.append(0, 3 * range.first * sizeof(MeshVertex), corners.data(),
-                 corners.size() * sizeof(MeshVertex));
     // The buffer may have been replaced.
     batch.describe(0, sizeof(MeshVertex),
                    {{0, 3, offsetof(MeshVertex, position)},
@@ -73,11 +78,10 @@ Bounds uploadCorners(Batch& batch, BlockBounds* blocks, const Model& model,
 }
 
 /// Draws the triangles of the range of the bound batch in one color.
-void drawTriangles(BlockBounds::Range range, const Color& c) {
+void drawTriangles(DrawPacer& pacer, BlockBounds::Range range, const Color& c) {
     if (range.second <= range.first) return;
     glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
-    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first),
-                 static_cast<GLsizei>(3 * (range.second - range.first)));
+    pacer.drawTriangles(range.first, range.second);
 }
 
 /// Bounds of any scene.
@@ -146,14 +150,18 @@ void Surface::describeBatches() {
 }
 
 void Surface::setModel(const Model& model) {
-    std::vector<CloudVertex> vertices;
-    vertices.reserve(model.place.size());
+    const std::size_t count = model.place.size();
+    cloud_.upload(0, nullptr, count * sizeof(CloudVertex));
     cloudBounds_.clear();
-    for (std::size_t p = 0; p < model.place.size(); ++p) {
+    std::vector<CloudVertex> vertices;
+    for (std::size_t p = 0; p < count; ++p) {
         vertices.push_back({model.place[p], model.normal[p]});
         cloudBounds_.add(p, model.place[p]);
+        if (vertices.size() < kUploaded && p + 1 < count) continue;
+        cloud_.append(0, (p + 1 - vertices.size()) * sizeof(CloudVertex), vertices.data(),
+                      vertices.size() * sizeof(CloudVertex));
+        vertices.clear();
     }
-    cloud_.upload(0, vertices.data(), vertices.size() * sizeof(CloudVertex));
     places_ = model.place;
     meshTriangles_ = 0;
     meshBounds_.clear();
@@ -347,17 +355,19 @@ void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
     repaired ? repaired_.bind() : mesh_.bind();
     glVertexAttrib1f(2, 0.0F);
     const BlockBounds& blocks = repaired ? repairedBounds_ : meshBounds_;
+    DrawPacer pacer;
     for (const auto& range : blocks.within(view.camera, view.size, view.rect, meshCount(list)))
-        drawRange(list, range);
+        drawRange(pacer, list, range);
 }
 
-void Surface::drawRange(const DrawList& list, BlockBounds::Range range) {
+void Surface::drawRange(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range) {
     const auto& stretches = list.meshStretches;
     const std::size_t plain = stretches.empty() ? range.second : stretches.front().first;
-    drawTriangles({range.first, std::min(range.second, plain)}, list.meshColor);
+    drawTriangles(pacer, {range.first, std::min(range.second, plain)}, list.meshColor);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : range.second;
-        drawTriangles({std::max(range.first, stretches[i].first), std::min(range.second, end)},
+        drawTriangles(pacer,
+                      {std::max(range.first, stretches[i].first), std::min(range.second, end)},
                       stretches[i].color);
     }
 }
@@ -365,12 +375,13 @@ void Surface::drawRange(const DrawList& list, BlockBounds::Range range) {
 /// Drawn over the finished triangles, at exactly the same depth.
 void Surface::drawTinted(const DrawList& list) {
     meshShader_.set("uByBirth", false);
+    DrawPacer pacer;
     for (std::size_t i = 0; i < tinted_.size(); ++i) {
         const TintedTriangles& tinted = list.tinted[i];
         if (tinted.count == 0 || tinted.triangles != uploadedTinted_[i]) continue;
         tinted_[i].bind();
         glVertexAttrib1f(2, 0.0F);
-        drawTriangles({0, tinted.count}, tinted.color);
+        drawTriangles(pacer, {0, tinted.count}, tinted.color);
     }
 }
 
@@ -434,10 +445,10 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
     shader.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
     shader.set("uBackground", glm::vec3(view.background.r, view.background.g, view.background.b));
     cloud_.bind();
+    DrawPacer pacer;
     for (const auto& [first, last] :
-         cloudBounds_.within(view.camera, view.size, view.rect, places_.size())) {
-        glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(last - first));
-    }
+         cloudBounds_.within(view.camera, view.size, view.rect, places_.size()))
+        pacer.drawPoints(first, last);
 }
 
 }  // namespace se::view

@@ -14,6 +14,8 @@
 
 namespace se::view {
 
+class DrawPacer;
+
 /// The part of a picture to draw, and sizes in it.
 struct SurfaceView {
     CameraMatrices camera;
@@ -84,7 +86,7 @@ class Surface {
     void drawFinished(const DrawList& list, const SurfaceView& view);
     std::size_t meshCount(const DrawList& list) const;
     void drawStretches(const DrawList& list, const SurfaceView& view);
-    void drawRange(const DrawList& list, BlockBounds::Range range);
+    void drawRange(DrawPacer& pacer, const DrawList& list, BlockBounds::Range range);
     void drawTinted(const DrawList& list);
     void drawFaces(const std::vector<Face>& faces);
     void drawPoints(Shader& shader, const DrawList& list, const SurfaceView& view);
