@@ -194,8 +194,11 @@ void Ui::setLooks(float scale, Theme theme) {
     if (!looksSet_ || scale != scale_) {
         em_ = std::round(kEmPixels * scale);
         fonts_ = loadFonts(em_);
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
+        // The first texture is made by beginFrame().
+        if (looksSet_) {
+            ImGui_ImplOpenGL3_DestroyFontsTexture();
+            ImGui_ImplOpenGL3_CreateFontsTexture();
+        }
     }
     theme_ = theme;
     scale_ = scale;
@@ -206,6 +209,7 @@ void Ui::setLooks(float scale, Theme theme) {
 
 void Ui::beginFrame() {
     ImGui_ImplOpenGL3_NewFrame();
+    ImGui::GetIO().Fonts->ClearTexData();  // It is a texture now.
     ImGui::NewFrame();
 }
 
