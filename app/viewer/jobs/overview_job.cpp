@@ -148,12 +148,13 @@ void watchRun(const Model& model, BackgroundJob<RunOverview>::Results& results) 
 
 }  // namespace
 
-OverviewJob::OverviewJob(std::shared_ptr<const Model> model) {
+OverviewJob::OverviewJob(std::shared_ptr<const Model> model) : points_(model->points.size()) {
     job_.start([model = std::move(model)](auto& results) { watchRun(*model, results); });
 }
 
 bool OverviewJob::poll(RunOverview& overview) {
     const std::vector<RunOverview> found = job_.take();
+    if (!found.empty() && overview.pivots.empty()) reservePivots(overview, points_);
     for (const RunOverview& fresh : found) append(overview, fresh);
     return !found.empty();
 }

@@ -25,6 +25,7 @@ class OverviewJob {
     void waitUntilDone() { job_.waitUntilDone(); }
 
   private:
+    std::size_t points_;        ///< Of the model.
     bool hasComplaint_ = true;  ///< Not taken yet.
     BackgroundJob<RunOverview> job_;
 };

@@ -83,6 +83,14 @@ void count(PivotSummary& summary, const Event& event) {
     if (names && event.address.stage != Stage::Seed) summary.point = subjectOf(event);
 }
 
+void reservePivots(RunOverview& overview, std::size_t points) {
+    // A point on several rings is the pivot of each; repairs are counted too.
+    const std::size_t pivots = points + points / 16;
+    for (auto* list : {&overview.ringLength, &overview.stackDepth, &overview.triangles})
+        list->reserve(pivots);
+    overview.pivots.reserve(pivots);
+}
+
 void append(RunOverview& overview, const RunOverview& fresh) {
     appendList(overview.ringLength, fresh.ringLength);
     appendList(overview.stackDepth, fresh.stackDepth);

@@ -108,6 +108,10 @@ struct RunOverview {
 /// Failures at an address, in order.
 std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address);
 
+/// Reserves the lists per pivot for a run on that many points: growing step by step they would take
+/// up to twice the memory.
+void reservePivots(RunOverview& overview, std::size_t points);
+
 /// Appends the lists of `fresh` to those of `overview` and copies its figures.
 void append(RunOverview& overview, const RunOverview& fresh);
 
