@@ -87,6 +87,30 @@ std::vector<Vec3> sidesOfPoints(const ExaminedFile& examined) {
     return side;
 }
 
+/// True if each point and those nearest to it have normals that agree: then lists without opposing
+/// ones are those of the examination.
+bool allAgree(const ExaminedFile& examined, const std::vector<Vec3>& side) {
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.present[p] != examined.hasSide(p)) return false;
+        const auto list = examined.nearest[p];
+        if (std::any_of(list.begin(), list.end(),
+                        [&](Index q) { return normalsOppose(side[p], side[q]); }))
+            return false;
+    }
+    return true;
+}
+
+Result<Rim> rimOf(const ExaminedFile& examined) {
+    const PointFile& file = examined.file;
+    const std::vector<Vec3> side = sidesOfPoints(examined);
+    if (allAgree(examined, side)) return findRim(file.position, side, examined.nearest, file.type);
+    std::vector<bool> usable(examined.size());
+    for (Index p = 0; p < examined.size(); ++p) usable[p] = examined.hasSide(p);
+    const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});
+    if (!lists) return lists.error();
+    return findRim(file.position, side, lists.value(), file.type);
+}
+
 bool isMarked(const PointFile& file, Index p) {
     return file.hasTypes() && isRimPoint(file.type[p]);
 }
@@ -96,12 +120,7 @@ bool isMarked(const PointFile& file, Index p) {
 std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
     const PointFile& file = examined.file;
     if (!file.hasNormals()) return std::nullopt;
-    const std::vector<Vec3> side = sidesOfPoints(examined);
-    std::vector<bool> usable(examined.size());
-    for (Index p = 0; p < examined.size(); ++p) usable[p] = examined.hasSide(p);
-    const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});
-    if (!lists) return std::nullopt;
-    const Result<Rim> rim = findRim(file.position, side, lists.value(), file.type);
+    const Result<Rim> rim = rimOf(examined);
     if (!rim) return std::nullopt;
     // Rim points in the file do not count without types.
     const auto& chains = rim.value().chains;

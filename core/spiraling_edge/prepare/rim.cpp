@@ -122,9 +122,17 @@ constexpr std::size_t kNearestOfRim = 12;
 /// Of three points of a chain, this many must be candidates, and on no wall.
 constexpr std::size_t kOfThree = 2;
 
+std::size_t longestOf(const NeighborLists& lists) {
+    std::size_t longest = 0;
+    for (Index p = 0; p < lists.size(); ++p) longest = std::max(longest, lists[p].size());
+    return longest;
+}
+
 /// The first of each list, with every entry in both directions.
 Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const NeighborLists& lists,
                                       unsigned threads, const Progress& progress) {
+    if (longestOf(lists) <= kNearestOfRim)
+        return symmetricLists(position, lists, threads, progress);
     NeighborLists nearest;
     nearest.offset.reserve(lists.offset.size());
     nearest.ids.reserve(std::min(lists.ids.size(), kNearestOfRim * lists.size()));
