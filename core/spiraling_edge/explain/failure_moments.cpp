@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/inspected_run.h"
@@ -39,7 +40,7 @@ class Finders {
   public:
     Finders(const PointSet& points, const Params& params, const std::vector<Triangle>& mesh,
             std::span<const MeshFailure> failures)
-        : input_{points, params, mesh, moves_},
+        : input_{points, params, mesh, moves_, tests_},
           failures_(failures),
           at_(points.size()),
           asked_(failures.size(), 0) {
@@ -61,7 +62,8 @@ class Finders {
             gather(event, pivot.point);
             const auto freed = rings_.add(event);
             if (concerned_.empty() && !freed) continue;
-            const LedgerLine line = lineOf(event, {input_.points, input_.params, pivot.point});
+            const auto line = sharedLine(event, pivot.point);
+            addTest(*line, tests_);
             for (const std::size_t i : concerned_) finders_[i].add(line);
             if (freed) addFreed(*freed, pivot.point);
         }
@@ -70,6 +72,10 @@ class Finders {
     const std::vector<MomentFinder>& all() const { return finders_; }
 
   private:
+    SharedLine sharedLine(const Event& event, Index pivot) const {
+        return std::make_shared<const LedgerLine>(
+            lineOf(event, {input_.points, input_.params, pivot}));
+    }
     void gather(const Event& event, Index pivot) {
         forEachPointOf(event, pivot, [&](Index p) {
             for (const std::size_t i : at_[p]) {
@@ -81,11 +87,12 @@ class Finders {
     void addFreed(const FreedRing& ring, Index pivot) {
         for (const std::size_t i : at_[ring.points.front()]) {
             if (failures_[i].kind->find != nullptr || failures_[i].points != ring.points) continue;
-            finders_[i].addFreed(lineOf(ring.event, {input_.points, input_.params, pivot}));
+            finders_[i].addFreed(sharedLine(ring.event, pivot));
         }
     }
 
     std::vector<LedgerLine> moves_;
+    std::vector<LedgerLine> tests_;
     FinderInput input_;
     std::span<const MeshFailure> failures_;
     std::vector<std::vector<std::size_t>> at_;  ///< Per point: the failures there.
@@ -105,8 +112,8 @@ std::vector<std::size_t> affordableOf(const PointSet& points, const Params& para
                                       const std::vector<std::uint64_t>& eventsAt,
                                       std::uint64_t left, InspectedRun& run) {
     assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
-    const std::vector<LedgerLine> noMoves;
-    const FinderInput input{points, params, run.mesh, noMoves};
+    const std::vector<LedgerLine> none;
+    const FinderInput input{points, params, run.mesh, none, none};
     std::vector<std::uint64_t> work;
     work.reserve(run.failures.size());
     std::uint64_t all = 0;
@@ -154,6 +161,7 @@ std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
     const PointSet& points, const Params& params, const std::vector<MomentFinder>& finders,
     const Progress& progress) {
     std::vector<std::optional<FailureMoments>> found;
+    found.reserve(finders.size());
     std::vector<Index> alone;
     for (const MomentFinder& each : finders) {
         found.push_back(each.found());
@@ -216,7 +224,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->mesh;
     const std::vector<std::size_t> chosen =
-        affordableOf(points, params, eventsAt, affordable, *run);
+        affordableOf(points, params, std::exchange(eventsAt, {}), affordable, *run);
     std::vector<MeshFailure> followed;
     followed.reserve(chosen.size());
     for (const std::size_t i : chosen) followed.push_back(run->failures[i]);
@@ -225,6 +233,8 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     RunFailureSearch found;
     found.fidelity = fidelityOf(points, mesh);
     found.triangles = mesh.size();
+    found.failures.reserve(chosen.size());
+    found.all.reserve(run->failures.size());
     std::size_t next = 0;
     for (std::size_t i = 0; i < run->failures.size(); ++i) {
         MeshFailure& failure = run->failures[i];

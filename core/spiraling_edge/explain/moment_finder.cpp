@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "spiraling_edge/explain/origin_decisions.h"
 
@@ -36,7 +37,18 @@ const DropEvidence* passedBy(const Event& event) {
     return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
 }
 
+SharedLine sharedOf(std::optional<LedgerLine> line) {
+    return line ? std::make_shared<const LedgerLine>(std::move(*line)) : nullptr;
+}
+
 }  // namespace
+
+void addTest(const LedgerLine& line, std::vector<LedgerLine>& tests) {
+    const std::uint32_t pivot = line.event.address.pivot;
+    if (!tests.empty() && tests.back().event.address.pivot != pivot) tests.clear();
+    const bool taken = line.role == LineRole::Taken && testedPoint(line.event) != kNone;
+    if (taken || closedGap(line.event) != nullptr || fillsHole(line.event)) tests.push_back(line);
+}
 
 MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
     : input_(input), failure_(failure), kind_(kindOf(failure)) {
@@ -66,16 +78,16 @@ MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
     return failure.triangles.empty() ? Kind::Point : Kind::Triangle;
 }
 
-void MomentFinder::add(const LedgerLine& line) {
-    if (!touched_ && touches(line.event)) touched_ = line;
+void MomentFinder::add(const SharedLine& shared) {
+    if (!touched_ && touches(shared->event)) touched_ = shared;
     switch (kind_) {
         case Kind::Point:
-            return addForPoint(line);
+            return addForPoint(shared);
         case Kind::Hole:
         case Kind::Ring:
-            return addForRing(line);
+            return addForRing(shared);
         case Kind::Triangle:
-            return addForTriangle(line);
+            return addForTriangle(shared);
     }
 }
 
@@ -98,24 +110,25 @@ bool MomentFinder::touches(const Event& event) const {
     return mine(testedPoint(event));
 }
 
-void MomentFinder::addForPoint(const LedgerLine& line) {
+void MomentFinder::addForPoint(const SharedLine& shared) {
+    const LedgerLine& line = *shared;
     const Index p = testedPoint(line.event);
     if (p == kNone && mine(line.pivot) && line.role == LineRole::Refused)
-        (isFullTurn(line.event) ? alonePair_ : unavoidable_) = line;
+        (isFullTurn(line.event) ? alonePair_ : unavoidable_) = shared;
     const auto* ring = as<RingEvidence>(line.event);
-    if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = line;
+    if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = shared;
     if (!mine(p)) return;
     const auto* strand = as<StrandEvidence>(line.event);
-    if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
+    if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = shared;
     const bool limit = isA<LimitEvidence>(line.event);
     if (line.role != LineRole::Refused || wasSettledBefore(line.event) || limit) return;
     const auto* drop = passedBy(line.event);
-    (liesOutside(line.event) ? outside_ : unavoidable_) =
-        drop != nullptr ? moveOver(*drop).value_or(line) : line;
+    const SharedLine move = drop != nullptr ? moveOver(*drop) : nullptr;
+    (liesOutside(line.event) ? outside_ : unavoidable_) = move ? move : shared;
 }
 
-/// The first move of start or end past the candidate.
-std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const {
+/// The first move of start or end past the candidate; null if there is none.
+SharedLine MomentFinder::moveOver(const DropEvidence& drop) const {
     const auto passes = [&](const LedgerLine& line) {
         const auto& move = std::get<LimitEvidence>(line.event.evidence);
         if (move.side != drop.side) return false;
@@ -123,20 +136,21 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
                                         : move.toDegrees <= drop.degrees;
     };
     const auto found = std::find_if(input_.moves.begin(), input_.moves.end(), passes);
-    return found == input_.moves.end() ? std::nullopt : std::optional(*found);
+    return found == input_.moves.end() ? nullptr : std::make_shared<const LedgerLine>(*found);
 }
 
 /// A loop exists once its last point is DONE, a ring once it is freed.
-void MomentFinder::addForRing(const LedgerLine& line) {
+void MomentFinder::addForRing(const SharedLine& shared) {
+    const LedgerLine& line = *shared;
     const Index tested = testedPoint(line.event);
     const auto* ring = as<RingEvidence>(line.event);
     if (kind_ == Kind::Hole && ring != nullptr && ring->status < 0 && mine(ring->point))
-        created_ = line;
+        created_ = shared;
     if (kind_ == Kind::Ring && created_) return;
     if (!mine(line.pivot) || line.role != LineRole::Refused) return;
     // None: the whole fan was refused.
     if (tested == kNone || (!wasSettledBefore(line.event) && mine(tested)))
-        (liesOutside(line.event) ? outside_ : unavoidable_) = line;
+        (liesOutside(line.event) ? outside_ : unavoidable_) = shared;
 }
 
 /// Compares by number, and by corners where a step after the last pivot has replaced the triangle.
@@ -173,51 +187,43 @@ bool MomentFinder::isRepair(const Event& event) const {
     return mine(testedPoint(event));
 }
 
-void MomentFinder::recordTest(const LedgerLine& line) {
-    if (line.event.address.pivot != pivot_) decided_.clear();
-    pivot_ = line.event.address.pivot;
-    const bool taken = line.role == LineRole::Taken && mine(testedPoint(line.event));
-    const SphereEvidence* gap = closedGap(line.event);
-    const bool closed = gap != nullptr && mine(gap->t) && mine(gap->s);
-    if (taken || closed || fillsHole(line.event)) decided_.push_back(line);
-}
-
 /// The decision that made a faulty edge or point: the last test that took an end of it.
 std::optional<LedgerLine> MomentFinder::decisionForPart(const Triangle& made) const {
     const std::string_view kind = failure_.kind->name;
     const bool edge = kind == "non_manifold_edges" || kind == "inconsistent_edges";
     if (!edge && kind != "non_manifold_vertices") return {};
     const auto end = [&](Index p) { return p == made.a ? kNone : p; };
-    return lastDecision(decided_, end(failure_.points.front()), end(failure_.points.back()));
+    return lastDecision(input_.tests, end(failure_.points.front()), end(failure_.points.back()));
 }
 
 /// The decision that made the triangle. The filling of first and last alone (§6.4) counts where
 /// there is no other.
 std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const {
-    if (const auto tested = lastDecision(decided_, made)) return tested;
-    const auto found = std::find_if(decided_.rbegin(), decided_.rend(), [&](const auto& line) {
+    const std::vector<LedgerLine>& tests = input_.tests;
+    if (const auto tested = lastDecision(tests, made)) return tested;
+    const auto found = std::find_if(tests.rbegin(), tests.rend(), [&](const auto& line) {
         return fillsHole(line.event) && hasCorner(made, line.pivot);
     });
-    return found == decided_.rend() ? std::nullopt : std::optional(*found);
+    return found == tests.rend() ? std::nullopt : std::optional(*found);
 }
 
 /// Waits for the triangle that completes the failure: of an edge of five the third, of two that
 /// cross the second.
-void MomentFinder::addForTriangle(const LedgerLine& line) {
-    recordTest(line);
-    if (isRepair(line.event)) {
+void MomentFinder::addForTriangle(const SharedLine& line) {
+    if (isRepair(line->event)) {
         created_ = unavoidable_ = line;
         alone_ = kNone;
         return;
     }
-    const auto* emit = as<EmitEvidence>(line.event);
+    const auto* emit = as<EmitEvidence>(line->event);
     if (emit == nullptr || complete_ || !isOne(*emit)) return;
     made_.push_back(emit->corners);
     complete_ = isThere();
     created_ = line;
     // Without a test of that edge it existed before, and was bound to get this triangle.
-    if (const auto part = decisionForPart(emit->corners)) part_ = part;
-    unavoidable_ = part_ ? *part_ : decisionFor(emit->corners).value_or(line);
+    if (const auto part = sharedOf(decisionForPart(emit->corners))) part_ = part;
+    const SharedLine decision = part_ ? part_ : sharedOf(decisionFor(emit->corners));
+    unavoidable_ = decision ? decision : line;
     alone_ = fillsHole(unavoidable_->event) ? emit->triangle : kNone;
 }
 

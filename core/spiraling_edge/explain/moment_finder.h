@@ -1,6 +1,7 @@
 /// Follows one failure through a run and records its three moments.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -8,13 +9,21 @@
 
 namespace se {
 
+/// A line that several finders keep: most failures of a run begin and end with the same events.
+using SharedLine = std::shared_ptr<const LedgerLine>;
+
 /// The common input of all finders of a run.
 struct FinderInput {
     const PointSet& points;
     const Params& params;
     const std::vector<Triangle>& mesh;
     const std::vector<LedgerLine>& moves;  ///< Moves of start and end in the current pivot so far.
+    const std::vector<LedgerLine>& tests;  ///< addTest() of the lines of the current pivot so far.
 };
+
+/// Appends a line to the tests of its pivot if a triangle may come from it; drops those of another
+/// pivot.
+void addTest(const LedgerLine& line, std::vector<LedgerLine>& tests);
 
 class MomentFinder {
   public:
@@ -25,9 +34,9 @@ class MomentFinder {
     /// by becoming DONE; some of them twice.
     const std::vector<Index>& watched() const { return watched_; }
     /// Takes the next event; events about none of watched() may be left out.
-    void add(const LedgerLine& line);
+    void add(const SharedLine& shared);
     /// Takes the event at which the ring of the failure is freed.
-    void addFreed(const LedgerLine& line) { created_ = line; }
+    void addFreed(const SharedLine& line) { created_ = line; }
     /// The triangle that is the whole fan of its pivot, if such a triangle caused the failure.
     Index alone() const { return alone_; }
     /// The moments; nothing if the failure does not come from this run.
@@ -40,14 +49,13 @@ class MomentFinder {
 
     bool mine(Index p) const;  ///< False for kNone.
     bool touches(const Event& event) const;
-    void addForPoint(const LedgerLine& line);
-    std::optional<LedgerLine> moveOver(const DropEvidence& drop) const;
-    void addForRing(const LedgerLine& line);
+    void addForPoint(const SharedLine& shared);
+    SharedLine moveOver(const DropEvidence& drop) const;
+    void addForRing(const SharedLine& shared);
     bool isOne(const EmitEvidence& made) const;
     bool isThere() const;
     bool isRepair(const Event& event) const;
-    void addForTriangle(const LedgerLine& line);
-    void recordTest(const LedgerLine& line);
+    void addForTriangle(const SharedLine& line);
     std::optional<LedgerLine> decisionForPart(const Triangle& made) const;
     std::optional<LedgerLine> decisionFor(const Triangle& made) const;
 
@@ -57,19 +65,17 @@ class MomentFinder {
     std::vector<Triangle> triangles_;  ///< Triangles of the failure.
     std::vector<Index> points_;        ///< Of the failure and its triangles, ascending.
     std::vector<Index> watched_;  ///< `points_`; of a point in no triangle also those it lists.
-    std::optional<LedgerLine> created_;
-    std::optional<LedgerLine> unavoidable_;
-    std::optional<LedgerLine> outside_;  ///< The last refusal of a point outside the sector.
+    SharedLine created_;
+    SharedLine unavoidable_;
+    SharedLine outside_;  ///< The last refusal of a point outside the sector.
     /// The pivot kept only one candidate, as the candidate's own list does.
-    std::optional<LedgerLine> alonePair_;
-    std::optional<LedgerLine> part_;  ///< The decision that made the faulty edge or point.
-    std::optional<LedgerLine> touched_;
-    std::optional<LedgerLine> deserted_;  ///< The last of the neighbors became DONE.
+    SharedLine alonePair_;
+    SharedLine part_;  ///< The decision that made the faulty edge or point.
+    SharedLine touched_;
+    SharedLine deserted_;  ///< The last of the neighbors became DONE.
     Index alone_ = kNone;
-    std::vector<Triangle> made_;       ///< Triangles of the failure made so far, in order.
-    bool complete_ = false;            ///< The failure exists: later triangles are no cause.
-    std::uint32_t pivot_ = 0;          ///< The pivot of `decided_`.
-    std::vector<LedgerLine> decided_;  ///< Tests of this pivot that a triangle may come from.
+    std::vector<Triangle> made_;  ///< Triangles of the failure made so far, in order.
+    bool complete_ = false;       ///< The failure exists: later triangles are no cause.
 };
 
 }  // namespace se

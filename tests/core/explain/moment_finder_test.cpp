@@ -42,11 +42,13 @@ class Followed {
     Followed& operator=(const Followed&) = delete;
 
     Followed& add(std::string_view address, Index pivot, const Evidence& evidence) {
-        finder_->add(lineAt(address, pivot, evidence));
+        const LedgerLine line = lineAt(address, pivot, evidence);
+        addTest(line, tests_);
+        finder_->add(std::make_shared<const LedgerLine>(line));
         return *this;
     }
     Followed& addFreed(std::string_view address, Index pivot, const Evidence& evidence) {
-        finder_->addFreed(lineAt(address, pivot, evidence));
+        finder_->addFreed(std::make_shared<const LedgerLine>(lineAt(address, pivot, evidence)));
         return *this;
     }
 
@@ -70,7 +72,8 @@ class Followed {
     Params params_ = paper();
     Triangles mesh_;
     std::vector<LedgerLine> moves_;
-    FinderInput input_{points_, params_, mesh_, moves_};
+    std::vector<LedgerLine> tests_;
+    FinderInput input_{points_, params_, mesh_, moves_, tests_};
     MeshFailure failure_;
     std::optional<MomentFinder> finder_;
 };
