@@ -13,6 +13,7 @@
 
 #include "draw_pacer.h"
 #include "scene/detail.h"
+#include "vertex_upload.h"
 
 namespace se::view {
 
@@ -34,8 +35,6 @@ struct FaceVertex {
 
 /// Share of the point spacing by which points are moved toward the eye.
 constexpr float kMarkBias = 0.12F;
-/// Vertices that are uploaded at a time: all of a large mesh would take its memory twice.
-constexpr std::size_t kUploaded = std::size_t{1} << 16U;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
 /// Diameter of solid dots, as a share of their distance.
@@ -57,18 +56,17 @@ std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
 Bounds uploadCorners(Batch& batch, BlockBounds* blocks, const Model& model,
                      std::span<const Triangle> triangles, BlockBounds::Range range) {
     Bounds all;
-    batch.reserve(0, 3 * range.second * sizeof(MeshVertex));
-    std::vector<MeshVertex> corners;
-    for (std::size_t i = range.first; i < range.second; ++i) {
-        for (const Index p : {triangles[i].a, triangles[i].b, triangles[i].c}) {
-            corners.push_back({model.place[p], packed(model.normal[p])});
+    const auto upload = [&](std::size_t triangle, VertexUpload<MeshVertex>& corners) {
+        const Triangle& t = triangles[triangle];
+        for (const Index p : {t.a, t.b, t.c}) {
+            corners.add({model.place[p], packed(model.normal[p])});
             all.add(model.place[p]);
-            if (blocks != nullptr) blocks->add(i, model.place[p]);
+            if (blocks != nullptr) blocks->add(triangle, model.place[p]);
         }
-        if (corners.size() < kUploaded && i + 1 < range.second) continue;
-        batch.append(0, 3 * (i + 1) * sizeof(MeshVertex) - corners.size() * sizeof(MeshVertex),
-                     corners.data(), corners.size() * sizeof(MeshVertex));
-        corners.clear();
+    };
+    {
+        VertexUpload<MeshVertex> corners(batch, 3 * range.first, 3 * range.second);
+        for (std::size_t i = range.first; i < range.second; ++i) upload(i, corners);
     }
     // The buffer may have been replaced.
     batch.describe(0, sizeof(MeshVertex),
@@ -153,14 +151,10 @@ void Surface::setModel(const Model& model) {
     const std::size_t count = model.place.size();
     cloud_.upload(0, nullptr, count * sizeof(CloudVertex));
     cloudBounds_.clear();
-    std::vector<CloudVertex> vertices;
+    VertexUpload<CloudVertex> vertices(cloud_, 0, count);
     for (std::size_t p = 0; p < count; ++p) {
-        vertices.push_back({model.place[p], model.normal[p]});
+        vertices.add({model.place[p], model.normal[p]});
         cloudBounds_.add(p, model.place[p]);
-        if (vertices.size() < kUploaded && p + 1 < count) continue;
-        cloud_.append(0, (p + 1 - vertices.size()) * sizeof(CloudVertex), vertices.data(),
-                      vertices.size() * sizeof(CloudVertex));
-        vertices.clear();
     }
     places_ = model.place;
     meshTriangles_ = 0;
