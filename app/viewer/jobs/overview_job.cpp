@@ -38,6 +38,7 @@ class Observer {
         // Each of the steps after the last pivot proceeds to its next kind without a counted one.
         while (complete && state().counters.pivots == before.pivots)
             complete = stepper_.stepPivot();
+        stepper_.freePast();
         if (complete) noteFigures(run);
         if (complete || !log_.events().empty()) noteEvents(run);
         noteMarks(run, before, alerts);

@@ -39,6 +39,7 @@ std::optional<State> scanRun(const PointSet& points, const Params& params,
     const auto all = static_cast<double>(std::max<std::size_t>(points.size(), 1));
     for (std::uint32_t count = 0;; ++count) {
         const bool more = stepper.stepPivot();
+        stepper.freePast();
         const std::vector<Event>& events = log.events();
         if (!events.empty()) {
             visit({pivotPoint(events), events, stepper.state()});

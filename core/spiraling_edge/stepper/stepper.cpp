@@ -169,6 +169,10 @@ StopReason Stepper::reason() const {
     return state_.capped() ? StopReason::Capped : StopReason::Finished;
 }
 
+void Stepper::freePast() {
+    if (isRepair(state_.phase)) state_.edges = {};
+}
+
 State Stepper::takeState() { return exchangeState(startState(*points_, params_)); }
 
 }  // namespace se

@@ -106,6 +106,19 @@ TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
     }
 }
 
+TEST_CASE("a run that frees what is past ends with the same mesh, and without the table of edges") {
+    const PointSet points = sceneNamed("torus");
+    const Params params = *paramsByName("robust");
+    Stepper plain(points, params);
+    Stepper freeing(points, params);
+    plain.run();
+    while (freeing.stepPivot()) freeing.freePast();
+    CHECK(freeing.state().mesh() == plain.state().mesh());
+    CHECK(freeing.state().counters.pivots == plain.state().counters.pivots);
+    CHECK(freeing.state().edges.empty());
+    CHECK_FALSE(plain.state().edges.empty());
+}
+
 TEST_CASE("the hash differs between states at every phase") {
     const PointSet points = sceneNamed("figure-8");
     Stepper stepper(points, paper());
