@@ -1185,15 +1185,15 @@ check_prepares_points_as_the_run_did() {
 }
 
 check_is_not_sound_if_it_ended_early() {
-    # 4,000 triangles about one point: all boxes meet, so the search for pairs ends, and none is at fault.
+    # 9,000 triangles about one point: all boxes meet, so the search for pairs ends, and none is at fault.
     awk 'BEGIN {
-        n = 4000
+        n = 9000
         printf "OFF\n%d %d 0\n0 0 0\n", n + 1, n
         for (i = 0; i < n; ++i) printf "%.17g %.17g 0.1\n", cos(i * 6.283185307179586 / n), sin(i * 6.283185307179586 / n)
         for (i = 0; i < n; ++i) printf "3 0 %d %d\n", i + 1, (i + 1) % n + 1
     }' >fan.off
     expect 1 check fan.off
-    says out "fan.off: 4000 triangles, no fault found, but the search ended early"
+    says out "fan.off: 9000 triangles, no fault found, but the search ended early"
     expect 1 check fan.off --json
     says out '"good": false'
     says out '"sound": false'

@@ -235,7 +235,7 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
     write(used, used.faces);
 }
 
-/// Searches faults as far as the arguments need them, and counts the mesh.
+/// Searches faults and counts the mesh, as far as the arguments need it.
 void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
     if (arguments.check || arguments.best || arguments.faultFields || !arguments.report.empty()) {
@@ -247,7 +247,7 @@ void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& 
         outcome.inspection = inspectLocally(points, mesh);
         outcome.pairs = false;
     }
-    outcome.mesh = outcome.inspection ? outcome.inspection->report : reportMesh(points, mesh);
+    if (outcome.inspection) outcome.mesh = outcome.inspection->report;
 }
 
 /// Reason why a finished run fails `--check` whatever its faults are; empty if there is none.
@@ -293,7 +293,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
                                   "far is not a surface. See docs/limitations.md",
-                                  outcome.input, counted(outcome.mesh.triangles, "triangle")));
+                                  outcome.input, counted(outcome.state.mesh().size(), "triangle")));
     }
     const std::string faults = faultSentence(outcome);
     const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";

@@ -37,9 +37,10 @@ struct Fault {
 /// billions.
 inline constexpr std::size_t kMaxPairs = 1000000;
 /// Limit of the work of the search for pairs, in pairs of triangles visited: a fixed amount, plus
-/// kPairWorkPerTriangle for each triangle. A pair whose boxes meet counts kPairTestWork units; in
-/// one plane, where only exact arithmetic decides, 2048 units beyond 16 such pairs for each
-/// triangle. Meshes that are surfaces take some hundred units per triangle.
+/// kPairWorkPerTriangle for each triangle. A pair whose boxes meet, unless it clearly lies side by
+/// side, counts kPairTestWork units; in one plane, where only exact arithmetic decides, 2048 units
+/// beyond 16 such pairs for each triangle. Meshes that are surfaces take some hundred units per
+/// triangle.
 inline constexpr std::uint64_t kPairWork = 50'000'000;
 inline constexpr std::uint64_t kPairWorkPerTriangle = 4096;
 inline constexpr std::uint64_t kPairTestWork = 32;
