@@ -183,7 +183,7 @@ TABLE = {
         ("rank.ties", "for (; place > 0 && moved", "for (; !MUT && place > 0 && moved"),
         ("rank.equal-places", "while ((taken >> place & 1U) != 0) ++place;", "while ((taken >> place & 1U) != 0 && !MUT) ++place;"),
     ],
-    "prepare/point_blocks.cpp": [
+    "geometry/point_blocks.cpp": [
         ("blocks.unusable-too", "if (usable[p]) items.push_back", "if (usable[p] || MUT) items.push_back"),
         ("blocks.box-of-first", "box.add(place(item));", "if (!MUT) box.add(place(item));"),
     ],

@@ -63,17 +63,17 @@ NeighborLists renumbered(const NeighborLists& lists, const Numbering& numbering)
     return made;
 }
 
-NearTogether::NearTogether(std::span<const Vec3> position, const NeighborLists& lists)
+OrderedPoints::OrderedPoints(std::span<const Vec3> position, const NeighborLists& lists)
     : position_(position), lists_(&lists) {
     renumberIfScattered();
 }
 
-NearTogether::NearTogether(std::span<const Vec3> position, NeighborLists&& lists)
+OrderedPoints::OrderedPoints(std::span<const Vec3> position, NeighborLists&& lists)
     : ownLists_(std::move(lists)), position_(position), lists_(&ownLists_) {
     renumberIfScattered();
 }
 
-void NearTogether::renumberIfScattered() {
+void OrderedPoints::renumberIfScattered() {
     if (!areScattered(*lists_)) return;
     numbering_ = numberingAlongZCurve(position_);
     ownPosition_ = permuted(position_, numbering_.original);
@@ -82,11 +82,11 @@ void NearTogether::renumberIfScattered() {
     lists_ = &ownLists_;
 }
 
-std::vector<Vec3> NearTogether::renumbered(std::vector<Vec3> values) const {
+std::vector<Vec3> OrderedPoints::renumbered(std::vector<Vec3> values) const {
     return numbering_.original.empty() ? std::move(values) : permuted(values, numbering_.original);
 }
 
-std::vector<Vec3> NearTogether::restored(std::vector<Vec3> values) const {
+std::vector<Vec3> OrderedPoints::restored(std::vector<Vec3> values) const {
     return numbering_.place.empty() ? std::move(values) : permuted(values, numbering_.place);
 }
 

@@ -41,15 +41,16 @@ auto permuted(const Values& values, std::span<const Index> order) {
 /// The lists of the points by their new numbers; every list keeps its order. O(points + entries).
 NeighborLists renumbered(const NeighborLists& lists, const Numbering& numbering);
 
-/// Points and their lists, renumbered along a Z-curve if they are scattered; else as they are.
-class NearTogether {
+/// Points and their lists in an order that keeps neighbors near in memory: renumbered along a
+/// Z-curve if they are scattered, else as they are.
+class OrderedPoints {
   public:
     /// Positions and lists must outlive this object.
-    NearTogether(std::span<const Vec3> position, const NeighborLists& lists);
+    OrderedPoints(std::span<const Vec3> position, const NeighborLists& lists);
     /// Takes the lists over, which saves the memory of a copy. The positions must outlive it.
-    NearTogether(std::span<const Vec3> position, NeighborLists&& lists);
-    NearTogether(const NearTogether&) = delete;
-    NearTogether& operator=(const NearTogether&) = delete;
+    OrderedPoints(std::span<const Vec3> position, NeighborLists&& lists);
+    OrderedPoints(const OrderedPoints&) = delete;
+    OrderedPoints& operator=(const OrderedPoints&) = delete;
 
     /// The numbers; empty if the points are not scattered.
     const Numbering& numbering() const { return numbering_; }

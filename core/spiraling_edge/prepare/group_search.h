@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/prepare/point_blocks.h"
+#include "spiraling_edge/geometry/point_blocks.h"
 #include "spiraling_edge/prepare/rank_sort.h"
 #include "spiraling_edge/prepare/single_search.h"
 

@@ -139,7 +139,7 @@ std::vector<bool> inwardComponents(const PointSides& sides, const std::vector<Fa
 
 }  // namespace
 
-Result<OrientationReport> orientNormals(const NearTogether& points, std::vector<Vec3>& normal,
+Result<OrientationReport> orientNormals(const OrderedPoints& points, std::vector<Vec3>& normal,
                                         const OrientationOptions& options,
                                         const Progress& progress) {
     const SidesInput input{points.position(),  normal,
@@ -167,7 +167,7 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
                                         const OrientationOptions& options,
                                         const Progress& progress) {
-    const NearTogether points(position, neighbors);
+    const OrderedPoints points(position, neighbors);
     normal = points.renumbered(std::move(normal));
     Result<OrientationReport> report = orientNormals(points, normal, options, progress);
     normal = points.restored(std::move(normal));

@@ -57,7 +57,7 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const Progress& progress = {});
 
 /// orientNormals() for points whose normals are in the order of their new numbers.
-Result<OrientationReport> orientNormals(const NearTogether& points, std::vector<Vec3>& normal,
+Result<OrientationReport> orientNormals(const OrderedPoints& points, std::vector<Vec3>& normal,
                                         const OrientationOptions& options = {},
                                         const Progress& progress = {});
 

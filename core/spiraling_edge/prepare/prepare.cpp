@@ -124,7 +124,7 @@ class Preparation {
         StopWatch watch;
         Result<NeighborLists> lists = listsForNormals();
         if (!lists) return lists.error();
-        const NearTogether points(set_.position, std::move(lists.value()));
+        const OrderedPoints points(set_.position, std::move(lists.value()));
         DerivedPieces& derived = report_.derived;
         std::vector<Vec3> normal;
         if (derivesNormals()) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "spiraling_edge/prepare/neighbor_search.h"
-#include "spiraling_edge/prepare/point_blocks.h"
+#include "spiraling_edge/geometry/point_blocks.h"
 
 namespace se {
 

@@ -55,12 +55,12 @@ TEST_CASE("renumbering: numbers, values and lists go to their places and back") 
 TEST_CASE("renumbering: points that are not scattered stay as they are, the others come back") {
     const std::vector<Vec3> position(100'000, Vec3(1.0));
     const NeighborLists even = listsApart(100'000, 1);
-    const NearTogether same(position, even);
+    const OrderedPoints same(position, even);
     CHECK(&same.lists() == &even);
     CHECK(same.position().data() == position.data());
     std::vector<Vec3> line;
     for (int i = 0; i < 100'000; ++i) line.push_back({i % 2, i, 0});
-    const NearTogether moved(line, listsApart(100'000, 50'000));
+    const OrderedPoints moved(line, listsApart(100'000, 50'000));
     CHECK(moved.position()[7] == line[moved.numbering().original[7]]);
     CHECK(moved.renumbered(line)[7] == moved.position()[7]);
     CHECK(moved.restored(moved.renumbered(line)) == line);

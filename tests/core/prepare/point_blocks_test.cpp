@@ -1,4 +1,4 @@
-#include "spiraling_edge/prepare/point_blocks.h"
+#include "spiraling_edge/geometry/point_blocks.h"
 
 #include <doctest/doctest.h>
 
@@ -102,4 +102,33 @@ TEST_CASE("PointBlocks: a search of boxes ends when the visitor has enough") {
     CHECK_FALSE(blocks.forBlocksNear(blocks.root().box, 0.0,
                                      [&](const PointBlocks::Node&) { return ++visits < 5; }));
     CHECK(visits == 5);
+}
+
+TEST_CASE("PointBlocks: the usable points within a distance are found, each once") {
+    Numbers numbers;
+    for (const std::size_t count : {0U, 1U, 8U, 9U, 500U}) {
+        OraclePoints points = makeRandom(count);
+        // Dense at the origin, and some points twice.
+        for (std::size_t i = 0; i < count; ++i) {
+            Vec3& x = points.position[i];
+            x = i % 7 == 3 ? points.position[i - 1] : x * glm::dot(x, x);
+        }
+        const PointBlocks blocks(points.position, points.usable);
+        for (int i = 0; i < 200; ++i) {
+            // One in two is at the very distance of a point.
+            const Vec3 place = numbers.nextVector();
+            const bool exact = count > 0 && i % 2 == 0;
+            const double reach = exact ? distanceSquared(place, points.position[count / 2])
+                                       : numbers.next() * numbers.next();
+            std::vector<Index> expected;
+            for (Index p = 0; p < count; ++p) {
+                if (points.usable[p] && distanceSquared(place, points.position[p]) <= reach)
+                    expected.push_back(p);
+            }
+            std::vector<Index> found;
+            blocks.forPointsWithin(place, reach, [&](Index p) { found.push_back(p); });
+            std::sort(found.begin(), found.end());
+            CHECK(found == expected);
+        }
+    }
 }

@@ -55,7 +55,8 @@ TEST_CASE("near points: the ball of a point holds what is no farther than the la
             const NearBall ball(points, p);
             std::vector<Index> expected;
             for (Index q = 0; q < points.size(); ++q) {
-                if (ball.holds(points.position[q])) expected.push_back(q);
+                const Vec3 d = points.position[q] - ball.center;
+                if (glm::dot(d, d) <= ball.radius * ball.radius) expected.push_back(q);
             }
             std::vector<Index> found;
             near.visitBall(p, [&](Index q) { found.push_back(q); });

@@ -15,6 +15,19 @@ NearBall::NearBall(const PointSet& points, Index p) : center(points.position[p])
     radius = std::sqrt(farthestSq);
 }
 
+namespace {
+
+std::vector<bool> finitePoints(const PointSet& points) {
+    std::vector<bool> finite(points.size());
+    for (Index p = 0; p < points.size(); ++p) finite[p] = isFinite(points.position[p]);
+    return finite;
+}
+
+}  // namespace
+
+NearPoints::NearPoints(const PointSet& points)
+    : points_(points), blocks_(points.position, finitePoints(points)), found_(points.size()) {}
+
 std::uint32_t NearPoints::store(std::vector<Index> ball) const {
     constexpr std::size_t kMostStored = 64;
     if (ball.size() > kMostStored) return kMany;
@@ -25,7 +38,7 @@ std::uint32_t NearPoints::store(std::vector<Index> ball) const {
 
 std::uint32_t NearPoints::findOut(Index p) const {
     std::vector<Index> ball;
-    visitInTree(p, [&](Index q) { ball.push_back(q); });
+    visitInBlocks(p, [&](Index q) { ball.push_back(q); });
     const auto ids = points_.neighbors[p];
     const bool holdsLast =
         ids.empty() || std::find(ball.begin(), ball.end(), ids.back()) != ball.end();

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/geometry/point_tree.h"
+#include "spiraling_edge/geometry/point_blocks.h"
 #include "spiraling_edge/points/point_set.h"
 
 namespace se {
@@ -20,20 +20,15 @@ struct NearBall {
 
     Vec3 center;
     double radius;
-    bool holds(const Vec3& x) const {
-        const Vec3 d = x - center;
-        return glm::dot(d, d) <= radius * radius;
-    }
 };
 
 /// The points in the balls of points. Those on another sheet are among them, which are in no list
-/// here. The first search about a point goes through a tree; later ones take O(points found). For
-/// most points these are the point and its list, so that nothing is stored.
+/// here. The first search about a point goes through all blocks near it; later ones take O(points
+/// found). For most points these are the point and its list, so that nothing is stored.
 class NearPoints {
   public:
     /// The points must outlive it.
-    explicit NearPoints(const PointSet& points)
-        : points_(points), tree_(points.position), found_(points.size()) {}
+    explicit NearPoints(const PointSet& points);
 
     /// Calls visit(q) for each point in the ball of `p`, in any order. May be called from several
     /// threads.
@@ -41,7 +36,7 @@ class NearPoints {
     void visitBall(Index p, Visit&& visit) const {
         const std::uint32_t known = found_[p].load(std::memory_order_acquire);
         const std::uint32_t found = known == kUnknown ? findOut(p) : known;
-        if (found == kMany) return visitInTree(p, visit);
+        if (found == kMany) return visitInBlocks(p, visit);
         if (found >= kStored) {
             for (const Index q : stored(found - kStored)) visit(q);
             return;
@@ -52,11 +47,9 @@ class NearPoints {
     }
     /// visitBall() in an order that depends on the positions alone.
     template <typename Visit>
-    void visitInTree(Index p, Visit&& visit) const {
+    void visitInBlocks(Index p, Visit&& visit) const {
         const NearBall ball(points_, p);
-        tree_.within(ball.center, ball.radius * (1.0 + 1e-9), [&](Index q) {
-            if (ball.holds(points_.position[q])) visit(q);
-        });
+        blocks_.forPointsWithin(ball.center, ball.radius * ball.radius, visit);
     }
 
   private:
@@ -75,7 +68,7 @@ class NearPoints {
     }
 
     const PointSet& points_;
-    PointTree tree_;
+    PointBlocks blocks_;
     mutable std::vector<std::atomic<std::uint32_t>> found_;
     mutable std::deque<std::vector<Index>> stored_;  ///< Elements stay in place.
     mutable std::mutex storing_;

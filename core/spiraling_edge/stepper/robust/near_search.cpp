@@ -157,7 +157,8 @@ std::vector<Index> trianglesNear(const PointSet& points, RepairState& m, Index p
     std::vector<Index> list;
     const NearPoints& near = nearPointsOf(points, m);
     begin(m.nearMarks, m);
-    near.visitInTree(place, [&](Index q) { visitStar(m, q, [&](Index t) { list.push_back(t); }); });
+    near.visitInBlocks(place,
+                       [&](Index q) { visitStar(m, q, [&](Index t) { list.push_back(t); }); });
     return list;
 }
 

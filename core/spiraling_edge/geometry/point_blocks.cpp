@@ -1,4 +1,4 @@
-#include "spiraling_edge/prepare/point_blocks.h"
+#include "spiraling_edge/geometry/point_blocks.h"
 
 #include <algorithm>
 #include <limits>
