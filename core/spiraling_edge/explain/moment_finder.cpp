@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "spiraling_edge/explain/origin_decisions.h"
 
@@ -38,7 +37,7 @@ const DropEvidence* passedBy(const Event& event) {
 }
 
 SharedLine sharedOf(std::optional<LedgerLine> line) {
-    return line ? std::make_shared<const LedgerLine>(std::move(*line)) : nullptr;
+    return line ? std::make_shared<const LedgerLine>(*line) : nullptr;
 }
 
 }  // namespace
