@@ -206,7 +206,7 @@ TABLE = {
     ],
     "prepare/orientation.cpp": [
         ("orientation.one-forest", "return clearly &&", "return !MUT && clearly &&"),
-        ("orientation.left-renumbered", "normal = points.restored(std::move(normal));", "if (!MUT) normal = points.restored(std::move(normal));"),
+        ("orientation.left-renumbered", "normal = points.restored(std::move(own));", "normal = MUT ? own : points.restored(std::move(own));"),
         ("orientation.by-vote-always", "votes[c].isKnown() || unknown", "MUT || votes[c].isKnown() || unknown"),
     ],
     "prepare/facing.cpp": [

@@ -1,4 +1,4 @@
-/// Draws of millions of items, in pieces that are drawn before the next ones are handed over.
+/// Draws millions of items in pieces, of which at most two wait to be drawn.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 namespace se::view {
 
 /// Draws parts of bound batches. OpenGL in software keeps every item until it is drawn, 300 bytes
-/// of a point; it is ahead by two pieces at most here. Nothing is waited for in draws of one piece.
+/// per point; it is ahead by two pieces at most here. Nothing is waited for in draws of one piece.
 class DrawPacer {
   public:
     DrawPacer() = default;

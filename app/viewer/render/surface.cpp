@@ -151,10 +151,12 @@ void Surface::setModel(const Model& model) {
     const std::size_t count = model.place.size();
     cloud_.upload(0, nullptr, count * sizeof(CloudVertex));
     cloudBounds_.clear();
-    VertexUpload<CloudVertex> vertices(cloud_, 0, count);
-    for (std::size_t p = 0; p < count; ++p) {
-        vertices.add({model.place[p], model.normal[p]});
-        cloudBounds_.add(p, model.place[p]);
+    {
+        VertexUpload<CloudVertex> vertices(cloud_, 0, count);
+        for (std::size_t p = 0; p < count; ++p) {
+            vertices.add({model.place[p], model.normal[p]});
+            cloudBounds_.add(p, model.place[p]);
+        }
     }
     places_ = model.place;
     meshTriangles_ = 0;

@@ -65,7 +65,8 @@ void forEachItem(std::size_t count, unsigned threads, std::size_t least, Work&& 
     });
 }
 
-/// As forEachItem(), for items of unequal length: a thread takes the next one when it is free.
+/// As forEachItem(), for items of unequal length: a thread takes the next one when it is free. An
+/// exception of `work` is rethrown once all threads have ended; of several, any one.
 template <typename Work>
 void forEachTask(std::size_t count, unsigned threads, Work&& work) {
     std::atomic<std::size_t> next = 0;

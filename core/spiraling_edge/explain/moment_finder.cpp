@@ -36,7 +36,7 @@ const DropEvidence* passedBy(const Event& event) {
     return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
 }
 
-SharedLine sharedOf(std::optional<LedgerLine> line) {
+SharedLine sharedOf(const std::optional<LedgerLine>& line) {
     return line ? std::make_shared<const LedgerLine>(*line) : nullptr;
 }
 

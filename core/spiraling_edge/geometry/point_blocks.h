@@ -2,6 +2,7 @@
 /// distances to all points of a block are computed together.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -89,7 +90,9 @@ class PointBlocks {
         if (id_.empty()) return;
         forBlocksNear(Box(place), squaredReach, [&](const Node& node) {
             const PerPoint distance = squaredDistances(node.first, place);
-            for (std::size_t i = 0; i < kBlock; ++i) {
+            // Slots after the last point are infinitely far away: within an infinite reach.
+            const std::size_t filled = std::min(kBlock, id_.size() - node.firstSlot());
+            for (std::size_t i = 0; i < filled; ++i) {
                 if (distance[i] <= squaredReach) visit(id_[node.firstSlot() + i]);
             }
             return true;

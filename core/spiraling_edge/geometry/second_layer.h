@@ -33,8 +33,8 @@ inline bool areParallel(const LayerShape& a, const LayerShape& b) {
 }
 
 /// True if two triangles clearly lie side by side, seen along the sum of their normals: they share
-/// no more than common corners, nor is one a layer over the other. An answer for most parallel
-/// pairs, at a fraction of the cost of others.
+/// no more than common corners and the edge between these, nor is one a layer over the other. An
+/// answer for most parallel pairs, at a fraction of the cost of others.
 bool lieSideBySide(const PointSet& points, const Triangle& a, const LayerShape& shapeA,
                    const Triangle& b, const LayerShape& shapeB);
 

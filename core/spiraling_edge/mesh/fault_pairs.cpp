@@ -1,10 +1,10 @@
 /// Pairs by a grid. The boxes of the triangles, wider by the gap that a second layer may have, are
 /// put into cells of 1.5 mean sizes; a pair is tested in one of its common cells only, first by
-/// boxes, then for a second layer and exactly for an intersection. Cells are made for one block of
-/// the grid at a time, so that memory holds little more than the block of each triangle. Several
-/// blocks are one task; a task that may have ended later than the limits allow, since other tasks
-/// ran beside it, is repeated with the work of all tasks before it. O(t log t) for t triangles of
-/// similar size, bounded by a work limit on tangled meshes.
+/// boxes, then for lying side by side, for a second layer, and exactly for an intersection. Cells
+/// are made for one block of the grid at a time, so that memory holds little more than the block of
+/// each triangle. Several blocks are one task; a task that may have ended later than the limits
+/// allow, since other tasks ran beside it, is repeated with the work of all tasks before it. O(t
+/// log t) for t triangles of similar size, bounded by a work limit on tangled meshes.
 #include "spiraling_edge/mesh/fault_pairs.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ namespace {
 /// a few such pairs for each triangle: only those beyond this number count with their full cost.
 constexpr std::uint64_t kFlatPairsPerTriangle = 16;
 constexpr std::uint64_t kFlatPairWork = 2048;
-/// Of a pair whose wider boxes meet: for most only the normals are compared.
+/// Of a pair whose wider boxes meet: for most only the normals, or the sides of one triangle, are
+/// compared.
 constexpr std::uint64_t kLayerTestWork = 4;
 /// Triangles of a task, about: milliseconds of work.
 constexpr std::size_t kTaskTriangles = 4096;

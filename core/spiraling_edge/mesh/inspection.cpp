@@ -30,8 +30,9 @@ std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
     return points;
 }
 
-/// InspectedMesh::lost. Copies of points are looked for only where some point is in no triangle.
-std::vector<Index> lostPoints(const InspectedMesh& mesh, const PointSet& input) {
+/// InspectedMesh::lostPoints. Copies of points are looked for only where some point is in no
+/// triangle.
+std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& input) {
     std::vector<Index> lost;
     for (Index p = 0; p < input.size(); ++p) {
         if (!mesh.topology.used[p]) lost.push_back(p);
@@ -66,7 +67,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
             for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
             loops = inspect::boundaryLoops(*this);
         },
-        [&] { lost = lostPoints(*this, input); });
+        [&] { lostPoints = findLostPoints(*this, input); });
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {

@@ -31,10 +31,10 @@ struct InspectedMesh {
     std::span<const Triangle> triangles;
     MeshTopology topology;
     FaultSearch search;                           ///< Empty unless assigned.
-    std::vector<Index> lost;                      ///< Points in no triangle, neither set aside nor
+    std::vector<Index> lostPoints;                ///< Points in no triangle, neither set aside nor
                                                   ///< unfit for any mesh; ascending.
     double meanEdge = 0.0;                        ///< Length, scene units.
-    std::vector<std::size_t> componentTriangles;  ///< Of the component of that least point.
+    std::vector<std::size_t> componentTriangles;  ///< By the least point of a component.
     std::vector<BoundaryLoop> loops;              ///< By least point.
 
     /// Number of triangles of the component that a used point belongs to.

@@ -55,9 +55,9 @@ class UsedPoints {
 
 /// Finds the lost points near a used one, or the isolated ones.
 void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
-    if (mesh.lost.empty()) return;
+    if (mesh.lostPoints.empty()) return;
     const UsedPoints used(mesh, kIsolated * mesh.meanEdge);
-    for (const Index p : mesh.lost) {
+    for (const Index p : mesh.lostPoints) {
         const bool near = used.anyNear(mesh.points.position[p], [](Index) { return true; });
         if (near != isolatedOnes) failures.push_back(mesh.at({p}, {}));
     }

@@ -41,17 +41,17 @@ void countShapes(const PointSet& points, std::span<const Triangle> triangles, Me
     std::atomic<std::size_t> degenerate = 0;
     std::atomic<std::size_t> flipped = 0;
     forRanges(triangles.size(), 0, kTrianglesPerThread, [&](std::size_t from, std::size_t to) {
-        std::size_t without = 0;
-        std::size_t against = 0;
+        std::size_t degenerateHere = 0;
+        std::size_t flippedHere = 0;
         for (const Triangle& t : triangles.subspan(from, to - from)) {
             if (isDegenerate(points, t)) {
-                ++without;
+                ++degenerateHere;
             } else if (isFlipped(points, t)) {
-                ++against;
+                ++flippedHere;
             }
         }
-        degenerate += without;
-        flipped += against;
+        degenerate += degenerateHere;
+        flipped += flippedHere;
     });
     report.degenerateTriangles = degenerate;
     report.flippedTriangles = flipped;

@@ -7,8 +7,6 @@
 
 namespace se {
 
-struct MeshTopology;
-
 /// Counts over a triangle mesh. "Edge" is a pair of points that some triangle joins.
 struct MeshReport {
     std::size_t points = 0;
@@ -39,9 +37,5 @@ struct MeshReport {
 
 /// Counts a mesh. Requires corners below points.size(). About O(t) for t triangles.
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles);
-/// The same, but for the counts of degenerate and flipped triangles, which stay 0. `topology` is
-/// that of the triangles.
-MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
-                          const MeshTopology& topology);
 
 }  // namespace se

@@ -1,3 +1,5 @@
+/// Edges from sorted sides, components by union-find over points. O(t) for t triangles, but for
+/// inverses of the Ackermann function.
 #include "spiraling_edge/mesh/mesh_topology.h"
 
 #include <algorithm>

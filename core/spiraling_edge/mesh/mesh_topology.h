@@ -1,9 +1,10 @@
-/// What the triangles of a mesh say without the positions of their points.
+/// The topology of a mesh: what follows from its triangles alone, without positions.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {
@@ -34,5 +35,10 @@ struct MeshTopology {
     std::size_t components = 0;            ///< Number of those with triangles.
     std::vector<Index> nonManifoldPoints;  ///< nonManifoldPoints().
 };
+
+/// Counts a mesh as reportMesh() does, except degenerate and flipped triangles, whose counts stay
+/// 0. Requires the topology of these triangles.
+MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
+                          const MeshTopology& topology);
 
 }  // namespace se

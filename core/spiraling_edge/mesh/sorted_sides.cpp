@@ -2,6 +2,7 @@
 /// for t triangles, but for points in many of them.
 #include "spiraling_edge/mesh/sorted_sides.h"
 
+#include <cassert>
 #include <numeric>
 
 #include "spiraling_edge/base/disjoint_sets.h"
@@ -17,6 +18,7 @@ bool precedes(const TriangleSide& x, const TriangleSide& y) {
     return x.high != y.high ? x.high < y.high : x.triangle < y.triangle;
 }
 
+/// Fits TriangleSide::triangle. The mask only avoids a warning about narrowing.
 constexpr Index kTriangleBits = 0x7fffffffU;
 
 /// Calls visit(side) for each side, by ascending triangle.
@@ -32,6 +34,7 @@ void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
 }  // namespace
 
 std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles, unsigned threads) {
+    assert(triangles.size() <= kNone / 3);
     Index last = 0;
     forEachSide(triangles, [&](const TriangleSide& side) { last = std::max(last, side.low); });
     const std::size_t points = std::size_t{last} + 1;

@@ -13,7 +13,7 @@ namespace se {
 /// One side of a triangle, named by its points in ascending order.
 struct TriangleSide {
     Index low, high;
-    Index triangle : 31;  ///< A third of the sides, which are numbered by Index.
+    Index triangle : 31;  ///< Enough: all sides are numbered by an Index.
     Index ascending : 1;  ///< Passed from low to high. A bit: a mesh has millions of sides.
 
     bool sameEdge(const TriangleSide& other) const {

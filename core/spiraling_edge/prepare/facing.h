@@ -20,7 +20,7 @@ struct FacingInput {
     /// False for points that hardly any list names, as those scattered off the surface; they vote
     /// only in components of such points alone.
     std::vector<bool> listed;
-    std::span<const Index> number{};  ///< These break ties; empty: the indices.
+    std::span<const Index> number{};  ///< Numbers that break ties; empty: the indices.
 };
 
 /// Votes on the way that the normals of a component face.

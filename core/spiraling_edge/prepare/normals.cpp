@@ -42,12 +42,12 @@ void rotate(Matrix& m, Matrix& axes, std::size_t a, std::size_t b) {
     m[a][b] = m[b][a] = 0.0;
 }
 
-/// True if the axes turn no more by what is left beside the diagonal: converging cubically, they
-/// mostly do so after three sweeps.
+/// True if what is left off the diagonal is too small to turn the axes: mostly so after three
+/// sweeps.
 bool isDiagonal(const Matrix& m) {
-    constexpr double kNone = 1e-32;  // Of the trace: far below the rounding of an axis.
-    const double beside = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
-    return beside <= kNone * (m[0][0] + m[1][1] + m[2][2]);
+    constexpr double kNegligible = 1e-32;  // Of the trace: far below the rounding of an axis.
+    const double offDiagonal = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
+    return offDiagonal <= kNegligible * (m[0][0] + m[1][1] + m[2][2]);
 }
 
 /// Scatter matrix of the offsets about their mean; p itself counts with offset zero.

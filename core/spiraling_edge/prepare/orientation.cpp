@@ -168,9 +168,9 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const OrientationOptions& options,
                                         const Progress& progress) {
     const OrderedPoints points(position, neighbors);
-    normal = points.renumbered(std::move(normal));
-    Result<OrientationReport> report = orientNormals(points, normal, options, progress);
-    normal = points.restored(std::move(normal));
+    std::vector<Vec3> own = points.renumbered(normal);
+    Result<OrientationReport> report = orientNormals(points, own, options, progress);
+    if (report) normal = points.restored(std::move(own));
     return report;
 }
 

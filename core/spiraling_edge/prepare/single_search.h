@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/geometry/point_blocks.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
 

@@ -170,7 +170,7 @@ StopReason Stepper::reason() const {
 }
 
 void Stepper::freePast() {
-    if (isRepair(state_.phase)) state_.edges = {};
+    if (isRepair(state_.phase) || state_.finished()) state_.edges = {};
 }
 
 State Stepper::takeState() { return exchangeState(startState(*points_, params_)); }

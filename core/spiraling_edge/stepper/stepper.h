@@ -71,8 +71,8 @@ class Stepper {
     }
     /// Moves the state out, e.g. for its triangles. The stepper starts over.
     State takeState();
-    /// Frees what only pivots before the present one need, the table of edges after the last pivot:
-    /// for runs that never go back.
+    /// Frees the table of edges after the last pivot, which nothing after it needs: for runs that
+    /// never go back.
     void freePast();
     void setLog(EventLog* log) { log_ = log; }
     /// An observer that is shown every decision from now on, with or without a log; none if empty.

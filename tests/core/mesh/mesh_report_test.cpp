@@ -150,6 +150,19 @@ TEST_CASE("mesh: an edge is irregular unless two triangles pass it in opposite d
     CHECK(MeshTopology(3, Triangles{{0, 1, 2}}).irregularEdges.size() == 3);
 }
 
+TEST_CASE("mesh: components are counted over used points, and named by their least ones") {
+    const MeshTopology mesh(8, Triangles{{1, 2, 3}, {3, 2, 4}, {7, 6, 5}, {5, 5, 6}});
+    CHECK(mesh.components == 2);
+    CHECK(mesh.usedPoints == 7);
+    CHECK_FALSE(mesh.used[0]);
+    CHECK(mesh.component == std::vector<Index>{0, 1, 1, 1, 1, 5, 5, 5});
+    const MeshTopology empty(0, {});
+    CHECK(empty.sides.empty());
+    CHECK(empty.edges == 0);
+    CHECK(empty.components == 0);
+    CHECK(empty.nonManifoldPoints.empty());
+}
+
 TEST_CASE("mesh: sides are sorted by edge and then by triangle, whatever the order of triangles") {
     const Triangles triangles{{9, 4, 0}, {2, 7, 4}, {0, 4, 2}, {4, 9, 2}, {0, 2, 4}, {5, 6, 7}};
     const std::vector<TriangleSide> sides = sortedSides(triangles);

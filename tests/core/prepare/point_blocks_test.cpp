@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "neighbor_oracle.h"
@@ -131,4 +132,16 @@ TEST_CASE("PointBlocks: the usable points within a distance are found, each once
             CHECK(found == expected);
         }
     }
+}
+
+TEST_CASE("PointBlocks: within an infinite distance are all points, and nothing else") {
+    OraclePoints points = makeRandom(9);
+    points.usable.assign(9, true);
+    std::size_t found = 0;
+    PointBlocks(points.position, points.usable)
+        .forPointsWithin(Vec3(0.0), std::numeric_limits<double>::infinity(), [&](Index p) {
+            CHECK(p < 9);
+            ++found;
+        });
+    CHECK(found == 9);
 }

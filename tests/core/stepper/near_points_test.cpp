@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <random>
 
@@ -74,4 +76,18 @@ TEST_CASE("near points: a point with an empty list has itself in its ball") {
     std::vector<Index> found;
     near.visitBall(1, [&](Index q) { found.push_back(q); });
     CHECK(found == std::vector<Index>{1});
+}
+
+TEST_CASE(
+    "near points: a point that is not finite is in no ball, and one out of reach hides none") {
+    PointSet points;
+    const double bad = std::numeric_limits<double>::quiet_NaN();
+    points.position = {{0, 0, 0}, {1e200, 0, 0}, {bad, 0, 0}};
+    points.neighbors.append(std::vector<Index>{1});
+    points.neighbors.append(std::vector<Index>{0});
+    points.neighbors.append(std::vector<Index>{});
+    const NearPoints near(points);
+    std::vector<Index> found;
+    near.visitBall(0, [&](Index q) { found.push_back(q); });
+    CHECK(sorted(found) == std::vector<Index>{0, 1});
 }

@@ -45,12 +45,6 @@ class NearPoints {
         visit(p);
         for (const Index q : found == kList ? ids : ids.first(ids.size() - 1)) visit(q);
     }
-    /// visitBall() in an order that depends on the positions alone.
-    template <typename Visit>
-    void visitInBlocks(Index p, Visit&& visit) const {
-        const NearBall ball(points_, p);
-        blocks_.forPointsWithin(ball.center, ball.radius * ball.radius, visit);
-    }
 
   private:
     // What is in the ball of a point:
@@ -60,6 +54,12 @@ class NearPoints {
     static constexpr std::uint32_t kListButLast = 3;  ///< As the radius was rounded down.
     static constexpr std::uint32_t kStored = 4;       ///< From here on: a position in `stored_`.
 
+    /// visitBall() without what is known.
+    template <typename Visit>
+    void visitInBlocks(Index p, Visit&& visit) const {
+        const NearBall ball(points_, p);
+        blocks_.forPointsWithin(ball.center, ball.radius * ball.radius, visit);
+    }
     std::uint32_t findOut(Index p) const;
     std::uint32_t store(std::vector<Index> ball) const;
     std::span<const Index> stored(std::uint32_t place) const {

@@ -153,15 +153,6 @@ std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
     return list;
 }
 
-std::vector<Index> trianglesNear(const PointSet& points, RepairState& m, Index place) {
-    std::vector<Index> list;
-    const NearPoints& near = nearPointsOf(points, m);
-    begin(m.nearMarks, m);
-    near.visitInBlocks(place,
-                       [&](Index q) { visitStar(m, q, [&](Index t) { list.push_back(t); }); });
-    return list;
-}
-
 NearTriangles::NearTriangles(const PointSet& points, RepairState& m, std::span<const Index> list)
     : points_(points), m_(m), index_(list.begin(), list.end()), shaped_(list.size()) {
     begin(m.nearMarks, m);

@@ -66,11 +66,18 @@ CheapPlace besideOf(const RepairState& m, HalfEdge border) {
     return {{{cornerOf(m, following(border)), cornerOf(m, border)}, {border, kNone}, {}}, true};
 }
 
+/// The triangles near a point, ascending: what is counted depends on their order.
+std::vector<Index> nearAscending(const PointSet& points, RepairState& m, Index x) {
+    std::vector<Index> list = trianglesNear(points, m, std::array{x});
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
 /// Finds the place for one point that adds the fewest faults.
 class CheapestPlace {
   public:
     CheapestPlace(const PointSet& points, RepairState& m, Index x)
-        : points_(points), m_(m), x_(x), near_(points, m, trianglesNear(points, m, x)) {}
+        : points_(points), m_(m), x_(x), near_(points, m, nearAscending(points, m, x)) {}
 
     std::optional<CheapPlace> find() {
         std::vector<Index> begins;

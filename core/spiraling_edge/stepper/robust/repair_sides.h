@@ -91,8 +91,6 @@ void dropTriangles(RepairState& m, std::vector<Index> list);
 /// points are in no list here.
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
-/// trianglesNear() of one point, in an order that depends on the positions and the mesh alone.
-std::vector<Index> trianglesNear(const PointSet& points, RepairState& m, Index place);
 
 /// Puts a point in no triangle where the mesh has the fewest faults, if they are no more than
 /// before, the point counted. False if there is no such place.
