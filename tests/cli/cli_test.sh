@@ -268,7 +268,7 @@ report_has_every_field() {
     for field in points triangles pivots components isolated stranded splits joins max_ring_length \
         max_stack_depth boundary_edges boundary_loops non_manifold_edges inconsistent_edges \
         degenerate_triangles unused_points euler_characteristic flipped_triangles \
-        non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds \
+        non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds failed_seeds \
         non_finite zero_normals duplicates unscaled_normals dropped_list_entries alerts_total \
         greatest_distance mean_distance points_lost open_loops second_layers small_components \
         read prepare triangulate write; do
@@ -292,7 +292,7 @@ report_has_the_fields_of_the_first_version() {
         awk '{ printf "%.2f %.2f %.2f %s %s %s %d\n",
                $1 + 500000, $2 + 5400000, $3 + 300, $4, $5, $6, NR }' "$old/points.xyz"
     } >far.xyz
-    expect 0 run far.xyz -k 8 --rules robust --rule nofold=off --rule nomeet=off --rule flip=off \
+    expect 0 run far.xyz -k 8 --rules robust --rule keepseeds=off --rule nofold=off --rule nomeet=off --rule flip=off \
         --rule wallsdone=off --rule fill=off --rule delay=off --rule nocross=off --rule gap=off \
         --rule tie=farthest --what-if "1.sphere keep 13" -o far.stl --report report.json
     fields "$old/report.json" >wanted

@@ -54,6 +54,7 @@ void addCounters(const Counters& counters, Json& json) {
     json["openings"] = counters.openings;
     json["filled"] = counters.filled;
     json["lost_seeds"] = counters.lostSeeds;
+    json["failed_seeds"] = counters.failedSeeds;
     json["max_ring_length"] = counters.maxRingLength;
     json["max_stack_depth"] = counters.maxStackDepth;
 }

@@ -26,7 +26,8 @@ void addFreedRing(const LayerInput& in, const FreedRingState& ring, bool named, 
     std::string text = "ring of " + std::to_string(points.size()) + " freed";
     if (!ring.evidence) text = "a ring of " + std::to_string(points.size()) + " is freed";
     if (ring.alert == AlertKind::Hole) text += ": a hole stays open";
-    if (ring.alert == AlertKind::LostSeed) text += ": its seed got no triangle";
+    const bool failedSeed = ring.evidence && ring.evidence->seed;
+    if (ring.alert == AlertKind::LostSeed || failedSeed) text += ": its seed got no triangle";
     out.label(in.at(points.front()), text, color, true);
 }
 
@@ -101,7 +102,10 @@ void addSeed(const LayerInput& in, DrawList& out) {
     if (const auto* strand = in.picture.evidence<StrandEvidence>(Stage::Strand)) {
         out.mark(in.at(strand->point), Shape::Cross, c.rejected, 1.1F);
         out.label(in.at(strand->point),
-                  strand->isolated ? "no neighbors listed" : "no neighbor left", c.rejected, true);
+                  strand->isolated   ? "no neighbors listed"
+                  : strand->unseeded ? "no seed left to try"
+                                     : "no neighbor left",
+                  c.rejected, true);
     }
     const auto* e = in.picture.evidence<SeedEvidence>(Stage::Seed);
     if (e == nullptr) return;

@@ -37,7 +37,8 @@ void addMarks(const LayerInput& in, DrawList& out) {
         if (!(size > 0.0F)) continue;
         std::string text =
             change.inserted ? "+ joins the ring"
-                            : pointLabel("\xE2\x88\x92", change.point, in.names) + " leaves: DONE";
+                            : pointLabel("\xE2\x88\x92", change.point, in.names) +
+                                  (change.status == kUnused ? " leaves: UNUSED" : " leaves: DONE");
         if (!change.inserted && change.status > 0) {
             text = std::to_string(change.status + 1) + "\xE2\x86\x92" +
                    std::to_string(change.status) + " instances";

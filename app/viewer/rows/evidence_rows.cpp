@@ -132,6 +132,11 @@ void addRows(const TakeUpEvidence& e, const EvidenceInput&, EvidenceRows& out) {
 }
 
 void addRows(const FreeEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    if (e.seed) {
+        out.row("ring", "a seed without a triangle, freed");
+        out.row("its points", "UNUSED again");
+        return;
+    }
     out.row("ring", counted(e.length, "point", "points") + ", freed");
     out.row("on walls", std::to_string(e.length - e.interior));
     out.row("interior", std::to_string(e.interior) +

@@ -20,8 +20,9 @@ void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 void addRows(const StrandEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const std::size_t listed = in.model.points.neighbors[e.point].size();
     out.row("point", pointsText({e.point}));
-    out.row("why", e.isolated ? "its list is empty"
-                              : "no neighbor left: all " + std::to_string(listed) + " are DONE");
+    out.row("why", e.isolated   ? "its list is empty"
+                   : e.unseeded ? "neighbors are UNUSED, but no seed is left to try"
+                                : "no neighbor left: all " + std::to_string(listed) + " are DONE");
 }
 
 void addRows(const PivotEvidence& e, const EvidenceInput&, EvidenceRows& out) {

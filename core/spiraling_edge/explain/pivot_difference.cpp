@@ -50,7 +50,7 @@ Key keyOf(const Event& event) {
             [&](const AdvanceEvidence& e) { return key(e.to, e.circuit, e.popped); },
             [&](const ShelveEvidence& e) { return key(e.length, e.shelved); },
             [&](const TakeUpEvidence& e) { return key(e.to, e.rings); },
-            [&](const FreeEvidence& e) { return key(e.length, e.interior); },
+            [&](const FreeEvidence& e) { return key(e.length, e.interior, e.seed); },
             [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
             [&](const AlertEvidence& e) { return key(e.kind, e.point); },
             [&](const FinishedEvidence& e) {

@@ -82,8 +82,10 @@ std::string text(const SeedEvidence& e, const Names& names) {
                     names(e.first), names(e.second), e.distance);
 }
 std::string text(const StrandEvidence& e, const Names& names) {
-    return sentence(e.isolated ? "Point {} has no neighbors: isolated, marked DONE."
-                               : "Point {} has only DONE neighbors: stranded, marked DONE.",
+    return sentence(e.isolated   ? "Point {} has no neighbors: isolated, marked DONE."
+                    : e.unseeded ? "Point {} has UNUSED neighbors, but no seed is left to try: "
+                                   "stranded, marked DONE."
+                                 : "Point {} has only DONE neighbors: stranded, marked DONE.",
                     names(e.point));
 }
 std::string text(const PivotEvidence& e, const Names& names) {
@@ -316,6 +318,9 @@ std::string text(const TakeUpEvidence& e, const Names& names) {
                     counted(e.rings, "ring"), names(e.to));
 }
 std::string text(const FreeEvidence& e, const Names&) {
+    if (e.seed)
+        return "A full circuit of the seed without a triangle: the ring is freed, and its points "
+               "are UNUSED again.";
     return sentence("A full circuit of {} without a triangle: the ring is freed", e.length) +
            (e.interior == 0 ? "."
                             : sentence(", with {} on it.", counted(e.interior, "interior point")));

@@ -13,10 +13,10 @@
 namespace se {
 
 const char* laneChangeText(LaneChangeKind kind) {
-    constexpr std::array<const char*, 7> kTexts{
-        "seed",   "split off",          "comes off the stack", "joined",
-        "closed", "ends at a boundary", "ends at an open hole"};
-    static_assert(kTexts.size() == static_cast<std::size_t>(LaneChangeKind::Hole) + 1);
+    constexpr std::array<const char*, 8> kTexts{
+        "seed",   "split off",          "comes off the stack",  "joined",
+        "closed", "ends at a boundary", "ends at an open hole", "ends without a triangle"};
+    static_assert(kTexts.size() == static_cast<std::size_t>(LaneChangeKind::Failed) + 1);
     return kTexts[static_cast<std::size_t>(kind)];
 }
 
@@ -67,7 +67,9 @@ void LaneTracker::take(const Event& event) {
                           [&](const TakeUpEvidence&) {
                               if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
                           },
-                          [&](const FreeEvidence&) { endActive(LaneChangeKind::Freed); },
+                          [&](const FreeEvidence& free) {
+                              endActive(free.seed ? LaneChangeKind::Failed : LaneChangeKind::Freed);
+                          },
                           [&](const AlertEvidence& alert) {
                               const bool freed = !changes_.empty() &&
                                                  changes_.back().kind == LaneChangeKind::Freed;

@@ -23,6 +23,7 @@ enum class LaneChangeKind : std::uint8_t {
     Closed,     ///< Ends: its last gap is filled.
     Freed,      ///< Ends: the surface ends here (a boundary).
     Hole,       ///< Ends: a hole stays open, or the seed got no triangle. There is an alert.
+    Failed,     ///< Ends: a seed without a triangle, whose points are UNUSED again.
 };
 /// "split off", "closed", ...
 const char* laneChangeText(LaneChangeKind kind);

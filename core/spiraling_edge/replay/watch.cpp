@@ -61,6 +61,8 @@ constexpr WatchTerm kWatchTerms[] = {
     {"joins", "Joins.", counted<&Counters::joins>},
     {"closed", "Rings that were closed.", counted<&Counters::closedRings>},
     {"freed", "Rings that were freed.", counted<&Counters::freedRings>},
+    {"failed_seeds", "Seeds without a triangle whose points are UNUSED again.",
+     counted<&Counters::failedSeeds>},
     {"holes", "Freed rings with interior points.", counted<&Counters::holes>},
 };
 

@@ -175,7 +175,8 @@ struct SeedEvidence {
 };
 struct StrandEvidence {
     Index point;
-    bool isolated;  ///< Its list is empty; else every neighbor is DONE.
+    bool isolated;          ///< Its list is empty.
+    bool unseeded = false;  ///< Neighbors are UNUSED, but no seed is left; else every one is DONE.
 };
 struct PivotEvidence {
     Index pivot, first, last;
@@ -340,7 +341,8 @@ struct TakeUpEvidence {
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {
     Index length;
-    Index interior;  ///< Interior points among them: > 0 means a hole stayed open.
+    Index interior;     ///< Interior points among them: > 0 means a hole stayed open.
+    bool seed = false;  ///< A seed: its points are UNUSED again (Readings::keepSeeds).
 };
 struct ComponentEvidence {
     std::uint32_t component;  ///< From 1.

@@ -86,6 +86,7 @@ std::string checkProgress(const State& s, const PointSet& points, const Params& 
     if (active != kNone && s.circuit >= s.rings.length(active)) {
         return "11: a full circuit without a triangle was not freed";
     }
+    Index tried = 0;  // As the first point of a seed, and UNUSED since.
     for (Index i = 0; i < std::min<Index>(s.startPointer, static_cast<Index>(points.size())); ++i) {
         const Index p = points.inOrder(i);
         if (s.phase != Phase::Seed || s.status[p] == kDone) continue;
@@ -95,7 +96,8 @@ std::string checkProgress(const State& s, const PointSet& points, const Params& 
             params.robust.shelve && (s.status[p] != kUnused ||
                                      std::none_of(list.begin(), list.end(),
                                                   [&](Index x) { return s.status[x] == kUnused; }));
-        if (!waits) return at("11: the start pointer passed a point that is not DONE", p);
+        if (!waits && (s.status[p] != kUnused || ++tried > s.counters.failedSeeds))
+            return at("11: the start pointer passed a point that is not DONE", p);
     }
     if (!s.finished() || s.capped()) return {};
     for (Index p = 0; p < s.status.size(); ++p) {
@@ -140,6 +142,7 @@ std::string InvariantChecker::checkPivot(const State& s) const {
         if (i > before && t.b != s.triangles[i - 1].c) return at("6: a fan is torn", t.b);
     }
     if (s.pivotTriangles == 0 && s.counters.freedRings == before_.counters.freedRings &&
+        s.counters.failedSeeds == before_.counters.failedSeeds &&
         s.counters.seeds == before_.counters.seeds &&
         s.counters.stranded == before_.counters.stranded &&
         s.counters.isolated == before_.counters.isolated && s.status != before_.status) {
@@ -170,7 +173,8 @@ std::string InvariantChecker::checkRingCount(const State& s) const {
                         static_cast<long>(now.splits - old.splits) -
                         static_cast<long>(now.joins - old.joins) -
                         static_cast<long>(now.closedRings - old.closedRings) -
-                        static_cast<long>(now.freedRings - old.freedRings);
+                        static_cast<long>(now.freedRings - old.freedRings) -
+                        static_cast<long>(now.failedSeeds - old.failedSeeds);
     const auto rings = static_cast<long>(liveRings(s.rings).size());
     const auto ringsBefore = static_cast<long>(liveRings(before_.rings).size());
     return rings == ringsBefore + change ? "" : "10: a ring came or went";

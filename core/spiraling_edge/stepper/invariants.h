@@ -16,9 +16,10 @@
 ///   8. Angles in the neighbor ring increase strictly, between start and end.
 ///   9. A pivot without triangles changes nothing but the position and the circuit counter.
 ///  10. The number of rings changes by +1 for a seed or split, by -1 for a join or a ring closed or
-///      freed, by nothing else.
+///      freed, a failed seed's included, by nothing else.
 ///  11. The circuit counter stays below the active ring's length; the start pointer never goes
-///      back.
+///      back. At a seed the points before it are DONE, but for at most one per failed seed, which
+///      is UNUSED, and those that wait for a shelved ring.
 ///  12. An interior point that becomes DONE by §6.5 is inside one closed fan of triangles. *
 ///  13. At the end every point is DONE.
 #pragma once

@@ -43,6 +43,8 @@ void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
 }
 
 void addCounters(Hasher& hasher, const Counters& c) {
+    // Only if there is one: the hashes of other runs stay those of before this counter.
+    if (c.failedSeeds > 0) hasher.add(c.failedSeeds);
     hasher.add(c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded,
                c.refused, c.splits, c.joins, c.closedRings, c.freedRings, c.shelved, c.holes,
                c.openings, c.filled, c.lostSeeds, c.maxRingLength, c.maxStackDepth);

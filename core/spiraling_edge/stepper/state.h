@@ -77,7 +77,9 @@ struct Counters {
     /// Freed rings that RobustRules::rim treats as an end of the surface.
     std::uint32_t openings = 0;
     std::uint32_t filled = 0;     ///< Triangles made by RobustRules::fill.
-    std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle.
+    std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle; their points are DONE.
+    /// Those whose points are UNUSED again (Readings::keepSeeds).
+    std::uint32_t failedSeeds = 0;
     std::uint32_t maxRingLength = 0;
     std::uint32_t maxStackDepth = 0;
     friend bool operator==(const Counters&, const Counters&) = default;
@@ -101,7 +103,8 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;   ///< §4: position in PointSet::order; never moves back.
+    Index startPointer = 0;           ///< §4: position in PointSet::order; never moves back.
+    std::size_t trianglesAtSeed = 0;  ///< Their number when the last seed was begun.
     bool seedsSpent = false;  ///< RobustRules::shelve: the shelved rings came back to the stack.
     Index circuit = 0;        ///< Pivots since the last triangle, in the active ring.
     /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last

@@ -74,8 +74,9 @@ TEST_CASE("query: points on and off the ring, edges, rings that close, component
     const Run run = runAll(points, paper(), &log);
     CHECK(found(points, "component").total == 1);
     CHECK(found(points, "alert").total == run.state.alerts.size());
-    CHECK(found(points, "closes").total ==
-          run.state.counters.closedRings + run.state.counters.freedRings);
+    CHECK(found(points, "closes").total == run.state.counters.closedRings +
+                                               run.state.counters.freedRings +
+                                               run.state.counters.failedSeeds);
     CHECK(found(points, "stage=split").total == run.state.counters.splits);
     for (const Index p : {Index{0}, Index{7}, Index{200}}) {
         // Once DONE, a point stays so; it was on a ring before.

@@ -80,6 +80,13 @@ TEST_CASE("lanes: a freed ring with an alert ends at a hole") {
     CHECK(keeper.takeChanges().back().kind == LaneChangeKind::Hole);
 }
 
+TEST_CASE("lanes: a seed without a triangle ends its lane, at no boundary and no hole") {
+    LaneTracker keeper;
+    keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
+    keeper.take(eventOf(2, Stage::Done, FreeEvidence{2, 2, true}));
+    CHECK(keeper.takeChanges().back().kind == LaneChangeKind::Failed);
+}
+
 TEST_CASE("lanes: the top of the stack continues when the active ring has ended") {
     LaneTracker keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));

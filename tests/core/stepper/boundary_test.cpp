@@ -146,13 +146,16 @@ TEST_CASE("7.1 the third point is the nearest that is UNUSED, boundary, and on a
 }
 
 TEST_CASE("7.1 without a third point both are passed over and the ring is freed") {
-    Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    rig.type(0, kNegativeY).type(1, kNegativeY).listAll().pivot().pivot();
-    CHECK(rig.state().counters.skipped == 2);
-    CHECK(rig.triangles().empty());
-    CHECK(rig.status(0) == kDone);
-    CHECK(rig.status(1) == kDone);
-    CHECK(rig.state().counters.lostSeeds == 1);
+    for (const bool kept : {false, true}) {
+        Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, kept ? paper() : paperBut(&Readings::keepSeeds));
+        rig.type(0, kNegativeY).type(1, kNegativeY).listAll().pivot().pivot();
+        CHECK(rig.state().counters.skipped == 2);
+        CHECK(rig.triangles().empty());
+        CHECK(rig.status(0) == (kept ? kUnused : kDone));
+        CHECK(rig.status(1) == (kept ? kUnused : kDone));
+        CHECK(rig.state().counters.lostSeeds == (kept ? 0 : 1));
+        CHECK(rig.state().counters.failedSeeds == (kept ? 1 : 0));
+    }
 }
 
 TEST_CASE("7.1 a third point that leads to no triangle is UNUSED again") {

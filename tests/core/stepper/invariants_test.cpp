@@ -178,6 +178,13 @@ TEST_CASE("invariant 11: the circuit is shorter than the ring, the start pointer
     State state(points.size());
     state.startPointer = 1;
     CHECK(begins(checkInvariants(state, points, paper()), "11:"));
+    // Each failed seed lets the pointer pass one UNUSED point.
+    state.counters.failedSeeds = 1;
+    CHECK(checkInvariants(state, points, paper()) == "");
+    state.startPointer = 2;
+    CHECK(begins(checkInvariants(state, points, paper()), "11:"));
+    state.startPointer = 1;
+    state.counters.failedSeeds = 0;
     InvariantChecker checker(points, paper(), Level::AnyInput);
     state.status[0] = kDone;
     state.counters.stranded = 1;

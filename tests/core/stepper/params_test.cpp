@@ -28,7 +28,7 @@ TEST_CASE("printed is the paper word for word: every switch off, no filter") {
     CHECK(printed.maxGapCosine == -0.5);
 }
 
-TEST_CASE("paper has the six readings of the paper on, and nothing beyond it") {
+TEST_CASE("paper has the seven readings of the paper on, and nothing beyond it") {
     const Readings rules = paramsByName("paper")->readings;
     CHECK(rules.freeSector);
     CHECK(rules.limitsFirst);
@@ -36,9 +36,10 @@ TEST_CASE("paper has the six readings of the paper on, and nothing beyond it") {
     CHECK(rules.realHole);
     CHECK(rules.closeTwo);
     CHECK(rules.openSteps);
+    CHECK(rules.keepSeeds);
     int on = 0;
     for (const RuleSetting& rule : ruleSwitches()) on += beyondThePaper(rule) ? 0 : 1;
-    CHECK(on == 6);
+    CHECK(on == 7);
     CHECK(paramsByName("paper")->maxGapCosine == -0.5);  // 120 degrees
 }
 

@@ -304,7 +304,7 @@ TEST_CASE("7 a ring of two is a lost seed only if neither of its steps is an edg
         for (const bool second : {false, true}) {
             CAPTURE(first);
             CAPTURE(second);
-            Rig rig({{0, 0, 0}, {1, 0, 0}});
+            Rig rig({{0, 0, 0}, {1, 0, 0}}, paperBut(&Readings::keepSeeds));
             rig.ring({0, 1});
             if (first) rig.open(0);
             if (second) rig.open(1);
@@ -338,6 +338,28 @@ TEST_CASE("6.5 status counts the entries, after every phase of a run") {
     CHECK(stepper.state().counters.joins > 0);
 }
 
+TEST_CASE("keepseeds: only a seed, with no triangle since it was begun, leaves its points UNUSED") {
+    for (const bool seed : {false, true}) {
+        for (const bool triangle : {false, true}) {
+            CAPTURE(seed);
+            CAPTURE(triangle);
+            Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+            if (triangle) rig.mesh({{0, 1, 2}});
+            rig.ring({0, 1}).open(0);
+            if (seed) rig.open(1);
+            rig.pivot().pivot();
+            const bool kept = seed && !triangle;
+            CHECK(rig.status(0) == (kept ? kUnused : kDone));
+            CHECK(rig.status(1) == (kept ? kUnused : kDone));
+            CHECK(rig.state().counters.failedSeeds == (kept ? 1 : 0));
+            CHECK(rig.state().counters.freedRings == (kept ? 0 : 1));
+            CHECK(rig.state().alerts.empty() == kept);
+            rig.run();
+            for (Index p = 0; p < 2; ++p) CHECK(rig.status(p) == kDone);
+        }
+    }
+}
+
 // ---- beyond the paper: shelve -------------------------------------------------------------------
 
 namespace {
@@ -355,15 +377,16 @@ TEST_CASE("shelve: a ring without a triangle waits until no seed is left, and is
     CHECK(rig.state().counters.freedRings == 0);
     rig.run();
     const auto shelved = rig.all<ShelveEvidence>();
-    REQUIRE(shelved.size() == 1);  // The seed of two, without a triangle, is freed at once.
+    REQUIRE(shelved.size() == 1);  // The seeds of 3 and 4, without a triangle, are freed at once.
     CHECK(shelved[0].length == 3);
     REQUIRE(rig.all<TakeUpEvidence>().size() == 1);
     CHECK(rig.all<TakeUpEvidence>()[0].rings == 1);
-    CHECK(rig.all<SeedEvidence>().size() == 1);
+    CHECK(rig.all<SeedEvidence>().size() == 2);
     const auto freed = rig.all<FreeEvidence>();
-    REQUIRE(freed.size() == 2);
+    REQUIRE(freed.size() == 3);
     CHECK(freed[0].length == 2);
-    CHECK(freed[1].length == 3);
+    CHECK(freed[1].length == 2);
+    CHECK(freed[2].length == 3);
     CHECK(rig.state().rings.shelved() == 0);
     CHECK(rig.state().finished());
 }

@@ -76,6 +76,90 @@ TEST_CASE("4 the start pointer only advances, and points before it are DONE at e
     CHECK(before == points.size());
 }
 
+namespace {
+
+/// Points 0 and 1 list each other alone, so that their seed gets no triangle; then a hexagon.
+Rig& pairBeforeHexagon(Rig& rig) {
+    rig.list(0, {1}).list(1, {0});
+    for (Index p = 2; p < 9; ++p) {
+        Points others;
+        for (Index q = 2; q < 9; ++q) {
+            if (q != p) others.push_back(q);
+        }
+        rig.list(p, others);
+    }
+    return rig;
+}
+std::vector<Vec3> pairAndHexagon() {
+    std::vector<Vec3> position{{-9, 0, 0}, {-9, 1, 0}};
+    for (const Vec3& x : hexagon()) position.push_back(x);
+    return position;
+}
+
+}  // namespace
+
+TEST_CASE("keepseeds: a seed without a triangle leaves both points UNUSED, the next is another") {
+    Rig rig(pairAndHexagon());
+    pairBeforeHexagon(rig).pivot().pivot();
+    CHECK(rig.triangles().empty());
+    CHECK(rig.status(0) == kUnused);
+    CHECK(rig.status(1) == kUnused);
+    CHECK(rig.state().startPointer == 1);
+    CHECK(rig.all<FreeEvidence>().back().seed);
+    rig.run();
+    const auto seeds = rig.all<SeedEvidence>();
+    REQUIRE(seeds.size() == 3);
+    CHECK(seeds[1].first == 1);
+    CHECK(seeds[2].first == 2);
+    CHECK(rig.state().counters.failedSeeds == 2);
+    // The first component that is complete is number 1.
+    REQUIRE(rig.all<ComponentEvidence>().size() == 1);
+    CHECK(rig.all<ComponentEvidence>()[0].component == 1);
+}
+
+TEST_CASE("keepseeds: what no seed and no ring took is stranded at the end, with the reason") {
+    Rig rig(pairAndHexagon());
+    pairBeforeHexagon(rig).run();
+    const auto strands = rig.all<StrandEvidence>();
+    REQUIRE(strands.size() == 2);
+    for (const StrandEvidence& each : strands) {
+        CHECK(each.point < 2);
+        CHECK(each.unseeded);
+        CHECK_FALSE(each.isolated);
+        CHECK(rig.status(each.point) == kDone);
+    }
+    CHECK(rig.state().counters.stranded == 2);
+    CHECK(rig.state().counters.lostSeeds == 0);
+    CHECK(rig.state().alerts.empty());
+}
+
+TEST_CASE("keepseeds off: the points of a seed without a triangle are DONE, with an alert") {
+    Rig rig(pairAndHexagon(), paperBut(&Readings::keepSeeds));
+    pairBeforeHexagon(rig).pivot().pivot();
+    CHECK(rig.status(0) == kDone);
+    CHECK(rig.status(1) == kDone);
+    CHECK(rig.state().counters.lostSeeds == 1);
+    CHECK(rig.state().alerts.size() == 1);
+    CHECK_FALSE(rig.all<FreeEvidence>().back().seed);
+    CHECK_FALSE(printed().readings.keepSeeds);
+}
+
+TEST_CASE("keepseeds: each point begins at most one ring in vain, so that every run ends") {
+    // Pairs far apart from each other: no seed gets a triangle.
+    std::vector<Vec3> pairs;
+    for (int i = 0; i < 200; ++i) pairs.push_back({9.0 * (i / 2), i % 2, 0});
+    for (const Params& params : {paper(), robust()}) {
+        Rig rig(pairs, params);
+        for (Index p = 0; p < 200; ++p) rig.list(p, {p ^ 1U});
+        rig.run();
+        CHECK(rig.state().finished());
+        std::vector<int> begun(200, 0);
+        for (const SeedEvidence& each : rig.all<SeedEvidence>()) ++begun[each.first];
+        CHECK(*std::max_element(begun.begin(), begun.end()) == 1);
+        CHECK(rig.state().counters.stranded == 200);
+    }
+}
+
 TEST_CASE("3 a new ring is begun for each component, when the ring and the stack are empty") {
     std::vector<Vec3> two = hexagon();
     for (const Vec3& x : hexagon(Vec3(50, 0, 0))) two.push_back(x);

@@ -49,6 +49,7 @@ TEST_CASE("state hash: equal for equal states, and another one after any change 
         [](State& s) { ++s.counters.pivots; },
         [](State& s) { ++s.counters.stranded; },
         [](State& s) { ++s.counters.shelved; },
+        [](State& s) { ++s.counters.failedSeeds; },
         [](State& s) { s.pivot.candidates[0].point = 5; },
         [](State& s) { s.pivot.candidates.clear(); },
         [](State& s) { s.pivot.end = s.pivot.start; },

@@ -80,6 +80,7 @@ void drawSign(const RunStrip& strip, const LaneSign& sign) {
             drawShape(strip.list, {x, y}, size, Shape::Circle, color);
             break;
         case LaneChangeKind::Freed:
+        case LaneChangeKind::Failed:
             drawShape(strip.list, {x, y}, size, Shape::Square, color);
             break;
         case LaneChangeKind::Hole:

@@ -82,6 +82,7 @@ void drawCounters(const PanelContext& context) {
         count(context, "pivots", c.pivots);
         count(context, "passed over", c.skipped);
         count(context, "seeds", c.seeds);
+        count(context, "failed seeds", c.failedSeeds);
         count(context, "splits", c.splits);
         count(context, "joins", c.joins);
         count(context, "closed rings", c.closedRings);

@@ -362,7 +362,8 @@ std::string_view wordOf(const Event& event) {
     if (std::holds_alternative<StrandEvidence>(event.evidence)) return "stranded";
     if (std::holds_alternative<ShelveEvidence>(event.evidence)) return "ring shelved";
     if (std::holds_alternative<TakeUpEvidence>(event.evidence)) return "taken up";
-    if (std::holds_alternative<FreeEvidence>(event.evidence)) return "ring freed";
+    if (const auto* free = std::get_if<FreeEvidence>(&event.evidence))
+        return free->seed ? "seed freed" : "ring freed";
     if (std::holds_alternative<ComponentEvidence>(event.evidence)) return "complete";
     if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
         return alertName(alert->kind);

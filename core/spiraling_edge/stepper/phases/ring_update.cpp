@@ -239,13 +239,47 @@ void alert(AnyContext auto& context, AlertKind kind, Index point) {
     note(context, Stage::Done, [&] { return AlertEvidence{kind, point}; });
 }
 
+/// True if the active ring has two entries and no mesh edge, as a seed.
+bool isSeed(const EdgeRings& rings) {
+    const Index head = rings.head(rings.active());
+    return rings.length(rings.active()) == 2 && rings.open(head) && rings.open(rings.next(head));
+}
+
+/// True if the active ring is a seed whose points stay (Readings::keepSeeds): no triangle was made
+/// since it was begun, so that they are in none.
+bool keepsPoints(const StepContext& context) {
+    const State& s = context.state;
+    return context.params.readings.keepSeeds && s.triangles.size() == s.trianglesAtSeed &&
+           isSeed(s.rings);
+}
+
+/// Choice, see Readings::keepSeeds: the points of a seed without a triangle are UNUSED again. The
+/// start pointer passes its first point, so that the next seed is another one.
+void freeFailedSeed(AnyContext auto& context) {
+    State& s = context.state;
+    const Index ring = s.rings.active();
+    const Index start =
+        s.startPointer < s.status.size() ? context.points.inOrder(s.startPointer) : kNone;
+    Index interior = 0;
+    for (int i = 0; i < 2; ++i) {
+        const Index e = s.rings.head(ring);
+        const Index x = s.rings.point(e);
+        if (x == start) ++s.startPointer;
+        if (!isBoundary(context.points.type[x])) ++interior;
+        s.rings.erase(e);
+        s.status[x] = kUnused;
+        noteRing(context, Stage::Done, x, false);
+    }
+    ++s.counters.failedSeeds;
+    note(context, Stage::Done, [&] { return FreeEvidence{2, interior, true}; });
+}
+
 /// §7: "Then the algorithm marks the boundary points as DONE and frees the edge ring."
 void freeActiveRing(AnyContext auto& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
     const Index length = s.rings.length(ring);
-    const bool lostSeed = length == 2 && s.rings.open(s.rings.head(ring)) &&
-                          s.rings.open(s.rings.next(s.rings.head(ring)));
+    const bool lostSeed = isSeed(s.rings);
     const bool opening = isOpening(context);
     Index interior = 0;
     Index example = s.rings.point(s.rings.head(ring));
@@ -269,8 +303,8 @@ void freeActiveRing(AnyContext auto& context) {
     }
 }
 
-/// Pops the ring on top of the stack, or ends the component if there is none.
-void popRingOrFinish(AnyContext auto& context) {
+/// Pops the ring on top of the stack; if there is none, a seed is next.
+void popRing(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
     s.retryLevel = 0;
@@ -281,10 +315,17 @@ void popRingOrFinish(AnyContext auto& context) {
         const bool popped = s.pivot.pivot != kNone;
         return AdvanceEvidence{popped ? s.rings.point(s.pivot.pivot) : kNone, 0, popped};
     });
+}
+
+/// Pops the ring on top of the stack, or ends the component if there is none.
+void popRingOrFinish(AnyContext auto& context) {
+    popRing(context);
+    const State& s = context.state;
     // A component with a ring on the shelf may go on.
     if (s.pivot.pivot != kNone || s.rings.shelved() > 0) return;
     note(context, Stage::Done, [&] {
-        return ComponentEvidence{s.counters.seeds, static_cast<std::uint32_t>(s.triangles.size())};
+        return ComponentEvidence{s.counters.seeds - s.counters.failedSeeds,
+                                 static_cast<std::uint32_t>(s.triangles.size())};
     });
 }
 
@@ -340,9 +381,7 @@ bool mayShelve(const AnyContext auto& context) {
     const RobustRules& rules = context.params.robust;
     if (!rules.shelve || s.seedsSpent) return false;
     if (rules.delay && s.retryLevel < kDelayedAllowed) return false;
-    const Index head = s.rings.head(s.rings.active());
-    return s.rings.length(s.rings.active()) > 2 || !s.rings.open(head) ||
-           !s.rings.open(s.rings.next(head));
+    return !isSeed(s.rings);
 }
 
 /// Puts the active ring on the shelf.
@@ -371,6 +410,11 @@ void advanceWithoutTriangles(AnyContext auto& context) {
         return;
     }
     if (relaxRules(context)) return;
+    if (keepsPoints(context)) {
+        freeFailedSeed(context);
+        popRing(context);
+        return;
+    }
     freeActiveRing(context);
     popRingOrFinish(context);
 }

@@ -1,5 +1,6 @@
 /// §4: the seed of a new component, and the set-up of the next pivot with its frame and sector.
 #include <algorithm>
+#include <vector>
 
 #include "spiraling_edge/base/prefetch.h"
 #include "spiraling_edge/stepper/step_context.h"
@@ -21,14 +22,14 @@ bool hasUsedNeighbor(const PointSet& points, const State& state, Index p) {
     return std::any_of(list.begin(), list.end(), [&](Index x) { return state.status[x] > 0; });
 }
 
-/// Marks a point DONE that no fan took (§4).
-void strand(AnyContext auto& context, Index p) {
+/// Marks a point DONE that no fan took (§4). `unseeded`: although neighbors are UNUSED.
+void strand(AnyContext auto& context, Index p, bool unseeded = false) {
     State& s = context.state;
     s.finish(p);
     const bool isolated = context.points.neighbors[p].empty();
     ++(isolated ? s.counters.isolated : s.counters.stranded);
     noteAt(context, s.counters.pivots + 1, Stage::Strand, [&] {
-        return StrandEvidence{p, isolated};
+        return StrandEvidence{p, isolated, unseeded};
     });
 }
 
@@ -38,6 +39,7 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     s.status[q] = 1;
     s.pivot.pivot = s.rings.start(p, q);
     s.circuit = 0;
+    s.trianglesAtSeed = s.triangles.size();
     ++s.counters.seeds;
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
@@ -45,6 +47,19 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
         const Vec3 d = context.points.position[q] - context.points.position[p];
         return SeedEvidence{p, q, std::sqrt(glm::dot(d, d))};
     });
+}
+
+/// Marks the points DONE that waited for a shelved ring in vain, or began a ring in vain
+/// (Readings::keepSeeds).
+void strandRest(AnyContext auto& context) {
+    const State& s = context.state;
+    std::vector<StrandEvidence> rest;
+    for (Index i = 0; i < s.status.size(); ++i) {
+        const Index p = context.points.inOrder(i);
+        if (s.status[p] == kUnused)
+            rest.push_back({p, false, nearestUnused(context.points, s, p) != kNone});
+    }
+    for (const StrandEvidence& each : rest) strand(context, each.point, each.unseeded);
 }
 
 /// Takes up the rings that were shelved, since no seed is left that could join them; the last one
@@ -127,11 +142,7 @@ void phaseSeed(AnyContext auto& context) {
         takeUpShelved(context);
         return;
     }
-    // Points that waited for a shelved ring in vain.
-    for (Index i = 0; s.counters.shelved > 0 && i < s.status.size(); ++i) {
-        const Index p = context.points.inOrder(i);
-        if (s.status[p] == kUnused) strand(context, p);
-    }
+    if (s.counters.shelved > 0 || s.counters.failedSeeds > 0) strandRest(context);
     beginRepairPhases(context);
 }
 

@@ -20,8 +20,9 @@ void setEar(StepContext& context, Index entry) {
     layOutFan(context);
 }
 
-/// A ring as short as this is a hole even where neighbors leave wide gaps.
-constexpr Index kNeverAnOpening = 5;
+/// A ring as short as this is a hole even where neighbors leave wide gaps, unless it is
+/// isOutlineOfSmallPatch().
+constexpr Index kShortRing = 5;
 
 /// The longest ring in which an ear may have a fault.
 constexpr Index kMayForce = 4;
@@ -109,8 +110,19 @@ bool isOpening(const StepContext& context, const LoopShape& shape) {
     if (most(flagged)) return true;
     if (!context.params.robust.rim) return false;
     if (most(boundary)) return true;
-    return (length > kNeverAnOpening && runsRoundPatch(context, shape)) ||
+    return ((length > kShortRing || rim == length) && runsRoundPatch(context, shape)) ||
            (most(rim) && shape.widthInEdges() >= context.params.thresholds.openingWidth);
+}
+
+/// True if the surface ends at every point of the short ring, and it runs around a patch: the first
+/// four triangles of a grid of 3 x 3 points.
+bool isOutlineOfSmallPatch(const StepContext& context, const LoopShape& shape) {
+    const EdgeRings& rings = context.state.rings;
+    const auto entries = rings.entriesOf(rings.active());
+    return context.params.robust.rim &&
+           std::all_of(entries.begin(), entries.end(),
+                       [&](Index e) { return context.passesRim(rings.point(e)); }) &&
+           runsRoundPatch(context, shape);
 }
 
 /// True if an ear may have a fault: only in the smallest rings, since one fault leads to more, and
@@ -189,7 +201,9 @@ bool mayFill(const StepContext& context) {
     if (length <= 2 || length > context.params.maxFillLength) return false;
     const LoopShape shape = shapeOfRing(context);
     if (!context.params.isWithinHoleLimits(shape.width(), length)) return false;
-    return !isTooWide(context, shape) && (length <= kNeverAnOpening || !isOpening(context, shape));
+    if (isTooWide(context, shape)) return false;
+    return length <= kShortRing ? !isOutlineOfSmallPatch(context, shape)
+                                : !isOpening(context, shape);
 }
 
 void phaseFill(AnyContext auto& context) {
