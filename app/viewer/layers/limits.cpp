@@ -54,7 +54,8 @@ void addLimits(const LayerInput& in, DrawList& out) {
     const bool start = e->side == Side::Start;
     const Index p = in.picture.pivot;
     // The turn is known if the test went that far.
-    const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge;
+    const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge &&
+                        e->verdict != Verdict::NotListed;
     if (looked) addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
     addMove(in, *e, out);
 }
@@ -68,11 +69,11 @@ void addConvexity(const LayerInput& in, DrawList& out) {
     const Index limit = start ? in.picture.start : in.picture.end;
     addCorner(in, {start ? e->point : p, limit, start ? p : e->point, false}, out);
     addStem(in, *disc, e->point, out);
-    // The path along the ring, against the straight spoke.
+    // The path along the ring, against the spoke.
     out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
     out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
     out.label(in.middleOf(limit, e->point), "along the ring", in.palette.used, true);
-    out.label(in.middleOf(p, e->point), "straight: removed", in.palette.rejected, true);
+    out.label(in.middleOf(p, e->point), "spoke: removed", in.palette.rejected, true);
 }
 
 }  // namespace se::view

@@ -197,7 +197,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 
 void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("point e", pointsText({e.point}));
-    out.row("e's first, last", pointsText({e.pred, e.succ}));
+    out.row("e's first, last", pointsText({e.succ, e.pred}));
     out.row("sector of e", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
     out.row("angle of p at e", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
     const bool inside = e.degrees < e.limitDegrees;
