@@ -1,6 +1,7 @@
 /// §6.1: start and end advance along the ring (Fig. 4), or a convex ring drops the point next to
 /// them (Fig. 5).
 #include "disc.h"
+#include "run/neighborhood.h"
 #include "run/strings.h"
 
 namespace se::view {
@@ -53,10 +54,8 @@ void addLimits(const LayerInput& in, DrawList& out) {
     if (e == nullptr || e->to == kNone) return;
     const bool start = e->side == Side::Start;
     const Index p = in.picture.pivot;
-    // The turn is known if the test went that far.
-    const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge &&
-                        e->verdict != Verdict::NotListed;
-    if (looked) addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
+    if (isMeasured(*e))
+        addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
     addMove(in, *e, out);
 }
 
