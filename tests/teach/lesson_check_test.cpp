@@ -45,6 +45,19 @@ std::string askCheck(const std::string& toml) {
     return checkedText(lessonWith(stepWith("ask", toml)));
 }
 
+/// The lesson with nothing to check, ready for a fact of one step and the run that it compares.
+Lesson withFactsOf(Lesson lesson, std::size_t step) {
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        LessonStep& each = lesson.steps[i];
+        each.facts.clear();
+        each.links.clear();
+        each.expect.clear();
+        each.question.reset();
+        if (i != step) each.compare.clear();
+    }
+    return lesson;
+}
+
 /// The claim with a number that is one too large, or with the opposite relation.
 std::string flippedClaim(std::string claim) {
     const std::size_t value = claim.rfind(": ") + 2;
@@ -156,11 +169,9 @@ TEST_CASE("a flipped claim of any lesson is found, and so are words that are not
         CAPTURE(each.id);
         const Lesson lesson = readLesson(each.text, "x").lesson;
         LessonRuns runs({});
-        Lesson bare = lesson;
-        for (LessonStep& step : bare.steps) step.facts.clear();
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            Lesson flipped = withFactsOf(lesson, i);
             for (const LessonFact& fact : lesson.steps[i].facts) {
-                Lesson flipped = bare;
                 flipped.steps[i].facts = {fact};
                 flipped.steps[i].facts[0].words += " (not)";
                 CHECK(checkLesson(flipped, runs).size() == 1);
