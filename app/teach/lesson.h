@@ -78,6 +78,13 @@ struct LessonLink {
     std::string address;
 };
 
+/// A statement of a step's text, and what makes it true.
+struct LessonFact {
+    std::size_t line = 0;
+    std::string words;                ///< As they stand in the text or the title of the step.
+    std::vector<std::string> claims;  ///< "unused_points: 3", "B at=9 stage=emit: 5".
+};
+
 /// A question. Its words are the text of its step.
 struct Question {
     KeyLines lines;
@@ -114,6 +121,7 @@ struct LessonStep {
     std::string frame;                   ///< "all" or "pivot".
     std::vector<std::string> pin, hide;  ///< Layers by name.
     std::optional<PlaySpeed> play;
+    std::vector<LessonFact> facts;
     std::optional<Question> question;
 };
 

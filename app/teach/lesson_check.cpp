@@ -1,16 +1,160 @@
 #include "lesson_check.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "lesson_keys.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/explain/run_compare.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se::teach {
 namespace {
+
+/// A run that a claim is about, with its mesh.
+struct ClaimedRun {
+    const PointSet& points;
+    const Params& params;
+    std::vector<Triangle> mesh;
+};
+
+/// The runs of a step: its own, A, and that of its `compare`, B.
+struct ClaimedRuns {
+    ClaimedRun a;
+    std::optional<ClaimedRun> b;
+    const std::vector<NamedPoint>& names;
+};
+
+/// Angle at `tip` between two points, degrees.
+double degreesAt(const Vec3& tip, const Vec3& from, const Vec3& to) {
+    constexpr double kHalfTurn = 180.0;
+    const double cosine = glm::dot(glm::normalize(from - tip), glm::normalize(to - tip));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * kHalfTurn / std::numbers::pi;
+}
+
+/// Triangles with an angle below this are thin, degrees.
+constexpr double kThin = 15.0;
+
+bool isThin(const std::vector<Vec3>& at, const Triangle& t) {
+    return std::min({degreesAt(at[t.a], at[t.b], at[t.c]), degreesAt(at[t.b], at[t.c], at[t.a]),
+                     degreesAt(at[t.c], at[t.a], at[t.b])}) < kThin;
+}
+
+/// A number of the mesh as a whole, by its name in the report of a run.
+struct MeshNumber {
+    std::string_view name;
+    std::size_t MeshReport::*number;
+};
+constexpr std::array kMeshNumbers{
+    MeshNumber{"points", &MeshReport::points},
+    MeshNumber{"triangles", &MeshReport::triangles},
+    MeshNumber{"components", &MeshReport::components},
+    MeshNumber{"boundary_edges", &MeshReport::boundaryEdges},
+    MeshNumber{"boundary_loops", &MeshReport::boundaryLoops},
+};
+
+/// The number of a name in kMeshNumbers, of a class of failures, or one of the four below; nothing
+/// for any other subject.
+std::optional<double> meshNumber(const std::string& subject, const ClaimedRun& run,
+                                 const ClaimedRuns& runs) {
+    const auto counted = [](auto count) { return static_cast<double>(count); };
+    for (const MeshNumber& each : kMeshNumbers) {
+        if (each.name == subject) return counted(reportMesh(run.points, run.mesh).*each.number);
+    }
+    if (const FailureClass* kind = findFailureClass(subject)) {
+        const std::ptrdiff_t row = kind - failureClasses().data();
+        const MeshInspection inspected = inspectWithTotals(run.points, run.mesh);
+        return counted(inspected.totals[static_cast<std::size_t>(row)].total);
+    }
+    const std::vector<Vec3>& at = run.points.position;
+    if (subject == "closed_manifold")
+        return counted(reportMesh(run.points, run.mesh).closedManifold());
+    if (subject == "euler_characteristic")
+        return counted(reportMesh(run.points, run.mesh).eulerCharacteristic);
+    if (subject == "shared_triangles" && runs.b)
+        return counted(compareMeshes(at, runs.a.mesh, runs.b->mesh).both);
+    if (subject != "thin_triangles") return std::nullopt;
+    return counted(std::count_if(run.mesh.begin(), run.mesh.end(),
+                                 [&](const Triangle& t) { return isThin(at, t); }));
+}
+
+/// "p t q": the angle at p between t and q, in whole degrees.
+Result<double> angleOf(const std::string& words, const ClaimedRuns& runs) {
+    const std::vector<Vec3>& all = runs.a.points.position;
+    std::vector<Vec3> at;
+    std::istringstream stream(words);
+    for (std::string word; stream >> word;) {
+        const Index point = pointOf(word, runs.names);
+        if (point >= all.size()) return Error{word + ": no such point"};
+        at.push_back(all[point]);
+    }
+    if (at.size() != 3) return Error{"an angle is of three points, its tip first"};
+    return std::round(degreesAt(at[0], at[1], at[2]));
+}
+
+/// The number that a claim is about, of one of the runs: that of the mesh, the value of a rule, an
+/// angle, or how many decisions a query matches.
+Result<double> valueOf(const std::string& subject, const ClaimedRun& run, const ClaimedRuns& runs) {
+    constexpr std::string_view kAngle = "angle ";
+    if (const auto number = meshNumber(subject, run, runs)) return *number;
+    if (const RuleSetting* rule = findRuleSetting(subject)) return rule->get(run.params);
+    if (subject.starts_with(kAngle)) return angleOf(subject.substr(kAngle.size()), runs);
+    const Result<DecisionQuery> query = DecisionQuery::parse(subject);
+    if (!query) return query.error();
+    const auto found = findDecisions(run.points, run.params, query.value(), 0);
+    if (!found) return found.error();
+    return static_cast<double>(found.value().total);
+}
+
+/// A claim: "unused_points: 3", "B at=9 stage=emit: > A".
+struct Claim {
+    std::string subject;
+    bool ofB = false;
+    char relation = '=';  ///< Or < or >.
+    std::string value;    ///< A number, or A or B for the subject in that run.
+};
+std::optional<Claim> readClaim(const std::string& text) {
+    const std::size_t colon = text.rfind(": ");
+    if (colon == std::string::npos || colon + 2 == text.size()) return std::nullopt;
+    Claim claim;
+    claim.ofB = text.starts_with("B ");
+    const std::size_t from = claim.ofB ? 2 : 0;
+    claim.subject = text.substr(from, colon - from);
+    claim.value = text.substr(colon + 2);
+    if (claim.value.starts_with("< ") || claim.value.starts_with("> ")) {
+        claim.relation = claim.value.front();
+        claim.value.erase(0, 2);
+    }
+    return claim;
+}
+
+/// The number that the subject is compared with.
+Result<double> wantedBy(const Claim& claim, const ClaimedRuns& runs) {
+    if (claim.value == "A") return valueOf(claim.subject, runs.a, runs);
+    if (claim.value == "B") return valueOf(claim.subject, *runs.b, runs);
+    const std::optional<double> number = numberIn<double>(claim.value);
+    if (!number) return Error{claim.value + ": expected a number, A or B"};
+    return *number;
+}
+
+/// The words of a text, with one blank between them.
+std::string singleBlanks(const std::string& text) {
+    std::string words;
+    std::istringstream stream(text);
+    for (std::string word; stream >> word;) words += (words.empty() ? "" : " ") + word;
+    return words;
+}
 
 /// Checks one step; each function is false after it has reported a fault.
 class StepCheck {
@@ -25,7 +169,8 @@ class StepCheck {
           faults_(faults) {}
 
     void run() {
-        if (!open() || !checkNames() || !checkPlaces() || !checkExpected() || !checkCompared())
+        if (!open() || !checkNames() || !checkPlaces() || !checkExpected() || !checkCompared() ||
+            !checkFacts())
             return;
         if (step_.question) checkQuestion();
     }
@@ -119,22 +264,82 @@ class StepCheck {
                                        : "the outcome there is \"" + found + "\"");
     }
 
-    bool checkCompared() {
-        if (step_.compare.empty()) return true;
+    /// Finds the run that the step compares.
+    bool openCompared() {
         const Result<RunSettings> settings = runSettings(setting_);
         if (!settings) return malformed(step_.lines, "rules", settings.error().message);
         const Result<RunSettings> other = comparedSettings(settings.value(), step_.compare);
         if (!other) return malformed(step_.lines, "compare", other.error().message);
         const Result<RunCursor*> b = runs_.cursorOf(setting_, other.value());
         if (!b) return malformed(step_.lines, "compare", b.error().message);
+        compared_ = b.value();
+        return true;
+    }
+
+    bool checkCompared() {
+        if (step_.compare.empty()) return true;
+        if (!openCompared()) return false;
         const Result<MadeMesh> meshA = meshOf(*cursor_);
-        const Result<MadeMesh> meshB = meshOf(*b.value());
+        const Result<MadeMesh> meshB = meshOf(*compared_);
         if (!meshA || !meshB) return malformed(step_.lines, "compare", "the run was stopped");
         const MeshDifference difference =
             compareMeshes(cursor_->timeline().points().position, meshA.value().triangles,
                           meshB.value().triangles);
         return !difference.same() ||
                disagrees(step_.lines, "compare", "both runs make the same triangles");
+    }
+
+    Result<ClaimedRun> claimedRun(const RunCursor& cursor) const {
+        const Result<MadeMesh> mesh = meshOf(cursor);
+        if (!mesh) return mesh.error();
+        return ClaimedRun{cursor.timeline().points(), cursor.timeline().params(),
+                          mesh.value().triangles};
+    }
+
+    bool checkFacts() {
+        if (step_.facts.empty()) return true;
+        Result<ClaimedRun> a = claimedRun(*cursor_);
+        if (!a) return malformed(step_.lines, "facts", a.error().message);
+        ClaimedRuns runs{std::move(a.value()), std::nullopt, setting_.names};
+        if (compared_ != nullptr) {
+            Result<ClaimedRun> b = claimedRun(*compared_);
+            if (!b) return malformed(step_.lines, "facts", b.error().message);
+            runs.b.emplace(std::move(b.value()));
+        }
+        const std::string& intro = number_ == 0 ? lesson_.text : std::string();
+        std::string text = singleBlanks(intro + " " + step_.title + " " + step_.text);
+        if (step_.question) {
+            for (const std::string& option : step_.question->options) text += " " + option;
+        }
+        return std::all_of(step_.facts.begin(), step_.facts.end(), [&](const LessonFact& fact) {
+            if (text.find(fact.words) == std::string::npos)
+                return fault(FaultSort::Disagrees, fact.line, "facts",
+                             "\"" + fact.words + "\" is not in the text of the step");
+            return std::all_of(
+                fact.claims.begin(), fact.claims.end(),
+                [&](const std::string& each) { return checkClaim(fact.line, each, runs); });
+        });
+    }
+
+    bool checkClaim(std::size_t line, const std::string& text, const ClaimedRuns& runs) {
+        const std::optional<Claim> claim = readClaim(text);
+        if (!claim)
+            return fault(FaultSort::Malformed, line, "facts", text + ": expected SUBJECT: NUMBER");
+        if ((claim->ofB || claim->value == "B") && !runs.b)
+            return fault(FaultSort::Malformed, line, "facts", text + ": there is no second run");
+        const Result<double> found = valueOf(claim->subject, claim->ofB ? *runs.b : runs.a, runs);
+        const Result<double> wanted = wantedBy(*claim, runs);
+        if (!found || !wanted)
+            return fault(FaultSort::Malformed, line, "facts",
+                         text + ": " + (found ? wanted : found).error().message);
+        const double value = found.value();
+        if (claim->relation == '<'   ? value < wanted.value()
+            : claim->relation == '>' ? value > wanted.value()
+                                     : value == wanted.value())
+            return true;
+        std::string message = text + ": it is ";
+        appendNumber(message, value);
+        return fault(FaultSort::Disagrees, line, "facts", message);
     }
 
     static Result<MadeMesh> meshOf(const RunCursor& cursor) {
@@ -214,6 +419,7 @@ class StepCheck {
     LessonRuns& runs_;
     std::vector<LessonFault>& faults_;
     RunCursor* cursor_ = nullptr;
+    RunCursor* compared_ = nullptr;  ///< Null if the step compares no other run.
 };
 
 bool isSameFault(const LessonFault& a, const LessonFault& b) {

@@ -106,6 +106,20 @@ bool readWhatIfs(const toml::node& node, LessonStep& step) {
     return areWords(node, step.rules.whatIfs);
 }
 
+/// Lists of words of the text and the claims for them.
+bool readFacts(const toml::node& node, LessonStep& step) {
+    if (!node.is_array()) return false;
+    return std::all_of(node.as_array()->begin(), node.as_array()->end(), [&](const auto& each) {
+        LessonFact& fact = step.facts.emplace_back();
+        fact.line = step.lines.block + each.source().begin.line;
+        if (!each.is_array() || !areWords(each, fact.claims) || fact.claims.size() < 2)
+            return false;
+        fact.words = fact.claims.front();
+        fact.claims.erase(fact.claims.begin());
+        return true;
+    });
+}
+
 /// A list is words as they are; one text is split at blanks.
 bool readCompare(const toml::node& node, LessonStep& step) {
     if (!areWords(node, step.compare)) return false;
@@ -176,6 +190,8 @@ constexpr std::array kStepKeys{
                        readPlay},
     KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
                        readText<&LessonStep::expect>},
+    KeyRow<LessonStep>{"facts", "a list of lists: words of the text, and claims for them",
+                       readFacts},
     KeyRow<LessonStep>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
                        readText<&LessonStep::input>},
     KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",

@@ -45,6 +45,30 @@ std::string askCheck(const std::string& toml) {
     return checkedText(lessonWith(stepWith("ask", toml)));
 }
 
+/// The lesson with nothing to check, ready for a fact of one step and the run that it compares.
+Lesson withFactsOf(Lesson lesson, std::size_t step) {
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        LessonStep& each = lesson.steps[i];
+        each.facts.clear();
+        each.links.clear();
+        each.expect.clear();
+        each.question.reset();
+        if (i != step) each.compare.clear();
+    }
+    return lesson;
+}
+
+/// The claim with a number that is one too large, or with the opposite relation.
+std::string flippedClaim(std::string claim) {
+    const std::size_t value = claim.rfind(": ") + 2;
+    if (claim[value] == '<' || claim[value] == '>') {
+        claim[value] = claim[value] == '<' ? '>' : '<';
+        return claim;
+    }
+    if (claim[value] == 'A' || claim[value] == 'B') return claim.insert(value, "< ");
+    return claim.substr(0, value) + std::to_string(std::stoi(claim.substr(value)) + 1);
+}
+
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);
@@ -137,6 +161,90 @@ TEST_CASE("a flipped expectation of any step is found") {
             CHECK(faults[0].sort == FaultSort::Disagrees);
         }
     }
+}
+
+TEST_CASE("a flipped claim of any lesson is found, and so are words that are not in its text") {
+    std::size_t claims = 0;
+    for (const EmbeddedLesson& each : embeddedLessons()) {
+        CAPTURE(each.id);
+        const Lesson lesson = readLesson(each.text, "x").lesson;
+        LessonRuns runs({});
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            Lesson flipped = withFactsOf(lesson, i);
+            for (const LessonFact& fact : lesson.steps[i].facts) {
+                flipped.steps[i].facts = {fact};
+                flipped.steps[i].facts[0].words += " (not)";
+                CHECK(checkLesson(flipped, runs).size() == 1);
+                for (std::size_t claim = 0; claim < fact.claims.size(); ++claim) {
+                    ++claims;
+                    CAPTURE(fact.claims[claim]);
+                    flipped.steps[i].facts = {fact};
+                    flipped.steps[i].facts[0].claims = {flippedClaim(fact.claims[claim])};
+                    const std::vector<LessonFault> faults = checkLesson(flipped, runs);
+                    REQUIRE(faults.size() == 1);
+                    CHECK(faults[0].sort == FaultSort::Disagrees);
+                    CHECK(faults[0].key == "facts");
+                }
+            }
+        }
+    }
+    CHECK(claims > 100);
+}
+
+TEST_CASE("facts are checked against the run: numbers of the mesh, rules, angles, decisions") {
+    const auto fact = [](const std::string& words, const std::string& claim) {
+        return stepCheck("compare = \"--rule sphere=off\"\nfacts = [[\"" + words + "\", \"" +
+                         claim + "\"]]");
+    };
+    CHECK(fact("Text", "at=9 stage=emit: 4") == "good");
+    CHECK(fact("Text", "at=9 stage=sphere verdict=removed point=46: 1") == "good");
+    CHECK(fact("Text", "maxgap: 120") == "good");
+    CHECK(fact("Text", "angle p t q: 6") == "good");
+    CHECK(fact("Text", "points: 50") == "good");
+    CHECK(fact("Text", "thin_triangles: < B") == "good");
+    CHECK(fact("Text", "B thin_triangles: > A") == "good");
+    CHECK(has(fact("Text", "shared_triangles: 0"),
+              "disagrees x:14: facts: shared_triangles: 0: it is "));
+    CHECK(fact("Text", "at=9 stage=emit: 5") ==
+          "disagrees x:14: facts: at=9 stage=emit: 5: it is 4");
+    CHECK(fact("Text", "second_layers: > 0") ==
+          "disagrees x:14: facts: second_layers: > 0: it is 0");
+    CHECK(fact("Other", "points: 50") ==
+          "disagrees x:14: facts: \"Other\" is not in the text of the step");
+    CHECK(has(fact("Text", "points 50"),
+              "malformed x:14: facts: points 50: expected SUBJECT: NUMBER"));
+    CHECK(has(fact("Text", "points: many"), "malformed x:14: facts: points: many: "));
+    CHECK(has(fact("Text", "angle p t: 6"), "malformed x:14: facts: angle p t: 6: an angle is of"));
+    CHECK(has(fact("Text", "at=nine: 6"), "malformed x:14: facts: at=nine: 6: "));
+    CHECK(has(stepCheck("facts = [[\"Text\", \"B points: 50\"]]"),
+              "facts: B points: 50: there is no second run"));
+    CHECK(has(stepCheck("facts = [[\"Text\", \"points: B\"]]"),
+              "facts: points: B: there is no second run"));
+}
+
+TEST_CASE("sentences of lessons that were false are found") {
+    // As they stood, with the claim that each of them made.
+    const auto claimed = [](const std::string& toml, const std::string& claim) {
+        return stepCheck(toml + "\nfacts = [[\"Text\", \"" + claim + "\"]]");
+    };
+    const std::string figure4 =
+        "input = \"scene:figure-4\"\nat = \"1.limits.5\"\ncompare = \"--rule limits=off\"";
+    CHECK(has(claimed(figure4, "B intersecting_triangles: > A"), "it is 0"));
+    CHECK(has(claimed(figure4, "B at=1 stage=sphere kept point=8: 1"), "it is 0"));
+    const std::string stranded = "input = \"scene:stranded-point\"";
+    CHECK(has(claimed(stranded, "stage=sphere refused point=32: 3"), "it is 2"));
+    const std::string sparse = "input = \"scene:sparse-spot\"\ncompare = \"--neighbors 24\"";
+    CHECK(has(claimed(sparse, "boundary_loops: > 0"), "it is 0"));
+    CHECK(has(claimed(sparse, "second_layers: < B"), "it is 4"));
+    const std::string torus = "input = \"scene:torus\"\ncompare = \"--rule next=start\"";
+    CHECK(has(claimed(torus, "unused_points: 0"), "it is 2"));
+    CHECK(has(claimed(torus, "unused_points: B"), "it is 2"));
+    const std::string spiral = "input = \"scene:figure-2\"\ncompare = \"--rule sphere=off\"";
+    CHECK(has(claimed(spiral, "B thin_triangles: > 59"), "it is 13"));
+    CHECK(has(claimed(spiral, "stage=skip: 0"), "it is 62"));
+    const std::string fan = "compare = [\"--what-if\", \"9.sphere keep 46\"]";
+    CHECK(has(claimed(fan, "B at=9 stage=emit: 6"), "it is 5"));
+    CHECK(has(claimed(fan, "angle p q s: < 15"), "it is 47"));
 }
 
 TEST_CASE("a wrong typed answer is found, a right one is not") {

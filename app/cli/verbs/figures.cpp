@@ -78,35 +78,45 @@ std::string headText(const Figure& figure) {
                             figure.counts.triangles);
     }
     if (!figure.names.empty()) text += fmt::format("  points   {}\n", namesText(figure));
-    if (figure.hasScene())
-        text += fmt::format("  without  {}: {}\n", ruleText(figure), figure.absence);
+    if (!figure.hasScene()) return text;
+    text += fmt::format("  without  {}: {}\n", ruleText(figure), figure.absence);
+    if (!figure.without.empty() && !figure.without.front().outcome.empty()) {
+        text += fmt::format("  seen     {} {} --goto {}\n", sourceOf(figure), ruleText(figure),
+                            figure.without.front().address);
+    }
     return text;
 }
 
-/// "t, removed"
+/// "t: removed"
 std::string expectedText(const FigureExpectation& expected) {
     return fmt::format("{}{}{}", expected.points, expected.points.empty() ? "" : ": ",
-                       expected.outcome);
+                       expected.outcome.empty() ? "no such decision" : expected.outcome);
+}
+
+/// A line for each expectation; `run` names the run that they are of.
+std::string checkedText(const std::vector<CheckedExpectation>& list, std::string_view run) {
+    std::string text;
+    for (const CheckedExpectation& each : list) {
+        text += fmt::format("  {:<8} {}{} {}\n", each.holds ? "holds" : "FAILS", run,
+                            each.expected.address, expectedText(each.expected));
+        if (!each.holds) {
+            text += fmt::format("           found: {}\n",
+                                each.found.empty() ? "no such decision" : each.found);
+        }
+    }
+    return text;
 }
 
 FigureText checkedScene(const Figure& figure) {
     const FigureCheck check = checkFigure(figure);
-    FigureText checked{{}, check.holds()};
-    for (const CheckedExpectation& each : check.expectations) {
-        checked.text += fmt::format("  {:<8} {} {}\n", each.holds ? "holds" : "FAILS",
-                                    each.expected.address, expectedText(each.expected));
-        if (!each.holds) {
-            checked.text += fmt::format("           found: {}\n",
-                                        each.found.empty() ? "no such decision" : each.found);
-        }
-    }
+    FigureText checked{checkedText(check.expectations, ""), check.holds()};
     checked.text += fmt::format("  {:<8} {}: {} of {} decisions change",
                                 check.showsAbsence ? "differs" : "FAILS", ruleText(figure),
                                 check.brokenWithout, check.expectations.size());
     if (figure.fault)
         checked.text += fmt::format("; faults: {} without the rule, {} with it",
                                     check.faultsWithout, check.faultsWith);
-    checked.text += "\n";
+    checked.text += "\n" + checkedText(check.without, "without it: ");
     return checked;
 }
 

@@ -112,7 +112,9 @@ void addSortAngles(const LayerInput& in, DrawList& out) {
 void addReciprocal(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<ReciprocalEvidence>(Stage::Reciprocal);
     if (e == nullptr || in.picture.pivot == kNone) return;
-    const std::optional<Disc> disc = discAt(in, e->point, e->pred);
+    // The free sector runs from the point before e, elast in Figure 6, to the one after it, efirst.
+    const Index from = e->printed ? e->succ : e->pred;
+    const std::optional<Disc> disc = discAt(in, e->point, from);
     if (!disc) return;
     const Palette& c = in.palette;
     const bool kept = e->verdict == Verdict::Kept;
@@ -122,11 +124,12 @@ void addReciprocal(const LayerInput& in, DrawList& out) {
     addSectorSheet(*disc, {0.0, e->limitDegrees, radius}, c.test.withAlpha(0.35F), out);
     addArc(*disc, {0.0, 360.0, radius}, c.test, 0.1F, out);
     addArc(*disc, {0.0, e->limitDegrees, radius}, c.test, 0.24F, out);
-    out.arrow(disc->origin, in.at(e->pred), c.first, 0.14F);
-    out.label(in.at(e->pred), "first of e", c.first);
+    out.arrow(disc->origin, in.at(from), e->printed ? c.first : c.last, 0.14F);
+    out.label(in.at(e->succ), "first of e", c.first);
     if (e->succ != e->pred) {
-        out.line(disc->origin, in.at(e->succ), c.last, 0.14F, Depth::OnTop);
-        out.label(in.at(e->succ), "last of e", c.last);
+        const Index to = e->printed ? e->pred : e->succ;
+        out.line(disc->origin, in.at(to), e->printed ? c.last : c.first, 0.14F, Depth::OnTop);
+        out.label(in.at(e->pred), "last of e", c.last);
     }
     out.line(disc->origin, in.at(in.picture.pivot), verdict, 0.2F, Depth::OnTop);
     addArc(*disc, {0.0, e->degrees, 0.6F * radius}, verdict, 0.14F, out);

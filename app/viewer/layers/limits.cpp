@@ -1,6 +1,7 @@
 /// §6.1: start and end advance along the ring (Fig. 4), or a convex ring drops the point next to
 /// them (Fig. 5).
 #include "disc.h"
+#include "run/neighborhood.h"
 #include "run/strings.h"
 
 namespace se::view {
@@ -53,9 +54,8 @@ void addLimits(const LayerInput& in, DrawList& out) {
     if (e == nullptr || e->to == kNone) return;
     const bool start = e->side == Side::Start;
     const Index p = in.picture.pivot;
-    // The turn is known if the test went that far.
-    const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge;
-    if (looked) addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
+    if (isMeasured(*e))
+        addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
     addMove(in, *e, out);
 }
 
@@ -68,11 +68,11 @@ void addConvexity(const LayerInput& in, DrawList& out) {
     const Index limit = start ? in.picture.start : in.picture.end;
     addCorner(in, {start ? e->point : p, limit, start ? p : e->point, false}, out);
     addStem(in, *disc, e->point, out);
-    // The path along the ring, against the straight spoke.
+    // The path along the ring, against the spoke.
     out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
     out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
     out.label(in.middleOf(limit, e->point), "along the ring", in.palette.used, true);
-    out.label(in.middleOf(p, e->point), "straight: removed", in.palette.rejected, true);
+    out.label(in.middleOf(p, e->point), "spoke: removed", in.palette.rejected, true);
 }
 
 }  // namespace se::view

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "disc.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 
 namespace se::view {
 
@@ -129,6 +130,24 @@ void addVectors(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
     }
 }
 
+/// §7.1, Fig. 14: the triangle with which the unmodified neighbor ring would end, between the two
+/// points beside p on the wall.
+void addIncorrect(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
+    if (e.third == kNone) return;
+    const Color& color = in.palette.rejected;
+    const Triangle triangle{e.pivot, e.third, e.other};
+    out.hatch(in.at(e.pivot), in.at(e.third), in.at(e.other), color.withAlpha(0.8F));
+    out.line(in.at(e.third), in.at(e.other), color, 0.3F, Depth::OnTop);
+    for (int face = 0; face < 6; ++face) {
+        if ((e.faces >> static_cast<unsigned>(face) & 1U) == 0) continue;
+        out.label(in.at(e.pivot) + 0.6F * in.model.spacing * outwardOf(face),
+                  isDegenerate(in.model.points, triangle) ? "without q: a triangle without area"
+                                                          : "without q: a triangle outside",
+                  color, true);
+        return;
+    }
+}
+
 void addCandidatesOnWall(const LayerInput& in, Index pivot, Index chosen, DrawList& out) {
     const PointSet& points = in.model.points;
     for (const Index q : points.neighbors[pivot]) {
@@ -178,6 +197,7 @@ void addWalls(const LayerInput& in, DrawList& out) {
         out.arrow(in.at(e->pivot), in.at(e->other), c.used, 0.16F);
         out.label(in.middleOf(e->pivot, e->other), "across the corner", c.used);
     } else {
+        addIncorrect(in, *e, out);
         addVectors(in, *e, out);
     }
     addChoice(in, *e, out);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "evidence_parts.h"
+#include "run/neighborhood.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
@@ -138,19 +139,13 @@ void addConditions(const LimitEvidence& e, const Params& rules, EvidenceRows& ou
     if (rules.robust.unblocked) add({"way clear", Verdict::Blocked});
 }
 
-/// Whether the test went so far that the angle and the turn are known.
-bool isMeasured(Verdict verdict) {
-    return verdict != Verdict::OtherLimit && verdict != Verdict::NotAnEdge &&
-           verdict != Verdict::NotListed;
-}
-
 }  // namespace
 
 void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const std::string side = e.side == Side::Start ? "start" : "end";
     out.row(side + ", next", pointsText({e.from, e.to}));
     const std::string from = degreesText(e.fromDegrees);
-    if (!isMeasured(e.verdict)) {
+    if (!isMeasured(e)) {
         out.row("angle of " + side, from + ", stays");
     } else if (e.moves()) {
         out.row("angle of " + side, from + " \xE2\x86\x92 " + degreesText(e.toDegrees));
@@ -158,7 +153,7 @@ void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out)
         out.row("angle of " + side, from + ", stays; next " + degreesText(e.toDegrees));
     }
     addConditions(e, in.model.params, out);
-    if (!isMeasured(e.verdict)) return;
+    if (!isMeasured(e)) return;
     out.row("turn",
             signedText(e.turn) + (e.turn > 0.0 ? " > 0: concave" : " \xE2\x89\xA4 0: convex"));
     const Index p = in.picture.pivot;
@@ -198,7 +193,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 
 void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("point e", pointsText({e.point}));
-    out.row("e's first, last", pointsText({e.pred, e.succ}));
+    out.row("e's first, last", pointsText({e.succ, e.pred}));
     out.row("sector of e", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
     out.row("angle of p at e", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
     const bool inside = e.degrees < e.limitDegrees;

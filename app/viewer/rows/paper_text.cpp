@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "run/embedded_files.h"
+#include "run/neighborhood.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/overloaded.h"
 
@@ -112,7 +113,9 @@ std::string liveNumbers(const Event& event) {
         [](const SortEvidence& e) {
             return formatted("angle %.1f\xC2\xB0, end %.1f\xC2\xB0", e.degrees, e.endDegrees);
         },
-        [](const LimitEvidence& e) { return formatted("turn %+.3g (concave if > 0)", e.turn); },
+        [](const LimitEvidence& e) {
+            return isMeasured(e) ? formatted("turn %+.3g (concave if > 0)", e.turn) : std::string();
+        },
         [](const ReciprocalEvidence& e) {
             return formatted("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
         },

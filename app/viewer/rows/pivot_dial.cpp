@@ -175,7 +175,8 @@ class Maker {
     }
     void show(const ReciprocalEvidence& e) {
         name(e.point, "e");
-        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, e.verdict == Verdict::Kept};
+        const bool kept = e.verdict == Verdict::Kept;
+        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, kept, e.printed};
         dial_.caption = formatted("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     void show(const HoleEvidence& e) {

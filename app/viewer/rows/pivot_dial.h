@@ -54,8 +54,14 @@ struct DialArc {
 struct DialReciprocal {
     Index e = kNone;
     double pivotDegrees = 0.0;  ///< Angle of p at e.
-    double limitDegrees = 0.0;  ///< The free sector of e runs from 0 to here.
+    double limitDegrees = 0.0;  ///< The sector of e runs from 0 to here.
     bool inside = false;
+    /// The sector runs from efirst, after e on the ring, to elast, before it; else from elast to
+    /// efirst.
+    bool printed = false;
+
+    double firstDegrees() const { return printed ? 0.0 : limitDegrees; }
+    double lastDegrees() const { return printed ? limitDegrees : 0.0; }
 };
 
 /// §6.2: the chord from start to end; the far side lies beyond it.

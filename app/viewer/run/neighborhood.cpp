@@ -39,4 +39,9 @@ std::vector<Index> neighborhoodOf(const DecisionState& picture) {
     return all;
 }
 
+bool isMeasured(const LimitEvidence& e) {
+    return e.verdict != Verdict::OtherLimit && e.verdict != Verdict::NotAnEdge &&
+           e.verdict != Verdict::NotListed;
+}
+
 }  // namespace se::view

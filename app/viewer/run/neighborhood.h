@@ -1,4 +1,4 @@
-/// The points that a decision involves, for cameras and labels.
+/// The points that a decision involves, for cameras and labels, and how far it looked at them.
 #pragma once
 
 #include <vector>
@@ -11,5 +11,9 @@ namespace se::view {
 /// left, and other points named by the last event; in order, none twice. Without a pivot: the point
 /// under test, if there is one.
 std::vector<Index> neighborhoodOf(const DecisionState& picture);
+
+/// True if the test of §6.1 (Fig. 4) went so far that the angle and the turn of the next point on
+/// the ring are known: otherwise both are 0 in the evidence.
+bool isMeasured(const LimitEvidence& e);
 
 }  // namespace se::view

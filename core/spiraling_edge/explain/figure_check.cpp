@@ -72,20 +72,29 @@ PointSet pointsOf(const Figure& figure) {
 /// A run of a figure.
 struct FigureRun {
     std::vector<CheckedExpectation> expectations;
+    std::vector<CheckedExpectation> without;
     std::vector<Triangle> mesh;
 };
 
+/// The expectations before a run: those of no decision hold until it is found.
+std::vector<CheckedExpectation> unseen(std::span<const FigureExpectation> expectations) {
+    std::vector<CheckedExpectation> all;
+    for (const FigureExpectation& each : expectations)
+        all.push_back({each, each.outcome.empty(), {}});
+    return all;
+}
+
 FigureRun runOf(const Figure& figure, const PointSet& points, const Params& params) {
-    FigureRun run;
-    for (const FigureExpectation& each : figure.expectations)
-        run.expectations.push_back({each, false, {}});
+    FigureRun run{unseen(figure.expectations), unseen(figure.without), {}};
     const auto note = [&](const Event& event) {
         const std::string address = toString(event.address);
-        for (CheckedExpectation& each : run.expectations) {
-            if (each.expected.address != address) continue;
-            each.found = describe(event, figure.names);
-            each.holds = outcomeText(event) == each.expected.outcome &&
-                         pointsText(event, figure.names) == each.expected.points;
+        for (auto* list : {&run.expectations, &run.without}) {
+            for (CheckedExpectation& each : *list) {
+                if (each.expected.address != address) continue;
+                each.found = describe(event, figure.names);
+                each.holds = outcomeText(event) == each.expected.outcome &&
+                             pointsText(event, figure.names) == each.expected.points;
+            }
         }
     };
     std::optional<State> end = scanRun(points, params, [&](const ScannedPivot& pivot) {
@@ -120,8 +129,11 @@ std::vector<std::string_view> outcomeWords() {
 }
 
 bool FigureCheck::holds() const {
-    return showsAbsence && std::all_of(expectations.begin(), expectations.end(),
-                                       [](const CheckedExpectation& each) { return each.holds; });
+    const auto hold = [](const std::vector<CheckedExpectation>& list) {
+        return std::all_of(list.begin(), list.end(),
+                           [](const CheckedExpectation& each) { return each.holds; });
+    };
+    return showsAbsence && hold(expectations) && hold(without);
 }
 
 std::vector<CheckedExpectation> expectationsOf(const Figure& figure, Params params) {
@@ -139,7 +151,7 @@ FigureCheck checkFigure(const Figure& figure) {
     const PointSet points = pointsOf(figure);
     const Params params = withStart(figure, {});
     FigureRun with = runOf(figure, points, params);
-    const FigureRun without = runOf(figure, points, withoutRule(figure, params));
+    FigureRun without = runOf(figure, points, withoutRule(figure, params));
     FigureCheck check;
     check.brokenWithout = static_cast<std::size_t>(
         std::count_if(without.expectations.begin(), without.expectations.end(),
@@ -151,6 +163,7 @@ FigureCheck checkFigure(const Figure& figure) {
         check.showsAbsence = check.showsAbsence && check.faultsWith == 0 && check.faultsWithout > 0;
     }
     check.expectations = std::move(with.expectations);
+    check.without = std::move(without.without);
     return check;
 }
 

@@ -31,6 +31,7 @@ struct CheckedExpectation {
 /// The result of a check.
 struct FigureCheck {
     std::vector<CheckedExpectation> expectations;  ///< Under the set `paper`.
+    std::vector<CheckedExpectation> without;       ///< Figure::without, without the rule.
     std::size_t brokenWithout = 0;  ///< Expectations that do not hold without the rule.
     std::size_t faultsWith = 0;     ///< Faults of Figure::fault, with the rule,
     std::size_t faultsWithout = 0;  ///< ... and without it.

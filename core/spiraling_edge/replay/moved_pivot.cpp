@@ -61,6 +61,7 @@ std::shared_ptr<const PivotRecord> MovedPivot::record(Index point, const Vec3& t
     stepper.setState(before_);
     auto made = std::make_shared<PivotRecord>();
     made->pivot = pivot();
+    made->rules = params_.paper;
     made->before = withoutTriangles(before_);
     stepper.stepPivot();
     made->events = log.events();

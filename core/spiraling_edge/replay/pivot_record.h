@@ -29,6 +29,7 @@ struct PivotRecord {
     std::vector<Event> events;
     RunState before;
     RunState after;
+    PaperRules rules;  ///< Of the run.
     /// For the first step after the last pivot: the triangles of the run, which it is the first to
     /// edit. Otherwise null.
     std::shared_ptr<const std::vector<Triangle>> unrepaired;

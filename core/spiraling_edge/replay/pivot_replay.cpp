@@ -149,7 +149,7 @@ void addRings(DecisionState& state, const PivotRecord& record, std::size_t last)
     const auto end = events.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     // Most decisions do not change the rings.
     if (std::any_of(events.begin(), end, changesRings)) {
-        RingReplay replay(record.before.rings, record.before.status.size());
+        RingReplay replay(record.before.rings, record.before.status.size(), record.rules);
         for (auto event = events.begin(); event != end; ++event) {
             if (updatesRings(*event) && state.oldRings.empty()) {
                 state.oldRings = ringPaths(replay.rings());

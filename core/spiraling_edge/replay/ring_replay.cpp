@@ -9,7 +9,8 @@
 
 namespace se {
 
-RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount) : rings_(pointCount) {
+RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount, const PaperRules& rules)
+    : rings_(pointCount), rules_(rules) {
     rings_.restore(before);
 }
 
@@ -68,6 +69,16 @@ bool RingReplay::foundBefore(Index a, Index b) const {
     return rank(a) < rank(b);
 }
 
+/// The first other entry of the same point.
+Index RingReplay::firstInstance(Index entry) const {
+    Index found = kNone;
+    for (Index e = rings_.firstEntryOf(rings_.point(entry)); e != kNone;
+         e = rings_[e].nextOfPoint) {
+        if (e != entry && (found == kNone || foundBefore(e, found))) found = e;
+    }
+    return found;
+}
+
 void RingReplay::on(const ReciprocalEvidence& e) {
     // One test for each entry of the candidate.
     const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
@@ -98,6 +109,9 @@ void RingReplay::on(const RingEvidence& e) {
     if (e.inserted) {
         const Index previous = inserted_.empty() ? start_ : inserted_.back();
         inserted_.push_back(rings_.insertAfter(previous, e.point));
+        // A point that no sector was found for, or none was looked for, is linked to its first one.
+        const bool first = rules_.instance == InstanceRule::First || !instances_.contains(e.point);
+        if (first && e.status > 1) instances_[e.point] = firstInstance(inserted_.back());
         return;
     }
     lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;
@@ -130,13 +144,18 @@ Index RingReplay::nextEntry() const {
     return rings_.alive(start_) ? start_ : kNone;
 }
 
-/// The part that holds end stays active, the other goes on the stack.
-void RingReplay::place(const Exchange& made) {
+/// One part stays active, by its length; of equal ones that which holds end, or the other one
+/// (PaperRules::active). The other part goes on the stack.
+void RingReplay::place(const Exchange& made, Index activeLength) {
     const bool wasActive = made.ringOfX == rings_.active() || made.ringOfY == rings_.active();
     bool pushX = rings_.depthFromTop(made.ringOfX) == kNone;
     if (wasActive) {
         const Index on = nextEntry();
-        pushX = on == kNone || rings_.ringOf(on) != made.ringOfX;
+        const Index x = rings_.length(made.ringOfX);
+        const bool endIsElsewhere = on == kNone || rings_.ringOf(on) != made.ringOfX;
+        pushX = x == rings_.length(made.ringOfY)
+                    ? endIsElsewhere != (rules_.active == ActiveRule::Other)
+                    : x != activeLength;
         rings_.activate(pushX ? made.ringOfY : made.ringOfX);
     }
     rings_.push(pushX ? made.ringOfX : made.ringOfY, pushX ? x_ : y_);
@@ -147,7 +166,7 @@ void RingReplay::place(const Exchange& made) {
 void RingReplay::on(const SplitEvidence& e) {
     lost_ = !nextLink(e.point) || rings_.ringOf(x_) != rings_.ringOf(y_);
     if (lost_) return;
-    place(rings_.exchangeSuccessors(x_, y_));
+    place(rings_.exchangeSuccessors(x_, y_), e.activeLength);
 }
 
 void RingReplay::on(const JoinEvidence& e) {

@@ -8,13 +8,15 @@
 
 #include "spiraling_edge/replay/ring_path.h"
 #include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 
 class RingReplay {
   public:
     /// `before`: the rings before the pivot, as EdgeRings::withoutPoints() gives them.
-    RingReplay(const EdgeRings& before, std::size_t pointCount);
+    /// `rules`: those of the run.
+    RingReplay(const EdgeRings& before, std::size_t pointCount, const PaperRules& rules = {});
 
     /// Applies the events of the pivot, in order.
     void apply(const Event& event);
@@ -46,12 +48,14 @@ class RingReplay {
     void takePivot(Index pivot, Index first, Index last);
     void beginUpdate();
     bool foundBefore(Index a, Index b) const;
+    Index firstInstance(Index entry) const;
     bool nextLink(Index point);
-    void place(const Exchange& made);
+    void place(const Exchange& made, Index activeLength);
     Index nextEntry() const;
     std::vector<Index> entriesOf(Index ring) const;
 
     EdgeRings rings_;
+    PaperRules rules_;
     std::optional<RingExchange> exchange_;
     bool lost_ = false;
     Stage stage_ = Stage::Pivot;

@@ -171,6 +171,7 @@ std::shared_ptr<const PivotRecord> Timeline::record(std::uint32_t pivot) {
     if (endKnown_ && pivot > lastPivot()) return this->record(lastPivot());
     auto record = std::make_shared<PivotRecord>();
     record->pivot = pivot;
+    record->rules = params().paper;
     record->before = runState();
     EventLog log;
     if (pivot > 0) {

@@ -36,6 +36,7 @@ constexpr PointName kNames9[] = {{0, "p"}, {1, "first"}, {2, "last"}};
 constexpr PointName kNames11[] = {{0, "p"},   {1, "first"}, {2, "last"}, {5, "start"},
                                   {6, "end"}, {7, "t"},     {8, "s"}};
 constexpr PointName kNames14[] = {{0, "p"}, {4, "first"}, {46, "q"}};
+constexpr PointName kNames17[] = {{58, "p"}, {75, "t"}, {74, "q"}};
 constexpr PointName kNames18[] = {{66, "p"}, {74, "q"}, {75, "r"}};
 constexpr PointName kNames19[] = {{49, "p"}, {14, "q"}, {45, "r"}};
 constexpr PointName kNames20[] = {{0, "p"}, {2, "q"}, {3, "r"}};
@@ -51,10 +52,11 @@ constexpr FigureExpectation kExpected1[] = {
     {"1.sphere.11", "8", "removed"},
 };
 constexpr FigureExpectation kExpected2[] = {
-    {"1.advance.1", "2", "next pivot"},   {"2.ring.2", "8", "enters, USED 1"},
-    {"2.ring.3", "9", "enters, USED 1"},  {"2.ring.4", "10", "enters, USED 1"},
-    {"3.ring.2", "11", "enters, USED 1"}, {"5.ring.1", "5", "leaves, DONE"},
-    {"5.ring.4", "16", "enters, USED 1"}, {"5.advance.1", "6", "next pivot"},
+    {"1.advance.1", "2", "next pivot"},   {"2.advance.1", "3", "next pivot"},
+    {"2.ring.2", "8", "enters, USED 1"},  {"2.ring.3", "9", "enters, USED 1"},
+    {"2.ring.4", "10", "enters, USED 1"}, {"3.ring.2", "11", "enters, USED 1"},
+    {"5.ring.1", "5", "leaves, DONE"},    {"5.ring.4", "16", "enters, USED 1"},
+    {"5.advance.1", "6", "next pivot"},
 };
 constexpr FigureExpectation kExpected3[] = {
     {"1.sort.1", "r", "kept"},
@@ -125,8 +127,9 @@ constexpr FigureExpectation kExpected15[] = {
 };
 constexpr FigureExpectation kExpected16[] = {{"1.insert.1", "q", "after"}};
 constexpr FigureExpectation kExpected17[] = {
-    {"64.insert.1", "r", "before"},
-    {"64.emit.1", "p r q", "made"},
+    {"91.skip.1", "p", "passed over"}, {"91.advance.1", "t", "next pivot"},
+    {"92.skip.1", "t", "passed over"}, {"92.advance.1", "q", "next pivot"},
+    {"93.skip.1", "q", "passed over"},
 };
 constexpr FigureExpectation kExpected18[] = {
     {"64.insert.1", "r", "before"},
@@ -140,6 +143,42 @@ constexpr FigureExpectation kExpected20[] = {
     {"1.insert.1", "r", "before"},
     {"1.emit.1", "p r q", "made"},
 };
+
+// ---- without the rule ---------------------------------------------------------------------------
+
+constexpr FigureExpectation kWithout1[] = {{"1.emit.12", "1 8 2", "made"}, {"1.emit.13", "", ""}};
+constexpr FigureExpectation kWithout2[] = {{"2.advance.1", "7", "next pivot"}};
+constexpr FigureExpectation kWithout3[] = {{"1.emit.2", "p r t", "made"},
+                                           {"1.emit.3", "p t last", "made"}};
+constexpr FigureExpectation kWithout4[] = {
+    {"1.sphere.1", "s", "removed"},
+    {"1.sphere.3", "r", "removed"},
+    {"1.emit.2", "p 7 last", "made"},
+    {"1.emit.3", "", ""},
+    {"1.ring.1", "p", "leaves, DONE"},
+    {"1.ring.2", "7", "enters, USED 1"},
+    {"1.ring.3", "", ""},
+};
+constexpr FigureExpectation kWithout5[] = {{"1.emit.1", "p 1 2", "made"}};
+constexpr FigureExpectation kWithout6[] = {{"1.emit.1", "p pfirst e", "made"},
+                                           {"1.emit.2", "p e plast", "made"}};
+constexpr FigureExpectation kWithout7[] = {{"1.emit.1", "p first q", "made"},
+                                           {"1.emit.2", "p q r", "made"}};
+constexpr FigureExpectation kWithout8[] = {{"1.emit.10", "0 4 10", "made"}, {"1.emit.11", "", ""}};
+constexpr FigureExpectation kWithout9[] = {{"1.emit.1", "p first last", "made"}};
+constexpr FigureExpectation kWithout11[] = {{"1.ring.1", "p", "leaves, DONE"},
+                                            {"1.ring.2", "t", "enters, USED 1"},
+                                            {"1.ring.3", "s", "enters, USED 1"},
+                                            {"1.ring.4", "", ""}};
+constexpr FigureExpectation kWithout12[] = {{"35.split.1", "19", "splits into 13 and 19"}};
+constexpr FigureExpectation kWithout13[] = {{"1.emit.2", "p 5 4", "made"}};
+constexpr FigureExpectation kWithout14[] = {{"1.emit.5", "p q first", "made"}};
+constexpr FigureExpectation kWithout15[] = {{"1.emit.1", "p first q", "made"}};
+constexpr FigureExpectation kWithout16[] = {{"1.insert.1", "", ""}};
+constexpr FigureExpectation kWithout17[] = {{"80.strand.4", "t", "stranded"}};
+constexpr FigureExpectation kWithout18[] = {{"80.strand.4", "r", "stranded"}};
+constexpr FigureExpectation kWithout19[] = {{"92.strand.2", "r", "stranded"}};
+constexpr FigureExpectation kWithout20[] = {{"5.strand.1", "r", "stranded"}};
 
 // ---- the table ----------------------------------------------------------------------------------
 
@@ -166,12 +205,13 @@ constexpr std::array kFigures{
            {"figure-1", "Figure 1: a point and its ring of neighbors",
             "Point 1 has twelve neighbors, 2 to 11, 14 and 18; the farther ones, 8, 9, 10, 11, 14 "
             "and 18, are removed, and 2 to 7 are left as its ring.",
-            figure1Points, "1.sphere.1"},
+            figure1Points, "1.emit.6"},
            kFront,
            kNumbers,
            kExpected1,
            {"sphere", kOff},
-           "All twelve stay, and the fan of point 1 has long thin triangles."},
+           "All twelve stay, and the fan of point 1 has twelve triangles.",
+           kWithout1},
     Figure{2,
            {"figure-2", "Figure 2: the spiral",
             "After five pivots the ring runs through points 6 to 16, and 6 is the next pivot.",
@@ -180,7 +220,8 @@ constexpr std::array kFigures{
            kNumbers,
            kExpected2,
            {"next", kNextIsStart},
-           "The traversal goes back to the start of each fan, and there is no spiral."},
+           "After the fan of 2 the next pivot is 7, where the fan starts, not 3, where it ends.",
+           kWithout2},
     Figure{3,
            {"figure-3", "Figure 3: the maximum angle",
             "Point t is a neighbor of p, but its angle is beyond that of last: it is left out.",
@@ -189,18 +230,22 @@ constexpr std::array kFigures{
            kNames3,
            kExpected3,
            {"maxangle", kOff},
-           "t stays, and its triangles lie over those between p and t.",
+           "t stays, and the triangles p, r, t and p, t, last cross finished ones.",
+           kWithout3,
            FaultKind::Intersecting},
-    Figure{4,
-           {"figure-4", "Figure 4: start and end move",
-            "The ring is concave at first and at last: start moves to q and end to t, and s and r, "
-            "beyond them, are left out.",
-            figure4Points, "1.limits.1", figure4Start},
-           kFront,
-           kNames4,
-           kExpected4,
-           {"limits", kOff},
-           "s and r stay: their triangles lie over those beside first and last."},
+    Figure{
+        4,
+        {"figure-4", "Figure 4: start and end move",
+         "The ring is concave at first and at last: start moves to q and end to t, and s and r, "
+         "beyond them, are left out.",
+         figure4Points, "1.limits.1", figure4Start},
+        kFront,
+        kNames4,
+        kExpected4,
+        {"limits", kOff},
+        "s and r are left to the circumsphere, which removes both here; the fan has two triangles, "
+        "and first and last stay on the ring.",
+        kWithout4},
     Figure{5,
            {"figure-5", "Figure 5: the convexity test",
             "Beyond 1 the surface bends away from the viewer, so that 2, the point before 1 on the "
@@ -210,7 +255,8 @@ constexpr std::array kFigures{
            kNames5,
            kExpected5,
            {"convex", kOff},
-           "2 stays, and the fan of p folds over the edge from 2 to 1.",
+           "2 stays: the fan of p begins with p, 1, 2, and a triangle is flipped.",
+           kWithout5,
            FaultKind::Flipped},
     Figure{6,
            {"figure-6", "Figure 6: the reciprocal test",
@@ -222,6 +268,7 @@ constexpr std::array kFigures{
            kExpected6,
            {"reciprocal", kOff},
            "The triangles p, pfirst, e and p, e, plast cross the finished strip at e.",
+           kWithout6,
            FaultKind::Intersecting},
     Figure{7,
            {"figure-7", "Figure 7: a hole of three",
@@ -232,18 +279,22 @@ constexpr std::array kFigures{
            kNames7,
            kExpected7,
            {"holesize", kOff},
-           "q stays, and its triangles cross those beyond the hole.",
+           "q stays, and the triangles p, first, q and p, q, r cross those beyond the hole.",
+           kWithout7,
            FaultKind::Intersecting},
-    Figure{8,
-           {"figure-8", "Figure 8: the circumsphere",
-            "q lies outside the sphere on the circle through p, t and s, and without it the gap "
-            "from t to s is 53 degrees: it is removed, and s is next.",
-            figure8Points, "9.sphere.2"},
-           kFront,
-           kNames8,
-           kExpected8,
-           {"sphere", kOff},
-           "q stays: the triangles p, t, q and p, q, s are long and thin."},
+    Figure{
+        8,
+        {"figure-8", "Figure 8: the circumsphere",
+         "q lies outside the sphere on the circle through p, t and s, and without it the gap "
+         "from t to s is 53 degrees: it is removed, and s is next.",
+         figure8Points, "9.sphere.2"},
+        kFront,
+        kNames8,
+        kExpected8,
+        {"sphere", kOff},
+        "No candidate is removed at any pivot: the first fan has ten triangles, and the run takes "
+        "another way.",
+        kWithout8},
     Figure{9,
            {"figure-9", "Figure 9: two points over 180 degrees",
             "Only first and last are left. At p they are 200 degrees apart: no triangle, p stays "
@@ -253,7 +304,8 @@ constexpr std::array kFigures{
            kNames9,
            kExpected9,
            {"twopoint", kTwoPointOff},
-           "The triangle p, first, last lies over finished ones.",
+           "The triangle p, first, last crosses finished ones.",
+           kWithout9,
            FaultKind::Intersecting},
     Figure{10,
            {"figure-10", "Figure 10: the fan of p",
@@ -274,17 +326,20 @@ constexpr std::array kFigures{
            kNames11,
            kExpected11,
            {"limits", kOff},
-           "start and end stay at first and last, which do not leave the ring."},
-    Figure{12,
-           {"figure-12", "Figure 12: split and join",
-            "At pivot 35 the ring meets itself and splits; at pivot 74 the two parts meet around "
-            "the tube and join again: 39 stands twice on one ring of 30.",
-            figure12Points, "74.join.1"},
-           {0.0, 0.0, 1.0},
-           {},
-           kExpected12,
-           {"active", kOther},
-           "The other part of a split goes on, and the run takes another way."},
+           "start and end stay at first and last, which do not leave the ring.",
+           kWithout11},
+    Figure{
+        12,
+        {"figure-12", "Figure 12: split and join",
+         "At pivot 35 the ring meets itself around the tube and splits; at pivot 74 the two parts "
+         "meet around the hole and join again: 39 stands twice on one ring of 30.",
+         figure12Points, "74.join.1"},
+        {0.0, 0.0, 1.0},
+        {},
+        kExpected12,
+        {"active", kOther},
+        "The other part of a split goes on, and the run takes another way.",
+        kWithout12},
     Figure{13,
            {"figure-13", "Figure 13: a boundary point on the ring",
             "p lies on the wall, with free surface on both sides: it is passed over and stays; the "
@@ -295,18 +350,23 @@ constexpr std::array kFigures{
            kExpected13,
            {"walls", kOff},
            "p becomes a pivot, with a triangle without area along the wall.",
+           kWithout13,
            FaultKind::Degenerate},
-    Figure{14,
-           {"figure-14", "Figure 14: a ring of two boundary points",
-            "The first ring is two points on one wall: a third one on that wall, q, keeps the "
-            "sector inside the box.",
-            figure14Points, "1.insert.1"},
-           kFront,
-           kNames14,
-           kExpected14,
-           {"thirdpoint", kOff},
-           "The sector is a full turn: the last triangle lies along the wall, without area.",
-           FaultKind::Degenerate},
+    Figure{
+        14,
+        {"figure-14", "Figure 14: a ring of two boundary points",
+         "p and first, on one wall, are the only two points on the edge ring. The neighbor ring as "
+         "it is would end with the incorrect triangle p, q, first, along the wall; a third point "
+         "on that wall, q, keeps the sector inside the box.",
+         figure14Points, "1.insert.1"},
+        kFront,
+        kNames14,
+        kExpected14,
+        {"thirdpoint", kOff},
+        "The sector is a full turn: the last triangle, p, q, first, lies along the wall and has no "
+        "area.",
+        kWithout14,
+        FaultKind::Degenerate},
     Figure{15,
            {"figure-15", "Figure 15: the third point as first or last",
             "The mirror image of Figure 14: here q is inserted before p and becomes first; there "
@@ -316,7 +376,10 @@ constexpr std::array kFigures{
            kNames14,
            kExpected15,
            {"thirdpoint", kOff},
-           "The sector is a full turn: a triangle lies along the wall, without area.",
+           "The sector is a full turn: the first triangle, p, first, q, lies along the wall and "
+           "has no "
+           "area.",
+           kWithout15,
            FaultKind::Degenerate},
     Figure{16,
            {"figure-16", "Figure 16: before or after p",
@@ -328,17 +391,20 @@ constexpr std::array kFigures{
            kExpected16,
            {"thirdpoint", kOff},
            "There is no third point to place.",
+           kWithout16,
            FaultKind::Degenerate},
-    Figure{17,
-           {"figure-17", "Figure 17: from one wall to the next",
-            "p lies on the wall +x and q, after it on the ring, on +y: between them is the corner, "
-            "r, which no interior point would reach.",
-            figure2Points, "64.pivot.1"},
-           kFront,
-           kNames18,
-           kExpected17,
-           {"corners", kOff},
-           "r is in no triangle."},
+    Figure{
+        17,
+        {"figure-17", "Figure 17: from one wall to the next",
+         "The edge ring runs from p, on the wall +x, over t to q, on the wall +y: t lies on both "
+         "walls, and is a corner.",
+         figure2Points, "92.pivot.1"},
+        kFront,
+        kNames17,
+        kExpected17,
+        {"corners", kOff},
+        "t is in no triangle.",
+        kWithout17},
     Figure{18,
            {"figure-18", "Figure 18: entering a corner",
             "p is on the way into a corner: r is inserted before it, and the triangle p, r, q "
@@ -348,7 +414,8 @@ constexpr std::array kFigures{
            kNames18,
            kExpected18,
            {"corners", kOff},
-           "r is in no triangle."},
+           "r is in no triangle.",
+           kWithout18},
     Figure{19,
            {"figure-19", "Figure 19: leaving a corner",
             "q, before p on the ring, lies on another wall: r is inserted after p.", figure14Points,
@@ -357,7 +424,8 @@ constexpr std::array kFigures{
            kNames19,
            kExpected19,
            {"corners", kOff},
-           "r is in no triangle."},
+           "r is in no triangle.",
+           kWithout19},
     Figure{20,
            {"figure-20", "Figure 20: on a corner",
             "p is the corner itself: r is inserted on the side of q, where the ring passes to "
@@ -367,7 +435,8 @@ constexpr std::array kFigures{
            kNames20,
            kExpected20,
            {"corners", kOff},
-           "r is in no triangle."},
+           "r is in no triangle.",
+           kWithout20},
     resultsFigure(21, "Figure 21: hydrogen",
                   "An orbital of hydrogen: two lobes within a ring, at whose end the edge ring "
                   "joins itself (Figure 12).",

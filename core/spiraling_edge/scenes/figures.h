@@ -47,7 +47,9 @@ struct Figure {
     std::span<const PointName> names = {};
     std::span<const FigureExpectation> expectations = {};
     FigureRule rule = {};           ///< The rule that it is about.
-    std::string_view absence = {};  ///< What happens without it.
+    std::string_view absence = {};  ///< What happens without it,
+    /// ... and the decisions that show it; an empty outcome: there is no such decision.
+    std::span<const FigureExpectation> without = {};
     /// A class of faults that the mesh has without the rule, and has not with it.
     std::optional<FaultKind> fault = {};
     FigureCounts counts = {};  ///< Of a figure of the results.

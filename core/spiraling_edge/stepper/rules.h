@@ -91,8 +91,8 @@ inline ConcaveTest testConcave(const Vec3& s, const Vec3& normal, const Vec3& be
 
 /// §6.1, Fig. 6: the test whether p could be in the neighbor ring of e.
 struct ReciprocalTest {
-    Angle pivot;  ///< Angle of p at e, from e's first.
-    Angle limit;  ///< Angle of e's last.
+    Angle pivot;  ///< Angle of p at e, from `first`.
+    Angle limit;  ///< Angle of `last` at e.
     bool inside;
 };
 /// `first` and `last` are the positions before and after e's entry on the ring; sameEntry: they are

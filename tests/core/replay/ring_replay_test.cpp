@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
 
 using namespace se;
@@ -25,16 +27,15 @@ struct Followed {
     int several = 0;  ///< Pivots with more than one of them.
 };
 
-Followed follow(const char* scene, const char* rules, std::uint32_t last) {
+Followed follow(const char* scene, const Params& params, std::uint32_t last) {
     CAPTURE(scene);
-    CAPTURE(rules);
-    Timeline timeline(test::sceneNamed(scene), paramsByName(rules).value());
+    Timeline timeline(test::sceneNamed(scene), params);
     Followed seen;
     for (std::uint32_t pivot = 1; pivot <= last; ++pivot) {
         const auto record = timeline.record(pivot);
         if (record->pivot != pivot) break;
         CAPTURE(pivot);
-        RingReplay replay(record->before.rings, timeline.points().size());
+        RingReplay replay(record->before.rings, timeline.points().size(), record->rules);
         int exchanges = 0;
         for (const Event& event : record->events) {
             if (event.address.stage == Stage::Advance) break;
@@ -74,7 +75,8 @@ TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") 
     for (const char* rules : {"paper", "robust"}) {
         for (const char* scene : {"sphere", "torus", "genus-2", "sheet", "figure-12", "figure-14",
                                   "linked-tori", "finished-edge"}) {
-            const Followed seen = follow(scene, rules, 1200);
+            CAPTURE(rules);
+            const Followed seen = follow(scene, paramsByName(rules).value(), 1200);
             all.pivots += seen.pivots;
             all.splits += seen.splits;
             all.joins += seen.joins;
@@ -85,6 +87,26 @@ TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") 
     CHECK(all.splits > 10);
     CHECK(all.joins > 2);
     CHECK(all.several > 0);
+}
+
+TEST_CASE("Replayed rings split and join by the rules of the run") {
+    for (const char* rule :
+         {"active=other", "active=longer", "active=shorter", "instance=first", "reciprocal=off"}) {
+        CAPTURE(rule);
+        const std::string words(rule);
+        const std::size_t equals = words.find('=');
+        const RuleSetting* setting = findRuleSetting(words.substr(0, equals));
+        REQUIRE(setting != nullptr);
+        Params params;
+        setting->set(params, valueFromText(*setting, words.substr(equals + 1)).value());
+        Followed all;
+        for (const char* scene : {"torus", "figure-12", "linked-tori"}) {
+            const Followed seen = follow(scene, params, 400);
+            all.splits += seen.splits;
+            all.joins += seen.joins;
+        }
+        CHECK(all.splits > 3);
+    }
 }
 
 TEST_CASE("Where no ring is active, all of them are stacked") {

@@ -3,13 +3,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
 #include "support/rig.h"
@@ -180,6 +185,186 @@ TEST_CASE("sentences name the points of a figure") {
     // A point is called r: the measures of the sphere are written out.
     CHECK(checked[1].found.find("(distance = ") != std::string::npos);
     CHECK(checked[1].found.find(", radius = ") != std::string::npos);
+}
+
+TEST_CASE("figures: what is said of the run without the rule is a decision of that run") {
+    for (const Figure& figure : figures()) {
+        if (!figure.hasScene()) continue;
+        CAPTURE(figure.number);
+        CHECK((figure.number == 10 || !figure.without.empty()));
+        for (const CheckedExpectation& each : checkFigure(figure).without) {
+            CAPTURE(each.expected.address);
+            CAPTURE(each.found);
+            CHECK(each.holds);
+        }
+        Figure wrong = figure;
+        const FigureExpectation stays[] = {{"1.pivot.1", "", "kept"}};
+        wrong.without = stays;
+        CHECK_FALSE(checkFigure(wrong).holds());
+        const FigureExpectation absent[] = {{"1.pivot.1", "", ""}};
+        wrong.without = absent;
+        CHECK_FALSE(checkFigure(wrong).holds());
+    }
+}
+
+TEST_CASE("figures: degrees in a caption are those of a decision") {
+    for (const Figure& figure : figures()) {
+        if (!figure.hasScene()) continue;
+        CAPTURE(figure.number);
+        std::vector<long> known;
+        for (const CheckedExpectation& each : checkFigure(figure).expectations) {
+            for (std::size_t at = each.found.find(" deg"); at != std::string::npos;
+                 at = each.found.find(" deg", at + 1)) {
+                const std::size_t from = each.found.rfind(' ', at - 1) + 1;
+                known.push_back(std::lround(std::stod(each.found.substr(from, at - from))));
+            }
+        }
+        const std::string caption(figure.scene.watch);
+        for (std::size_t at = caption.find(" degrees"); at != std::string::npos;
+             at = caption.find(" degrees", at + 1)) {
+            const std::size_t from = caption.rfind(' ', at - 1) + 1;
+            const long said = std::stol(caption.substr(from, at - from));
+            CAPTURE(said);
+            CHECK(std::count(known.begin(), known.end(), said) > 0);
+        }
+    }
+}
+
+TEST_CASE("figure 4: without the limits s and r are removed all the same") {
+    const Figure& figure = *findFigure(4);
+    for (const CheckedExpectation& each : checkFigure(figure).without) {
+        const bool isOfSphere = each.expected.address.find("sphere") != std::string_view::npos;
+        if (isOfSphere) CHECK(each.expected.outcome == "removed");
+    }
+    CHECK(figure.absence.find("stay:") == std::string_view::npos);
+}
+
+TEST_CASE("figure 6: e's first is after it on the ring, e's last before it, as printed") {
+    const Figure& figure = *findFigure(6);
+    const auto pointCalled = [&](std::string_view name) {
+        for (const PointName& each : figure.names) {
+            if (each.name == name) return each.point;
+        }
+        return kNone;
+    };
+    std::optional<ReciprocalEvidence> test;
+    Params params = paper();
+    params.start = figure.scene.start();
+    scanRun(sceneNamed("figure-6"), params, [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const auto* found = std::get_if<ReciprocalEvidence>(&event.evidence);
+            if (found != nullptr && !test) test = *found;
+        }
+    });
+    REQUIRE(test.has_value());
+    CHECK(test->point == pointCalled("e"));
+    CHECK(test->pred == pointCalled("elast"));
+    CHECK(test->succ == pointCalled("efirst"));
+}
+
+namespace {
+
+/// Whether the triangles that the first `pivots` pivots of a torus about z make hold a closed path
+/// around the tube, and one around the hole.
+struct Around {
+    bool tube = false;
+    bool hole = false;
+    friend bool operator==(const Around&, const Around&) = default;
+};
+
+double turned(double from, double to) { return std::remainder(to - from, 2.0 * std::numbers::pi); }
+
+/// True if some closed path along edges of the triangles goes around: the way from the root of its
+/// tree to a point turns by another angle than along another edge.
+bool goesAround(const std::vector<Triangle>& mesh, const std::vector<double>& angle) {
+    std::vector<std::optional<double>> way(angle.size());
+    if (mesh.empty()) return false;
+    way[mesh.front().a] = 0.0;
+    bool around = false;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const Triangle& t : mesh) {
+            const Index corners[] = {t.a, t.b, t.c};
+            for (int i = 0; i < 3; ++i) {
+                const Index from = corners[i];
+                const Index to = corners[(i + 1) % 3];
+                const double step = turned(angle[from], angle[to]);
+                if (way[from] && !way[to]) way[to] = *way[from] + step, grows = true;
+                if (way[to] && !way[from]) way[from] = *way[to] - step, grows = true;
+                if (way[from] && way[to]) around |= std::abs(*way[from] + step - *way[to]) > 1.0;
+            }
+        }
+    }
+    return around;
+}
+
+Around aroundAfter(const char* scene, std::uint32_t pivots) {
+    const PointSet points = sceneNamed(scene);
+    std::vector<Triangle> mesh;
+    scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+            if (emit != nullptr && event.address.pivot <= pivots) mesh.push_back(emit->corners);
+        }
+    });
+    std::vector<double> tube;
+    std::vector<double> hole;
+    for (const Vec3& x : points.position) {
+        tube.push_back(std::atan2(x.z, std::hypot(x.x, x.y) - 1.0));
+        hole.push_back(std::atan2(x.y, x.x));
+    }
+    return {goesAround(mesh, tube), goesAround(mesh, hole)};
+}
+
+}  // namespace
+
+TEST_CASE("figure 12 and the lessons: rings split around the tube, and join around the hole") {
+    CHECK(aroundAfter("figure-12", 34) == Around{false, false});
+    CHECK(aroundAfter("figure-12", 35) == Around{true, false});
+    CHECK(aroundAfter("figure-12", 73) == Around{true, false});
+    CHECK(aroundAfter("figure-12", 74) == Around{true, true});
+    CHECK(aroundAfter("torus", 199) == Around{false, false});
+    CHECK(aroundAfter("torus", 200) == Around{true, false});
+    CHECK(aroundAfter("torus", 559) == Around{true, false});
+    CHECK(aroundAfter("torus", 560) == Around{true, true});
+}
+
+TEST_CASE(
+    "figure 14: p and first are the whole ring, and the unmodified one joins the wall points") {
+    const Figure& figure = *findFigure(14);
+    const PointSet points = sceneNamed("figure-14");
+    std::vector<Triangle> first;
+    scanRun(points, withoutRule(figure, paper()), [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const auto* found = std::get_if<PivotEvidence>(&event.evidence);
+            if (found != nullptr && event.address.pivot == 1) CHECK(found->first == found->last);
+            const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+            if (emit != nullptr && event.address.pivot == 1) first.push_back(emit->corners);
+        }
+    });
+    REQUIRE_FALSE(first.empty());
+    const Triangle& wrong = first.back();
+    CHECK(isDegenerate(points, wrong));
+    for (const Index corner : {wrong.a, wrong.b, wrong.c}) CHECK(isBoundary(points.type[corner]));
+}
+
+TEST_CASE("figure 17: the ring runs from a wall over the corner to the next wall") {
+    const Figure& figure = *findFigure(17);
+    REQUIRE(figure.names.size() == 3);
+    const Index p = figure.names[0].point;
+    const Index t = figure.names[1].point;
+    const Index q = figure.names[2].point;
+    const PointSet points = sceneNamed("figure-17");
+    CHECK(points.type[p] == kPositiveX);
+    CHECK(points.type[t] == withCornerBit(kPositiveX | kPositiveY));
+    CHECK(points.type[q] == kPositiveY);
+    bool found = false;
+    scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+        const auto* at = std::get_if<PivotEvidence>(&pivot.events.front().evidence);
+        if (at == nullptr || toString(pivot.events.front().address) != figure.scene.address) return;
+        found = at->pivot == t && at->first == p && at->last == q;
+    });
+    CHECK(found);
 }
 
 TEST_CASE("figures 14 and 15 are mirror images: the third point is after, and before") {

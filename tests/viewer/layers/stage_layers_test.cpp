@@ -3,6 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
+
+#include "spiraling_edge/scenes/figures.h"
+
 using namespace se;
 using namespace se::view;
 using namespace se::view::test;
@@ -106,6 +111,51 @@ TEST_CASE("Drawn for reciprocal: a second disc at e, its range and the line to p
     CHECK_FALSE(list.sheets.empty());
     CHECK(hasLine(list, place[picture.underTest], place[picture.pivot]));
     CHECK(says(list, "outside"));
+}
+
+TEST_CASE(
+    "Figure 6: the first of e is the point after it on the ring, as the paper's letters have it") {
+    for (const char* rules : {"paper", "printed"}) {
+        CAPTURE(rules);
+        OpenSession open("scene:figure-6", rules);
+        const DrawList list = drawn(open, {1, Stage::Reciprocal, 1}, {LayerId::Reciprocal});
+        const auto* test = open.session.picture().evidence<ReciprocalEvidence>(Stage::Reciprocal);
+        REQUIRE(test != nullptr);
+        const Model& model = open.session.model();
+        const auto isAt = [&](const char* text, Index point) {
+            return std::any_of(list.labels.begin(), list.labels.end(), [&](const Label& label) {
+                return label.text == text &&
+                       glm::distance(label.position, model.place[point]) < 1e-6F;
+            });
+        };
+        CHECK(isAt("first of e", test->succ));
+        CHECK(isAt("last of e", test->pred));
+        CHECK(nameOf(test->succ, findFigure(6)->names) == "efirst");
+        CHECK(nameOf(test->pred, findFigure(6)->names) == "elast");
+        // The sector begins at the last of e, as printed at the first.
+        const bool printed = std::string(rules) == "printed";
+        const glm::vec3 from = model.place[printed ? test->succ : test->pred];
+        CHECK(std::any_of(list.lines.begin(), list.lines.end(),
+                          [&](const Line& line) { return line.to == from && line.arrow > 0.0F; }));
+    }
+}
+
+TEST_CASE("A point that is not listed is called neither convex nor concave: it was not measured") {
+    OpenSession open("scene:figure-8");
+    const DrawList list = drawn(open, {9, Stage::Limits, 2}, {LayerId::Limits});
+    CHECK(says(list, "not listed"));
+    CHECK_FALSE(says(list, "convex"));
+    CHECK_FALSE(says(list, "concave"));
+}
+
+TEST_CASE("Figure 14: the triangle of the unmodified neighbor ring is drawn along the wall") {
+    OpenSession open("scene:figure-14");
+    const DrawList list = drawn(open, {1, Stage::Insert, 1}, {LayerId::Walls});
+    const auto* insert = open.session.picture().evidence<InsertEvidence>(Stage::Insert);
+    REQUIRE(insert != nullptr);
+    const std::vector<glm::vec3>& place = open.session.model().place;
+    CHECK(hasLine(list, place[insert->third], place[insert->other]));
+    CHECK(says(list, "without area"));
 }
 
 TEST_CASE("Drawn for hole: the plane through start and end and the side of p") {

@@ -169,6 +169,9 @@ TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point")
                     CHECK(dial.reciprocal->inside ==
                           (dial.reciprocal->pivotDegrees > 0.0 &&
                            dial.reciprocal->pivotDegrees < dial.reciprocal->limitDegrees));
+                    // The free sector begins at the point before e: elast in Figure 6.
+                    CHECK(dial.reciprocal->lastDegrees() == 0.0);
+                    CHECK(dial.reciprocal->firstDegrees() == test->limitDegrees);
                     ++discs;
                 });
     CHECK(discs > 0);

@@ -299,8 +299,8 @@ void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, co
     const glm::vec2 extent = rimTextSize(context, title);
     const Rect below{room.min + glm::vec2(0.0F, extent.y), room.size - glm::vec2(0.0F, extent.y)};
     const Color& verdict = r.inside ? colors.used : colors.rejected;
-    const std::vector<RimText> texts = {{0.0, "efirst", colors.first},
-                                        {r.limitDegrees, "elast", colors.last},
+    const std::vector<RimText> texts = {{r.firstDegrees(), "efirst", colors.first},
+                                        {r.lastDegrees(), "elast", colors.last},
                                         {r.pivotDegrees, "p", verdict}};
     // Room is reserved for a name that moves along the rim.
     const glm::vec2 spare(0.0F, 0.8F * extent.y);
@@ -312,8 +312,8 @@ void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, co
     list->AddCircleFilled(disc.center, disc.radius, toU32(colors.background), 48);
     fillSector(disc, 0.0, r.limitDegrees, 1.0F, colors.test.withAlpha(0.25F));
     list->AddCircle(disc.center, disc.radius, toU32(colors.border), 48, stroke);
-    list->AddLine(disc.center, disc.at(0.0, 1.0F), toU32(colors.first), stroke);
-    list->AddLine(disc.center, disc.at(r.limitDegrees, 1.0F), toU32(colors.last), stroke);
+    list->AddLine(disc.center, disc.at(r.firstDegrees(), 1.0F), toU32(colors.first), stroke);
+    list->AddLine(disc.center, disc.at(r.lastDegrees(), 1.0F), toU32(colors.last), stroke);
     const ImVec2 at = disc.at(r.pivotDegrees, 0.9F);
     list->AddLine(disc.center, at, toU32(verdict), 1.5F * stroke);
     drawShape(list, at, 0.6F * em, r.inside ? Shape::Disc : Shape::Cross, toU32(verdict));
