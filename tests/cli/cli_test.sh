@@ -428,6 +428,24 @@ check_fails_where_there_is_no_mesh() {
     expect 1 run two.xyz --check
     says err "two.xyz: the run made no triangle of 2 points"
     expect 0 run two.xyz
+    says err "two.xyz: the run made no triangle of 2 points"
+    expect 1 run two.xyz --best -o two.ply --report two.json
+    says err "two.xyz: the run made no triangle of 2 points"
+    says two.json '"sound": false'
+    expect 1 check two.ply --points two.xyz
+    # Neither is there a fault to list: no point is usable.
+    printf '0 0 0 0 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n' >zero.xyz
+    expect 0 run zero.xyz -o zero.ply --report zero.json
+    says zero.json '"sound": false'
+    says err "zero.xyz: the run made no triangle of 3 points"
+    expect 1 check zero.ply --points zero.xyz --allow unused_points
+    says out "zero.ply: 0 triangles, not sound: no triangle"
+    expect 1 check zero.ply --points zero.xyz --json
+    says out '"sound": false'
+    expect 0 why zero.xyz --failures
+    is "$(head -1 out)" "not sound: no triangle" "verdict of why"
+    expect 0 why zero.xyz --failures --json
+    says out '"sound": false'
     # Twenty copies of one corner: more is set aside than used.
     { icosahedron; for _ in $(seq 20); do icosahedron | head -1; done; } >copies.xyz
     expect 1 run copies.xyz --check -q

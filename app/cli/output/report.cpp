@@ -132,7 +132,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         json["faults"][faultKey(each)] = total.total;
     });
     if (!isExact(inspection.totals)) json["faults_at_least"] = true;
-    json["sound"] = isSound(inspection.totals);
+    json["sound"] = isSound(inspection.totals, inspection.report.triangles);
     Json list = Json::array();
     std::vector<std::optional<std::size_t>> rowOf;
     std::size_t openings = 0;
@@ -278,10 +278,11 @@ Json startJson(const GivenStart& start) {
 std::string faultSentence(const RunOutcome& outcome) {
     if (!outcome.inspection) return {};
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
+    const std::size_t triangles = outcome.inspection->report.triangles;
     const std::size_t count = faultCount(totals);
-    if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
+    if (isSound(totals, triangles) || (!outcome.pairs && count == 0)) return {};
     const std::string verdict =
-        verdictText(totals, outcome.inspection->failures.size(), outcome.places.size());
+        verdictText(totals, triangles, outcome.inspection->failures.size(), outcome.places.size());
     if (count == 0) return verdict;
     std::string text = "the mesh has " + (outcome.pairs ? verdict : counted(count, "fault"));
     text += ": " + faultCounts(outcome);

@@ -155,12 +155,13 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
     return triangles;
 }
 
-/// True if the mesh is sound but for the allowed classes.
-bool isGood(const CheckArguments& arguments, std::vector<ClassTotal> totals) {
+/// True if the mesh is sound but for the allowed classes; one without a triangle never is.
+bool isGood(const CheckArguments& arguments, const MeshInspection& found) {
+    std::vector<ClassTotal> totals = found.totals;
     for (std::size_t i = 0; i < totals.size(); ++i) {
         if (arguments.allows(failureClasses()[i].name)) totals[i] = {};
     }
-    return isSound(totals);
+    return isSound(totals, found.report.triangles);
 }
 
 /// The classes that a mesh can have, without those at the end that only a run has.
@@ -171,13 +172,15 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-std::string reportText(const CheckArguments& arguments, std::size_t triangles,
-                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
+std::string reportText(const CheckArguments& arguments, const MeshInspection& found,
+                       std::span<const FaultPlace> places, bool good) {
     constexpr std::size_t kShown = 10;
-    const bool allowed = good && !isSound(found.totals);
-    std::string text = fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
-                                   verdictText(found.totals, found.failures.size(), places.size()),
-                                   allowed ? ", allowed" : "");
+    const std::size_t triangles = found.report.triangles;
+    const bool allowed = good && !isSound(found.totals, triangles);
+    std::string text = fmt::format(
+        "{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+        verdictText(found.totals, triangles, found.failures.size(), places.size()),
+        allowed ? ", allowed" : "");
     text += placesText(places, found.failures, kShown);
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
@@ -200,14 +203,14 @@ std::string reportText(const CheckArguments& arguments, std::size_t triangles,
     return text;
 }
 
-std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
-                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
+std::string reportJson(const CheckArguments& arguments, const MeshInspection& found,
+                       std::span<const FaultPlace> places, bool good) {
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
-    json["triangles"] = triangles;
+    json["triangles"] = found.report.triangles;
     json["good"] = good;
-    json["sound"] = isSound(found.totals);
+    json["sound"] = isSound(found.totals, found.report.triangles);
     addTotals(found.totals, meshClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf;
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf.emplace_back(i);
@@ -260,11 +263,10 @@ ExitCode checkVerb(const Arguments& words) {
     const PointSet points = pointsOf(file, arguments);
     const MeshInspection found = inspectWithTotals(points, triangles);
     const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
-    const bool good = isGood(arguments, found.totals);
+    const bool good = isGood(arguments, found);
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json
-                             ? reportJson(arguments, triangles.size(), found, places, good)
-                             : reportText(arguments, triangles.size(), found, places, good));
+        writeOutput("-", arguments.json ? reportJson(arguments, found, places, good)
+                                        : reportText(arguments, found, places, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

@@ -250,7 +250,8 @@ void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& 
     if (outcome.inspection) outcome.mesh = outcome.inspection->report;
 }
 
-/// Reason why a finished run fails `--check` whatever its faults are; empty if there is none.
+/// Reason why a finished run fails `--check` and `--best` whatever its faults are; empty if there is
+/// none.
 std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)
@@ -296,8 +297,12 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                                   outcome.input, counted(outcome.state.mesh().size(), "triangle")));
     }
     const std::string faults = faultSentence(outcome);
-    const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
-    if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    const bool none = outcome.mesh.triangles == 0;
+    const std::string emptiness = none || arguments.check ? emptinessSentence(outcome) : "";
+    if (!emptiness.empty() && (arguments.check || arguments.best))
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    if (!emptiness.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}: {}\n", outcome.input, emptiness);
     if (arguments.check && !faults.empty())
         throw Failure(ExitCode::CheckFailed, outcome.input + ": " + faults);
     if (!faults.empty() && !arguments.quiet) fmt::print(stderr, "{}: {}\n", outcome.input, faults);

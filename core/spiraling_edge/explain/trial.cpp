@@ -77,8 +77,7 @@ std::size_t closedChains(const Chains& chains, const MeshInspection& found,
 
 /// True for a mesh that could only be better with fewer points set aside.
 bool isGood(const MeshNumbers& numbers) {
-    return isSound(numbers.totals) && numbers.lost == 0 && numbers.closed == 0 && !numbers.capped &&
-           numbers.triangles > 0;
+    return isSound(numbers) && numbers.lost == 0 && numbers.closed == 0;
 }
 
 /// Order of meshes, the best first.
@@ -283,11 +282,12 @@ class TrialSearch {
     const Visit& visit_;
 };
 
-/// "12 faults", "no fault".
-std::string faultText(const std::vector<ClassTotal>& totals) {
-    const std::size_t faults = faultCount(totals);
-    if (faults == 0) return isSound(totals) ? "sound" : "no fault found";
-    return std::string(isExact(totals) ? "" : "at least ") + std::to_string(faults) +
+/// "12 faults", "sound", "no triangle".
+std::string faultText(const MeshNumbers& numbers) {
+    if (numbers.triangles == 0) return "no triangle";
+    const std::size_t faults = faultCount(numbers.totals);
+    if (faults == 0) return isSound(numbers) ? "sound" : "no fault found";
+    return std::string(isExact(numbers.totals) ? "" : "at least ") + std::to_string(faults) +
            (faults == 1 ? " fault" : " faults");
 }
 
@@ -299,7 +299,7 @@ std::string trialText(const SettingsChange& next) {
 
 std::string describe(const MeshNumbers& numbers) {
     if (numbers.capped) return "stopped: too many triangles";
-    std::string text = faultText(numbers.totals) + "; " + std::to_string(numbers.lost) +
+    std::string text = faultText(numbers) + "; " + std::to_string(numbers.lost) +
                        (numbers.lost == 1 ? " point lost" : " points lost");
     if (numbers.setAside > 0) text += ", " + std::to_string(numbers.setAside) + " set aside";
     if (numbers.openings > 0) {
@@ -308,6 +308,10 @@ std::string describe(const MeshNumbers& numbers) {
     }
     return text + "; distances up to " + shortNumber(numbers.fidelity.greatestDistance) +
            ", mean " + shortNumber(numbers.fidelity.meanDistance);
+}
+
+bool isSound(const MeshNumbers& numbers) {
+    return isSound(numbers.totals, numbers.triangles) && !numbers.capped;
 }
 
 bool isBetter(const MeshNumbers& trial, const MeshNumbers& best, const MeshNumbers& present) {

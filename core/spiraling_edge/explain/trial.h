@@ -30,6 +30,8 @@ struct MeshNumbers {
 /// "12 faults; 3 points lost; 1 of 2 openings closed; distances up to 0.4, mean 0.01", in the unit
 /// of the points.
 std::string describe(const MeshNumbers& numbers);
+/// isSound() of the mesh of a run that was not stopped.
+bool isSound(const MeshNumbers& numbers);
 
 /// A run with changed settings.
 struct Trial {

@@ -265,8 +265,8 @@ bool isExact(std::span<const ClassTotal> totals) {
     return std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
 }
 
-bool isSound(std::span<const ClassTotal> totals) {
-    return faultCount(totals) == 0 && isExact(totals);
+bool isSound(std::span<const ClassTotal> totals, std::size_t triangles) {
+    return triangles > 0 && faultCount(totals) == 0 && isExact(totals);
 }
 
 bool isLoop(const MeshFailure& failure) {

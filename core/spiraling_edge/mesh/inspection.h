@@ -86,9 +86,9 @@ bool isComplete(std::span<const ClassTotal> totals);
 bool isExact(std::span<const ClassTotal> totals);
 /// The number of failures of the classes that are faults.
 std::size_t faultCount(std::span<const ClassTotal> totals);
-/// The definition of a sound mesh, for every program and panel: no failure of a class that is a
-/// fault, after a complete search for them.
-bool isSound(std::span<const ClassTotal> totals);
+/// The definition of a sound mesh, for every program and panel: it has triangles, and no failure of
+/// a class that is a fault, after a complete search for them.
+bool isSound(std::span<const ClassTotal> totals, std::size_t triangles);
 
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is an opening.
