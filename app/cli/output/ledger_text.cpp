@@ -229,7 +229,7 @@ std::string remediesText(const Remedies& remedies) {
 }
 
 std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
-    std::string text = 
+    std::string text =
         verdictText(found.totals, found.triangles, found.all.size(), found.places.size()) + "\n";
     text += placesText(found.places, found.all, limit);
     for (std::size_t i = 0; i < found.totals.size(); ++i) {

@@ -142,6 +142,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         if (!failure.kind->fault) openings += isLoop(failure) ? 1U : 0U;
         if (listed) list.push_back(faultRow(failure));
     }
+    json["judged"] = outcome.judged.empty() ? Json() : Json(outcome.judged);
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
     json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
@@ -351,6 +352,7 @@ std::string summaryText(const RunOutcome& outcome) {
     addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));
     addLine("open", openSentence(outcome.mesh));
+    addLine("judged", outcome.judged);
     addLine("defects", defectSentence(outcome.mesh));
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) addLine("alerts", fmt::format("{}, listed by --report", alerts));

@@ -16,7 +16,7 @@
 #include "piece_input.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_places.h"
-#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -44,10 +44,10 @@ struct CheckArguments {
             ->required();
         app.add_option(
                "--points", cloud,
-               "The points that the mesh was made of: their normals show what is flipped, "
-               "their wall types show what is no hole, and unused points are listed; with the "
-               "options of the run, they are prepared as it prepared them, so that those "
-               "it set aside are not listed")
+               "The points that the mesh was made of: their normals show what is flipped (derived "
+               "ones if they do not fit the points), their wall types show what is no hole, and "
+               "unused points are listed; with the options of the run, they are prepared as it "
+               "prepared them, so that those it set aside are not listed")
             ->type_name("CLOUD");
         const std::size_t before = app.get_options().size();
         piece.addTo(app);
@@ -98,23 +98,31 @@ struct CheckArguments {
     }
 };
 
-/// As the run got them, if its options were given; else as they are in the file.
-PointSet pointsOf(const PointFile& file, const CheckArguments& arguments) {
-    PointSet points;
-    if (arguments.prepares()) {
+/// The judge of meshes of these points; what the options of the run name counts.
+MeshJudge judgeOf(const PointFile& file, const CheckArguments& arguments) {
+    const auto judge = [&]() -> Result<MeshJudge> {
+        if (!arguments.prepares()) return judgeFor(file);
         const PrepareOptions options =
             prepareOptionsFrom(paramsFrom(arguments.rules, arguments.neighbors),
                                arguments.neighbors, arguments.derived, file);
-        Result<Prepared> prepared = prepare(file, options);
-        if (!prepared)
-            throw Failure(ExitCode::Input,
-                          nameOfInput(arguments.cloud) + ": " + prepared.error().message);
-        return std::move(prepared.value().points);
-    }
-    points.position = file.position;
-    points.normal = file.normal;
-    points.type = file.type;
-    return points;
+        const Result<Prepared> prepared = prepare(file, options);
+        if (!prepared) return prepared.error();
+        Result<MeshJudge> made = judgeFor(file, options, prepared.value().points);
+        if (made) made.value().points = made.value().forRun(prepared.value().points);
+        return made;
+    }();
+    if (!judge)
+        throw Failure(ExitCode::Input, nameOfInput(arguments.cloud) + ": " + judge.error().message);
+    return judge.value();
+}
+
+/// The points of a mesh without others to judge it by.
+MeshJudge ownPoints(const PointFile& mesh) {
+    PointSet points;
+    points.position = mesh.position;
+    points.normal = mesh.normal;
+    points.type = mesh.type;
+    return {std::make_shared<const PointSet>(std::move(points))};
 }
 
 /// A position as both files have it, though one may have written floats.
@@ -172,15 +180,17 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-std::string reportText(const CheckArguments& arguments, const MeshInspection& found,
-                       std::span<const FaultPlace> places, bool good) {
+std::string reportText(const CheckArguments& arguments, const MeshJudge& judge,
+                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     constexpr std::size_t kShown = 10;
     const std::size_t triangles = found.report.triangles;
     const bool allowed = good && !isSound(found.totals, triangles);
-    std::string text = fmt::format(
-        "{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
-        verdictText(found.totals, triangles, found.failures.size(), places.size()),
-        allowed ? ", allowed" : "");
+    std::string text =
+        fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+                    verdictText(found.totals, triangles, found.failures.size(), places.size()),
+                    allowed ? ", allowed" : "");
+    if (const std::string by = departureText(judge); !by.empty())
+        text += fmt::format("judged {}\n", by);
     text += placesText(places, found.failures, kShown);
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
@@ -203,12 +213,14 @@ std::string reportText(const CheckArguments& arguments, const MeshInspection& fo
     return text;
 }
 
-std::string reportJson(const CheckArguments& arguments, const MeshInspection& found,
-                       std::span<const FaultPlace> places, bool good) {
+std::string reportJson(const CheckArguments& arguments, const MeshJudge& judge,
+                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
     json["triangles"] = found.report.triangles;
+    const std::string by = departureText(judge);
+    json["judged"] = by.empty() ? Json() : Json(by);
     json["good"] = good;
     json["sound"] = isSound(found.totals, found.report.triangles);
     addTotals(found.totals, meshClasses(), json);
@@ -260,13 +272,14 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const PointSet points = pointsOf(file, arguments);
+    const MeshJudge judge = alone ? ownPoints(mesh) : judgeOf(file, arguments);
+    const PointSet& points = *judge.points;
     const MeshInspection found = inspectWithTotals(points, triangles);
     const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
     const bool good = isGood(arguments, found);
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json ? reportJson(arguments, found, places, good)
-                                        : reportText(arguments, found, places, good));
+        writeOutput("-", arguments.json ? reportJson(arguments, judge, found, places, good)
+                                        : reportText(arguments, judge, found, places, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

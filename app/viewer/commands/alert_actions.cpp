@@ -272,7 +272,9 @@ bool openOnVerdict(CommandContext& context) {
     const bool untouched =
         session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
-    if (session.alerts().search().sound() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
+    if (session.alerts().search().sound() || !untouched ||
+        context.ui.layoutPreset != LayoutPreset::Debug)
+        return false;
     // The notice about the input stays.
     const std::string notice = session.messages().notice();
     session.moves().toEnd();

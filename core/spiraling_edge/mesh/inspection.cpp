@@ -44,6 +44,9 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     return lost;
 }
 
+/// The points by which a mesh of `input` is judged.
+const PointSet& judgeOf(const PointSet& input) { return input.judge ? *input.judge : input; }
+
 double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
@@ -56,8 +59,8 @@ double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
 }  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : filled(withNormalsAndTypes(input)),
-      points(filled ? *filled : input),
+    : filled(withNormalsAndTypes(judgeOf(input))),
+      points(filled ? *filled : judgeOf(input)),
       triangles(mesh),
       topology(input.size(), mesh),
       componentTriangles(input.size(), 0) {
@@ -67,7 +70,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
             for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
             loops = inspect::boundaryLoops(*this);
         },
-        [&] { lostPoints = findLostPoints(*this, input); });
+        [&] { lostPoints = findLostPoints(*this, judgeOf(input)); });
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {

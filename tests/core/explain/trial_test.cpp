@@ -3,10 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
 
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;
@@ -169,6 +172,40 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
     CHECK_FALSE(dropped->leaveOut.empty());
     CHECK(dropped->numbers.setAside >= dropped->leaveOut.size());
     CHECK(dropped->numbers.points == file.position.size());
+}
+
+TEST_CASE("trials: given normals that fit and agree are never turned, nor others derived") {
+    const auto normalsTried = [](const PointFile& file) {
+        std::set<NormalSource> tried;
+        for (const Trial& each : triedOn(file).tried) {
+            if (each.change.normals) tried.insert(*each.change.normals);
+        }
+        return tried;
+    };
+    // No set of rules makes a sound mesh of these, so that all changes are tried.
+    PointFile file = sceneFile("uneven-density");
+    CHECK(normalsTried(file).empty());
+    PointFile flipped = file;
+    for (std::size_t p = 0; p < 40; ++p) flipped.normal[p] = -flipped.normal[p];
+    CHECK(normalsTried(flipped).count(NormalSource::Derived) == 0);
+    for (Vec3& n : file.normal) n = Vec3(0.0, 0.0, 1.0);
+    CHECK(normalsTried(file).count(NormalSource::Oriented) == 0);
+}
+
+TEST_CASE("trials: all of them are judged by the points as they are given") {
+    const auto file = sharedPoints("points/coupling.ply");
+    if (!file) return;
+    const Trials trials = triedOn(*file);
+    const Trial& best = trials.tried[trials.best];
+    const RunSettings settings = changed({}, best.change);
+    const Params params = paramsOf(settings).value();
+    PrepareOptions options = prepareOptionsFor(settings.prepare, params);
+    options.leaveOut = best.leaveOut;
+    PointSet points = prepare(*file, options).value().points;
+    points.judge = judgeFor(*file).value().points;
+    const MeshInspection found = inspectWithTotals(points, runAll(points, params).state.mesh());
+    CHECK(faultCount(found.totals) == faultCount(best.numbers.totals));
+    CHECK(found.report.flippedTriangles < 100);
 }
 
 TEST_CASE("trials: progress grows to 1, and false cancels") {

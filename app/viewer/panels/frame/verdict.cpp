@@ -217,6 +217,8 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
         // The table of the trials has the distances too.
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));
+        if (const std::string& by = context.session().model().judged; !by.empty())
+            dimText("Judged " + by + ".");
         if (faulty) drawTrials(context);
         drawOpen(context, alerts.openLoops());
         ImGui::Spacing();
