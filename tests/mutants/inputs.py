@@ -199,7 +199,7 @@ TABLE = {
         ("normals.largest-scatter",
          "const std::size_t least = order[0];",
          "const std::size_t least = order[MUT ? 2 : 0];"),
-        ("normals.in-line", "if (!(middle > kInLine * largest)) return Vec3(0.0);", "if (!MUT) OLD"),
+        ("normals.in-line", "if (!(middle > kInLine * largest)) return plane;", "if (!MUT) OLD"),
         ("normals.mean",
          "mean /= static_cast<double>(list.size() + 1);",
          "if (MUT) mean = Vec3(0.0); else mean /= static_cast<double>(list.size() + 1);"),
