@@ -19,10 +19,10 @@ using namespace se::test;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kOneDegree = std::numbers::pi / 180.0;
 
 /// Even points of the unit sphere (Fibonacci), with outward normals.
-PointFile sphere(std::size_t count) {
+PointFile fibonacciSphere(std::size_t count) {
     PointFile file;
     const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
     for (std::size_t i = 0; i < count; ++i) {
@@ -63,7 +63,7 @@ PointFile tilted(PointFile file, double degrees) {
         const Vec3 u = across(n);
         const double a = 2.0 * std::numbers::pi * chance(state);
         const Vec3 side = std::cos(a) * u + std::sin(a) * glm::cross(n, u);
-        n = std::cos(degrees * kDegree) * n + std::sin(degrees * kDegree) * side;
+        n = std::cos(degrees * kOneDegree) * n + std::sin(degrees * kOneDegree) * side;
     }
     return file;
 }
@@ -124,14 +124,14 @@ TEST_CASE(
     };
     const auto out = [](const Vec3& x) { return -x; };
     const Case cases[] = {
-        {"sphere", sphere(600)},
-        {"inside out", withNormals(sphere(600), out)},
-        {"tilted by 5 degrees", tilted(sphere(600), 5.0)},
+        {"sphere", fibonacciSphere(600)},
+        {"inside out", withNormals(fibonacciSphere(600), out)},
+        {"tilted by 5 degrees", tilted(fibonacciSphere(600), 5.0)},
         {"sharp edges", box(12, Vec3(1.0))},
         {"a plate a third of a spacing thick", box(20, Vec3(1.0, 1.0, 0.017), 2)},
-        {"noise of a tenth of the spacing", noisy(sphere(1200), 0.01)},
-        {"a tetrahedron", sphere(4)},
-        {"an octahedron", sphere(6)},
+        {"noise of a tenth of the spacing", noisy(fibonacciSphere(1200), 0.01)},
+        {"a tetrahedron", fibonacciSphere(4)},
+        {"an octahedron", fibonacciSphere(6)},
     };
     for (const Case& each : cases) {
         CAPTURE(each.name);
@@ -150,14 +150,17 @@ TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do n
         PointFile file;
     };
     const Case cases[] = {
-        {"tilted by 20 degrees", tilted(sphere(600), 20.0)},
-        {"tilted by 40 degrees", tilted(sphere(600), 40.0)},
-        {"tilted by 60 degrees", tilted(sphere(600), 60.0)},
-        {"all +z", withNormals(sphere(600), [](const Vec3&) { return Vec3(0.0, 0.0, 1.0); })},
-        {"lines of sight",
-         withNormals(sphere(600), [&](const Vec3& x) { return glm::normalize(scanner - x); })},
-        {"chance", withNormals(sphere(600), [&](const Vec3&) { return randomDirection(state); })},
-        {"unsigned bytes", withNormals(sphere(600), [](const Vec3& x) { return x + Vec3(1.0); })},
+        {"tilted by 20 degrees", tilted(fibonacciSphere(600), 20.0)},
+        {"tilted by 40 degrees", tilted(fibonacciSphere(600), 40.0)},
+        {"tilted by 60 degrees", tilted(fibonacciSphere(600), 60.0)},
+        {"all +z",
+         withNormals(fibonacciSphere(600), [](const Vec3&) { return Vec3(0.0, 0.0, 1.0); })},
+        {"lines of sight", withNormals(fibonacciSphere(600),
+                                       [&](const Vec3& x) { return glm::normalize(scanner - x); })},
+        {"chance",
+         withNormals(fibonacciSphere(600), [&](const Vec3&) { return randomDirection(state); })},
+        {"unsigned bytes",
+         withNormals(fibonacciSphere(600), [](const Vec3& x) { return x + Vec3(1.0); })},
     };
     for (const Case& each : cases) {
         CAPTURE(each.name);
@@ -174,7 +177,7 @@ TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do n
 TEST_CASE("given normals: zeros and numbers that are none do not fit") {
     for (const double value : {0.0, std::nan("")}) {
         const MeshJudge judge =
-            judgeOf(withNormals(sphere(600), [&](const Vec3&) { return Vec3(value); }));
+            judgeOf(withNormals(fibonacciSphere(600), [&](const Vec3&) { return Vec3(value); }));
         CHECK_FALSE(judge.fit);
         CHECK(glm::dot(judge.points->normal[5], judge.points->position[5]) > 0.9);
     }
@@ -183,7 +186,7 @@ TEST_CASE("given normals: zeros and numbers that are none do not fit") {
 TEST_CASE("given normals: a patch that contradicts the rest is judged by its other side") {
     for (const double from : {0.3, 0.8, 0.97}) {
         CAPTURE(from);
-        const PointFile right = sphere(600);
+        const PointFile right = fibonacciSphere(600);
         const PointFile file = flippedWhere(right, [&](const Vec3& x) { return x.z > from; });
         const MeshJudge judge = judgeOf(file);
         CHECK(judge.fit);
@@ -206,7 +209,7 @@ TEST_CASE("given normals: the order of the points and the number of threads chan
 }
 
 TEST_CASE("judge: a mesh turned against right normals has flipped triangles, whatever made it") {
-    const PointFile file = sphere(600);
+    const PointFile file = fibonacciSphere(600);
     PrepareOptions options;
     const PointSet run = prepare(file, options).value().points;
     std::vector<Triangle> mesh = reconstruct(run, *paramsByName("robust")).state.mesh();
