@@ -248,8 +248,9 @@ std::string nounFor(const FailureClass& kind, std::size_t count) {
 std::string amountText(const ClassTotal& total) {
     const std::string known = std::to_string(total.total);
     if (total.all()) return known;
-    const std::string first =
-        total.listed < total.total ? "first " + std::to_string(total.listed) + " of " : "";
+    const std::string first = total.listed > 0 && total.listed < total.total
+                                  ? "first " + std::to_string(total.listed) + " of "
+                                  : "";
     return first + (total.exact ? "" : "at least ") + known;
 }
 
