@@ -142,7 +142,7 @@ void dumpFindings(json& out, const Session& session) {
     out["place"] = session.alerts().place() ? *session.alerts().place() + 1 : 0;
     out["alert"] = session.alerts().chosen() ? alertName(alerts, *session.alerts().chosen()) : "";
     const TrialJob& trials = session.trials();
-    out["trials_ended"] = trials.ended() || (alerts.done() && alerts.places().empty());
+    out["trials_ended"] = trials.ended() || alerts.sound();
     out["trial_best"] = trials.best() != nullptr ? wordsOf(trials.best()->change) : "";
     out["noticed"] = session.noticedHere().size();
     dumpDerived(out, session.model().report);

@@ -428,6 +428,24 @@ check_fails_where_there_is_no_mesh() {
     expect 1 run two.xyz --check
     says err "two.xyz: the run made no triangle of 2 points"
     expect 0 run two.xyz
+    says err "two.xyz: the run made no triangle of 2 points"
+    expect 1 run two.xyz --best -o two.ply --report two.json
+    says err "two.xyz: the run made no triangle of 2 points"
+    says two.json '"sound": false'
+    expect 1 check two.ply --points two.xyz
+    # Neither is there a fault to list: no point is usable.
+    printf '0 0 0 0 0 0\n1 0 0 0 0 0\n' >zero.xyz
+    expect 0 run zero.xyz -o zero.ply --report zero.json
+    says zero.json '"sound": false'
+    says err "zero.xyz: the run made no triangle of 2 points"
+    expect 1 check zero.ply --points zero.xyz --allow unused_points
+    says out "zero.ply: 0 triangles, not sound: no triangle"
+    expect 1 check zero.ply --points zero.xyz --json
+    says out '"sound": false'
+    expect 0 why zero.xyz --failures
+    is "$(head -1 out)" "not sound: no triangle" "verdict of why"
+    expect 0 why zero.xyz --failures --json
+    says out '"sound": false'
     # Twenty copies of one corner: more is set aside than used.
     { icosahedron; for _ in $(seq 20); do icosahedron | head -1; done; } >copies.xyz
     expect 1 run copies.xyz --check -q
@@ -1182,6 +1200,52 @@ check_prepares_points_as_the_run_did() {
     expect 2 check mesh.ply --rules robust
     says err "--points"
     expect 2 check mesh.ply --points noisy.xyz --rules dragons
+}
+
+# 600 even points of a sphere with the normals NORMAL of (x, y, z), as six words of awk.
+sphere_with_normals() {
+    awk "BEGIN { for (i = 0; i < 600; ++i) {
+        z = 1 - (2 * i + 1) / 600; x = sqrt(1 - z * z) * cos(2.399963229728653 * i)
+        y = sqrt(1 - z * z) * sin(2.399963229728653 * i); f = z > 0.8 ? -1 : 1
+        printf \"%.9f %.9f %.9f %.9f %.9f %.9f\\n\", x, y, z, $1 } }"
+}
+
+check_counts_what_the_run_says() {
+    sphere_with_normals "x, y, z" >right.xyz
+    sphere_with_normals "f * x, f * y, f * z" >flipped.xyz
+    sphere_with_normals "4 - x, 1 - y, 2 - z" >sight.xyz
+    sphere_with_normals "0, 0, 0" >zero.xyz
+    sphere_with_normals "-x, -y, -z" >inward.xyz
+    local name
+    for name in right flipped sight zero inward; do
+        for options in --best "--rules robust"; do
+            # shellcheck disable=SC2086 # several words
+            "$program" run $name.xyz $options -q -o mesh.ply --report report.json 2>err
+            sed -n '/"faults"/,/}/p' report.json >faults
+            "$program" check mesh.ply --points $name.xyz --json >out 2>err
+            for pair in flipped:flipped_triangles intersecting:intersecting_triangles holes:holes \
+                second_layers:second_layers unused_points:unused_points isolated_points:isolated_points; do
+                is "$(number "${pair#*:}" out)" "$(number "${pair%:*}" faults)" "$name $options ${pair%:*}"
+            done
+            is "$(grep '"sound"' out | tr -d ' ,')" "$(grep -m 1 '"sound"' report.json | tr -d ' ,')" "$name sound"
+        done
+    done
+    # Given normals are turned, or others derived, only where they do not fit or contradict each other.
+    for name in right inward; do
+        expect 0 run $name.xyz --best --rules corrected -q -o mesh.ply --report report.json
+        grep -qE '"--(orient|derive-normals)"' report.json && fail "right normals of $name are turned"
+    done
+    expect 0 run sight.xyz --best -q -o mesh.ply
+    expect 0 check mesh.ply --points sight.xyz
+    says out "judged by derived normals: the given ones are "
+    expect 0 run flipped.xyz --orient -q -o mesh.ply
+    expect 0 check mesh.ply --points flipped.xyz
+    says out "that point against those around them"
+    # By the user's word the inside is turned out; without it the same mesh is inside out.
+    expect 0 run inward.xyz --orient --check -q -o mesh.ply
+    expect 0 check mesh.ply --points inward.xyz --orient
+    expect 1 check mesh.ply --points inward.xyz --json
+    is "$(number flipped_triangles out)" 1196 "triangles against the given normals"
 }
 
 check_is_not_sound_if_it_ended_early() {

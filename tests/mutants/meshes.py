@@ -27,8 +27,9 @@ TABLE = {
     ],
     "mesh/inspection.cpp": [
         ("inspection.sound-though-not-exact",
-         "return faultCount(totals) == 0 && isExact(totals);",
-         "return faultCount(totals) == 0 && (MUT || isExact(totals));"),
+         "faultCount(totals) == 0 && isExact(totals);",
+         "faultCount(totals) == 0 && (MUT || isExact(totals));"),
+        ("inspection.sound-without-triangles", "return triangles > 0 &&", "return (MUT || triangles > 0) &&"),
         ("inspection.sound-with-faults",
          "sum += kClasses[i].fault ? totals[i].total : 0;",
          "sum += kClasses[i].fault != MUT ? totals[i].total : 0;"),

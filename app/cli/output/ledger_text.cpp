@@ -229,7 +229,8 @@ std::string remediesText(const Remedies& remedies) {
 }
 
 std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
-    std::string text = verdictText(found.totals, found.all.size(), found.places.size()) + "\n";
+    std::string text =
+        verdictText(found.totals, found.triangles, found.all.size(), found.places.size()) + "\n";
     text += placesText(found.places, found.all, limit);
     for (std::size_t i = 0; i < found.totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
@@ -244,7 +245,9 @@ std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
 }
 
 std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
-    Json json{{"input", input}};
+    Json json{{"input", input},
+              {"triangles", found.triangles},
+              {"sound", isSound(found.totals, found.triangles)}};
     addTotals(found.totals, failureClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf(found.all.size());
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;

@@ -133,7 +133,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         json["faults"][faultKey(each)] = total.total;
     });
     if (!isExact(inspection.totals)) json["faults_at_least"] = true;
-    json["sound"] = isSound(inspection.totals);
+    json["sound"] = isSound(inspection.totals, inspection.report.triangles);
     Json list = Json::array();
     std::vector<std::optional<std::size_t>> rowOf;
     std::size_t openings = 0;
@@ -143,6 +143,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         if (!failure.kind->fault) openings += isLoop(failure) ? 1U : 0U;
         if (listed) list.push_back(faultRow(failure));
     }
+    json["judged"] = outcome.judged.empty() ? Json() : Json(outcome.judged);
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
     json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
@@ -279,10 +280,11 @@ Json startJson(const GivenStart& start) {
 std::string faultSentence(const RunOutcome& outcome) {
     if (!outcome.inspection) return {};
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
+    const std::size_t triangles = outcome.inspection->report.triangles;
     const std::size_t count = faultCount(totals);
-    if (isSound(totals) || (!outcome.pairs && count == 0)) return {};
+    if (isSound(totals, triangles) || (!outcome.pairs && count == 0)) return {};
     const std::string verdict =
-        verdictText(totals, outcome.inspection->failures.size(), outcome.places.size());
+        verdictText(totals, triangles, outcome.inspection->failures.size(), outcome.places.size());
     if (count == 0) return verdict;
     std::string text = "the mesh has " + (outcome.pairs ? verdict : counted(count, "fault"));
     text += ": " + faultCounts(outcome);
@@ -351,6 +353,7 @@ std::string summaryText(const RunOutcome& outcome) {
     addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));
     addLine("open", openSentence(outcome.mesh));
+    addLine("judged", outcome.judged);
     addLine("defects", defectSentence(outcome.mesh));
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) addLine("alerts", fmt::format("{}, listed by --report", alerts));

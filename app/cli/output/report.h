@@ -46,6 +46,7 @@ struct RunOutcome {
     bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
     std::vector<FaultPlace> places;  ///< Only with `pairs`.
     Fidelity fidelity;               ///< Only with `pairs`.
+    std::string judged;              ///< departureText(), with `pairs`.
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;

@@ -27,7 +27,7 @@ Json trialJson(const Trial& trial) {
     Json json = {{"options", optionsOf(trial.change)}};
     json["drop"] = trial.change.drop.empty() ? Json() : Json(trial.change.drop);
     json["faults"] = faultCount(numbers.totals);
-    json["sound"] = isSound(numbers.totals) && !numbers.capped;
+    json["sound"] = isSound(numbers);
     json["points_lost"] = numbers.lost;
     json["points_set_aside"] = numbers.setAside;
     json["openings"] = numbers.openings;

@@ -16,7 +16,7 @@
 #include "piece_input.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_places.h"
-#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -44,10 +44,10 @@ struct CheckArguments {
             ->required();
         app.add_option(
                "--points", cloud,
-               "The points that the mesh was made of: their normals show what is flipped, "
-               "their wall types show what is no hole, and unused points are listed; with the "
-               "options of the run, they are prepared as it prepared them, so that those "
-               "it set aside are not listed")
+               "The points that the mesh was made of: their normals show what is flipped (derived "
+               "ones if they do not fit the points), their wall types show what is no hole, and "
+               "unused points are listed; with the options of the run, they are prepared as it "
+               "prepared them, so that those it set aside are not listed")
             ->type_name("CLOUD");
         const std::size_t before = app.get_options().size();
         piece.addTo(app);
@@ -98,23 +98,31 @@ struct CheckArguments {
     }
 };
 
-/// As the run got them, if its options were given; else as they are in the file.
-PointSet pointsOf(const PointFile& file, const CheckArguments& arguments) {
-    PointSet points;
-    if (arguments.prepares()) {
+/// The judge of meshes of these points; what the options of the run name counts.
+MeshJudge judgeOf(const PointFile& file, const CheckArguments& arguments) {
+    const auto judge = [&]() -> Result<MeshJudge> {
+        if (!arguments.prepares()) return judgeFor(file);
         const PrepareOptions options =
             prepareOptionsFrom(paramsFrom(arguments.rules, arguments.neighbors),
                                arguments.neighbors, arguments.derived, file);
-        Result<Prepared> prepared = prepare(file, options);
-        if (!prepared)
-            throw Failure(ExitCode::Input,
-                          nameOfInput(arguments.cloud) + ": " + prepared.error().message);
-        return std::move(prepared.value().points);
-    }
-    points.position = file.position;
-    points.normal = file.normal;
-    points.type = file.type;
-    return points;
+        const Result<Prepared> prepared = prepare(file, options);
+        if (!prepared) return prepared.error();
+        Result<MeshJudge> made = judgeFor(file, options, prepared.value().points);
+        if (made) made.value().points = made.value().forRun(prepared.value().points);
+        return made;
+    }();
+    if (!judge)
+        throw Failure(ExitCode::Input, nameOfInput(arguments.cloud) + ": " + judge.error().message);
+    return judge.value();
+}
+
+/// The points of a mesh without others to judge it by.
+MeshJudge ownPoints(const PointFile& mesh) {
+    PointSet points;
+    points.position = mesh.position;
+    points.normal = mesh.normal;
+    points.type = mesh.type;
+    return {std::make_shared<const PointSet>(std::move(points))};
 }
 
 /// A position as both files have it, though one may have written floats.
@@ -155,12 +163,13 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
     return triangles;
 }
 
-/// True if the mesh is sound but for the allowed classes.
-bool isGood(const CheckArguments& arguments, std::vector<ClassTotal> totals) {
+/// True if the mesh is sound but for the allowed classes; one without a triangle never is.
+bool isGood(const CheckArguments& arguments, const MeshInspection& found) {
+    std::vector<ClassTotal> totals = found.totals;
     for (std::size_t i = 0; i < totals.size(); ++i) {
         if (arguments.allows(failureClasses()[i].name)) totals[i] = {};
     }
-    return isSound(totals);
+    return isSound(totals, found.report.triangles);
 }
 
 /// The classes that a mesh can have, without those at the end that only a run has.
@@ -171,13 +180,17 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-std::string reportText(const CheckArguments& arguments, std::size_t triangles,
+std::string reportText(const CheckArguments& arguments, const MeshJudge& judge,
                        const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     constexpr std::size_t kShown = 10;
-    const bool allowed = good && !isSound(found.totals);
-    std::string text = fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
-                                   verdictText(found.totals, found.failures.size(), places.size()),
-                                   allowed ? ", allowed" : "");
+    const std::size_t triangles = found.report.triangles;
+    const bool allowed = good && !isSound(found.totals, triangles);
+    std::string text =
+        fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+                    verdictText(found.totals, triangles, found.failures.size(), places.size()),
+                    allowed ? ", allowed" : "");
+    if (const std::string by = departureText(judge); !by.empty())
+        text += fmt::format("judged {}\n", by);
     text += placesText(places, found.failures, kShown);
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
@@ -200,14 +213,16 @@ std::string reportText(const CheckArguments& arguments, std::size_t triangles,
     return text;
 }
 
-std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
+std::string reportJson(const CheckArguments& arguments, const MeshJudge& judge,
                        const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
-    json["triangles"] = triangles;
+    json["triangles"] = found.report.triangles;
+    const std::string by = departureText(judge);
+    json["judged"] = by.empty() ? Json() : Json(by);
     json["good"] = good;
-    json["sound"] = isSound(found.totals);
+    json["sound"] = isSound(found.totals, found.report.triangles);
     addTotals(found.totals, meshClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf;
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf.emplace_back(i);
@@ -257,14 +272,14 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const PointSet points = pointsOf(file, arguments);
+    const MeshJudge judge = alone ? ownPoints(mesh) : judgeOf(file, arguments);
+    const PointSet& points = *judge.points;
     const MeshInspection found = inspectWithTotals(points, triangles);
     const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
-    const bool good = isGood(arguments, found.totals);
+    const bool good = isGood(arguments, found);
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json
-                             ? reportJson(arguments, triangles.size(), found, places, good)
-                             : reportText(arguments, triangles.size(), found, places, good));
+        writeOutput("-", arguments.json ? reportJson(arguments, judge, found, places, good)
+                                        : reportText(arguments, judge, found, places, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

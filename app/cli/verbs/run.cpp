@@ -18,6 +18,7 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "start_arguments.h"
 #include "verbs.h"
@@ -84,8 +85,9 @@ struct RunArguments {
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
                      "the doctor would drop) and keep the best mesh: the fewest faults, at most "
-                     "one point in 200 more lost, no more openings closed; points that it drops "
-                     "are set aside, and not lost; at most 20 runs")
+                     "one point in 200 more lost, no more openings closed; a point that it drops "
+                     "is a fault. Given normals that fit the points and agree stay as they are; at "
+                     "most 20 runs")
             ->excludes(app.get_option("--what-if"));
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")
@@ -106,6 +108,8 @@ struct RunArguments {
         app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 
+    /// True if all faults are searched for, and judged as `check` does.
+    bool searchesPairs() const { return check || best || faultFields || !report.empty(); }
     /// Reports all mistakes that can be found before the work begins.
     void validate() const {
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
@@ -238,7 +242,7 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
 /// Searches faults and counts the mesh, as far as the arguments need it.
 void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
-    if (arguments.check || arguments.best || arguments.faultFields || !arguments.report.empty()) {
+    if (arguments.searchesPairs()) {
         outcome.inspection = inspectWithTotals(points, mesh);
         outcome.places =
             faultPlaces(points, outcome.inspection->failures, outcome.inspection->meanEdge);
@@ -250,7 +254,8 @@ void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& 
     if (outcome.inspection) outcome.mesh = outcome.inspection->report;
 }
 
-/// Reason why a finished run fails `--check` whatever its faults are; empty if there is none.
+/// Reason why a finished run fails `--check` and `--best` whatever its faults are; empty if there
+/// is none.
 std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)
@@ -263,12 +268,17 @@ std::string emptinessSentence(const RunOutcome& outcome) {
                        outcome.mesh.usedPoints);
 }
 
-/// The settings of the run: those of the options, with --best the best change of them.
-RunSettings chooseSettings(const RunArguments& arguments, const PointFile& file, ProgressLine& line,
-                           RunOutcome& outcome) {
+/// The settings of the options.
+RunSettings namedSettings(const RunArguments& arguments, const PointFile& file) {
     RunSettings settings =
         settingsFrom(arguments.rules, arguments.neighbors, arguments.derived, file);
     settings.start = arguments.start.start(arguments.input);
+    return settings;
+}
+
+/// The settings of the run: the named ones, with --best the best change of them.
+RunSettings chooseSettings(const RunArguments& arguments, RunSettings settings,
+                           const PointFile& file, ProgressLine& line, RunOutcome& outcome) {
     if (arguments.best) requireNoStart(settings.start, "--best");
     if (outcome.points.kept < outcome.points.inFile)
         requireNoStart(settings.start, "--crop, --thin");
@@ -296,8 +306,12 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                                   outcome.input, counted(outcome.state.mesh().size(), "triangle")));
     }
     const std::string faults = faultSentence(outcome);
-    const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
-    if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    const bool none = outcome.mesh.triangles == 0;
+    const std::string emptiness = none || arguments.check ? emptinessSentence(outcome) : "";
+    if (!emptiness.empty() && (arguments.check || arguments.best))
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    if (!emptiness.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}: {}\n", outcome.input, emptiness);
     if (arguments.check && !faults.empty())
         throw Failure(ExitCode::CheckFailed, outcome.input + ": " + faults);
     if (!faults.empty() && !arguments.quiet) fmt::print(stderr, "{}: {}\n", outcome.input, faults);
@@ -330,7 +344,8 @@ ExitCode runVerb(const Arguments& words) {
     if (file.position.empty())
         throw Failure(ExitCode::Input,
                       nameOfInput(arguments.input) + ": holds no points to triangulate");
-    const RunSettings settings = chooseSettings(arguments, file, line, outcome);
+    const RunSettings named = namedSettings(arguments, file);
+    const RunSettings settings = chooseSettings(arguments, named, file, line, outcome);
     outcome.seconds.trials = watch.lap();
     const PrepareOptions prepareOptions = prepareOptionsFor(settings.prepare, outcome.params);
     Prepared prepared = runWithProgress(
@@ -338,6 +353,14 @@ ExitCode runVerb(const Arguments& words) {
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     arguments.start.require(prepared.points, outcome.params.start, arguments.input);
     requirePossible(prepared.points, outcome.params);
+    if (arguments.searchesPairs()) {
+        const MeshJudge judge =
+            runWithProgress("preparing", arguments.input, line, [&](const Progress& progress) {
+                return judgeFor(file, named.prepare, prepared.points, progress);
+            });
+        outcome.judged = departureText(judge);
+        prepared.points.judge = judge.forRun(prepared.points, prepareOptions.leaveOut);
+    }
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;
     storeDerived(prepared.points, prepared.report, file);

@@ -11,6 +11,7 @@
 #include "output/output.h"
 #include "prepared_input.h"
 #include "progress.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/decision_query.h"
 #include "verbs.h"
 
@@ -255,7 +256,17 @@ ExitCode whyVerb(const Arguments& words) {
     }
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
-    const PreparedInput run = arguments.input.prepare(line);
+    const PointFile file = arguments.input.read(line);
+    PreparedInput run = arguments.input.prepare(file, line);
+    if (arguments.failures || choice) {
+        run.points.judge =
+            runWithProgress("preparing", arguments.input.input(), line,
+                            [&](const Progress& progress) {
+                                return judgeFor(file, arguments.input.prepareOptions(file),
+                                                run.points, progress);
+                            })
+                .forRun(run.points);
+    }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);
     const std::string answer = arguments.failures ? askFailures(arguments, run, line)

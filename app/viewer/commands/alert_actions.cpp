@@ -187,7 +187,11 @@ void nextPlace(CommandContext& context, int direction) {
         return session.messages().say(alerts.busy() ? "The search for faults is still running."
                                                     : "The search for faults has not started yet.");
     const auto count = static_cast<std::ptrdiff_t>(alerts.places().size());
-    if (count == 0) return session.messages().say("No faults found.");
+    if (count == 0) {
+        const bool sound = alerts.sound();
+        return session.messages().say(sound ? "No faults found."
+                                            : "No place to show: " + verdictText(alerts) + ".");
+    }
     const auto chosen = session.alerts().chosen();
     const auto from = session.alerts().place() ? session.alerts().place()
                       : chosen                 ? alerts.placeOf(*chosen)
@@ -202,8 +206,8 @@ void nextPlace(CommandContext& context, int direction) {
 
 std::string verdictText(const AlertSearch& alerts) {
     const RunFailureSearch& found = *alerts.found();
-    const std::string text = verdictText(found.totals, found.all.size(), found.places.size());
-    return isSound(found.totals) ? "the mesh is sound" : text;
+    if (alerts.sound()) return "the mesh is sound";
+    return verdictText(found.totals, found.triangles, found.all.size(), found.places.size());
 }
 
 std::string verdictSentence(const RunAlerts& alerts) {
@@ -268,8 +272,9 @@ bool openOnVerdict(CommandContext& context) {
     const bool untouched =
         session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
-    const bool faulty = !session.alerts().search().places().empty();
-    if (!faulty || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
+    if (session.alerts().search().sound() || !untouched ||
+        context.ui.layoutPreset != LayoutPreset::Debug)
+        return false;
     // The notice about the input stays.
     const std::string notice = session.messages().notice();
     session.moves().toEnd();

@@ -98,7 +98,7 @@ void AlertController::reportChange() {
 /// what-ifs nor the points of a given start are in the way.
 void AlertController::startTrials() {
     const Session& session = c_.session;
-    const bool faulty = !session.alerts().search().places().empty();
+    const bool faulty = !session.alerts().search().sound();
     const bool quick = session.model().points.size() <= kManyForTrials;
     const bool whole =
         session.input().spec().whatIf.empty() && session.model().params.start.empty();

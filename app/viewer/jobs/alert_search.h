@@ -60,8 +60,10 @@ class AlertSearch {
     }
     /// All failures of the run are listed, or it is not done.
     bool complete() const { return !done() || isComplete(query_.answer()->totals); }
-    /// The search is done, and the mesh has no fault (isSound()).
-    bool sound() const { return done() && isSound(query_.answer()->totals); }
+    /// The search is done, and the mesh is sound (isSound()).
+    bool sound() const {
+        return done() && isSound(query_.answer()->totals, query_.answer()->triangles);
+    }
     /// Results; null until the search is done.
     const RunFailureSearch* found() const { return query_.answer(); }
     std::span<const AlertGroup> groups() const { return groups_; }

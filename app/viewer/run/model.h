@@ -20,6 +20,7 @@
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/points/point_name.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/figures.h"
@@ -106,6 +107,7 @@ struct Model {
     PointSet points;
     Params params;
     PrepareReport report;
+    std::string judged;                  ///< departureText() of the judge of meshes.
     bool fixed = false;                  ///< The input has fixes.
     std::vector<std::string> fixesDone;  ///< Effects of the fixes, each a piece of a sentence.
     std::size_t pointsInFile = 0;        ///< Of the file, before a piece of it was taken.

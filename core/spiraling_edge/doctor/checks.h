@@ -9,15 +9,10 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/given_normals.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
-
-/// Connected components of points, and the points whose normals are flipped (normal_checks.cpp).
-struct Sides {
-    std::vector<Index> component;  ///< The name of each point's component; kNone without a normal.
-    std::vector<bool> flipped;     ///< Against the rest of the component.
-};
 
 /// Heights about a point over the surface that fits its surroundings, in its spacings
 /// (surface_checks.cpp). Negative: too few points for a fit.
@@ -52,7 +47,7 @@ struct ExaminedFile {
     /// a point has six others about it. 0 without others.
     std::vector<double> spacing;
     double middleSpacing = 0.0;  ///< Median over the present points.
-    Sides sides;
+    Sides sides;                 ///< Of a file without normals: no components.
     std::vector<Roughness> roughness;
     std::optional<Layers> layers;  ///< Nothing: one layer.
 
@@ -67,8 +62,6 @@ struct ExaminedFile {
     double distance(Index p, Index q) const;
 };
 
-/// The sides of a file whose other members are filled in.
-Sides sidesOf(const ExaminedFile& examined);
 /// One per point; of a file whose other members are filled in.
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined);
 /// The layers of a file whose other members are filled in, `roughness` too.

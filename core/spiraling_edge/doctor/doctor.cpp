@@ -107,18 +107,6 @@ constexpr double kSearchShare = 0.5;
 constexpr std::size_t kListed = KNearest{}.k;
 constexpr std::size_t kAround = 6;
 
-std::vector<Vec3> scaledNormals(const PointFile& file) {
-    std::vector<Vec3> normal = file.normal;
-    for (Vec3& n : normal) {
-        if (hasDirection(n)) {
-            scaleToUnit(n);
-        } else {
-            n = Vec3(0.0);
-        }
-    }
-    return normal;
-}
-
 /// Median of the values above zero, 0 without any.
 double medianAboveZero(std::vector<double> values) {
     values.erase(std::remove(values.begin(), values.end(), 0.0), values.end());
@@ -186,7 +174,7 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
     if (const Status status = checkColumns(file); !status) return status.error();
     ExaminedFile examined{file};
     examined.fitness = fitnessOf(file.position, file.normal);
-    examined.normal = scaledNormals(file);
+    examined.normal = unitNormals(file.normal);
     for (const Fitness fitness : examined.fitness) {
         const bool present = fitness == Fitness::Usable || fitness == Fitness::NoDirection;
         examined.present.push_back(present);
@@ -206,7 +194,13 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
         examined.spacing[p] = examined.distance(p, list[std::min(kAround, list.size()) - 1]);
     }
     examined.middleSpacing = medianAboveZero(examined.spacing);
-    examined.sides = sidesOf(examined);
+    if (file.hasNormals()) {
+        examined.sides =
+            sidesOf({file.position, examined.normal, examined.present, examined.nearest});
+    } else {
+        examined.sides = {std::vector<Index>(file.position.size(), kNone),
+                          std::vector<bool>(file.position.size(), false)};
+    }
     examined.roughness = roughnessOf(examined);
     examined.layers = layersOf(examined);
     return examined;

@@ -230,6 +230,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     for (const std::size_t i : chosen) followed.push_back(run->failures[i]);
     const auto moments = momentsOfAll(points, params, followed, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
+    const bool stopped = run->totalOf(*findFailureClass("triangle_cap")).total > 0;
     RunFailureSearch found;
     found.fidelity = fidelityOf(points, mesh);
     found.triangles = mesh.size();
@@ -241,13 +242,14 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
         const bool isFollowed = next < chosen.size() && chosen[next] == i;
         const std::optional<FailureMoments>* its = isFollowed ? &moments.value()[next++] : nullptr;
         if (its != nullptr && !*its) {
-            // Not a failure of this run: not counted.
             ClassTotal& total = run->totals[rankOf(*failure.kind)];
             --total.listed;
-            --total.total;
-            continue;
-        }
-        if (its != nullptr) {
+            if (stopped) {
+                // Not a failure of this run: not counted.
+                --total.total;
+                continue;
+            }
+        } else if (its != nullptr) {
             std::vector<Triangle> corners;
             corners.reserve(failure.triangles.size());
             for (const Index number : failure.triangles) corners.push_back(mesh[number]);

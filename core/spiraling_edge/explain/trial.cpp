@@ -15,6 +15,7 @@
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/replay/reconstruct.h"
 
@@ -42,6 +43,13 @@ constexpr std::array kChanges{
     SettingsChange{.rules = "robust", .ruleOff = "fill"},
     SettingsChange{.rules = "robust", .ruleOff = "shelve"},
 };
+/// True if a change leaves given normals alone that are right: those that do not fit are derived,
+/// those of which some are flipped turned.
+bool respects(const MeshJudge& judge, const SettingsChange& change) {
+    if (!change.normals) return true;
+    return *change.normals == NormalSource::Oriented ? judge.fit && !judge.areRight() : !judge.fit;
+}
+
 constexpr std::size_t kMaxTriedDrops = 3;  ///< Findings of the doctor that are tried.
 constexpr std::size_t kMaxTriedPairs = 3;  ///< Pairs of the best changes.
 static_assert(1 + kSets.size() + kMaxTriedDrops + kChanges.size() + kMaxTriedPairs <= kMaxTrials);
@@ -77,8 +85,7 @@ std::size_t closedChains(const Chains& chains, const MeshInspection& found,
 
 /// True for a mesh that could only be better with fewer points set aside.
 bool isGood(const MeshNumbers& numbers) {
-    return isSound(numbers.totals) && numbers.lost == 0 && numbers.closed == 0 && !numbers.capped &&
-           numbers.triangles > 0;
+    return isSound(numbers) && numbers.lost == 0 && numbers.closed == 0;
 }
 
 /// Order of meshes, the best first.
@@ -179,6 +186,7 @@ class TrialRuns {
   private:
     void addTo(std::vector<SettingsChange>& changes, const SettingsChange& change) const {
         const SettingsChange left = withoutPresent(change, present_, file_);
+        if (!respects(judge_, left)) return;
         const bool known = std::find(changes.begin(), changes.end(), left) != changes.end();
         if (left != SettingsChange{} && !known) changes.push_back(left);
     }
@@ -202,12 +210,19 @@ class TrialRuns {
         return success();
     }
 
-    /// Prepares, and finds the openings of the scan in the first trial.
+    /// Prepares; the first time, also finds the judge of all meshes, and the openings of the scan.
     Result<Prepared> prepareWith(const PrepareOptions& options, const Params& params,
                                  const Progress& part) {
-        Result<Prepared> prepared = prepare(file_, options, partOf(part, 0.0, 0.3));
-        if (!prepared || openings_) return prepared;
-        const PointSet& points = prepared.value().points;
+        Result<Prepared> prepared = prepare(file_, options, partOf(part, 0.0, 0.2));
+        if (!prepared) return prepared;
+        PointSet& points = prepared.value().points;
+        if (!judge_.points) {
+            Result<MeshJudge> judge = judgeFor(file_, options, points, partOf(part, 0.2, 0.3));
+            if (!judge) return judge.error();
+            judge_ = std::move(judge.value());
+        }
+        points.judge = judge_.forRun(points, options.leaveOut);
+        if (openings_) return prepared;
         Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
                                   options.neighbors.threads);
         if (!rim) return rim.error();
@@ -227,7 +242,8 @@ class TrialRuns {
         numbers.points = points.size();
         numbers.lost =
             totalOf(found.totals, "unused_points") + totalOf(found.totals, "isolated_points");
-        numbers.setAside = prepared.report.noisyPoints + prepared.report.leftOut;
+        numbers.dropped = prepared.report.leftOut;
+        numbers.setAside = prepared.report.noisyPoints + numbers.dropped;
         numbers.openings = openings_->size();
         numbers.closed = closedChains(*openings_, found, usedPoints(points.size(), mesh));
         numbers.fidelity = fidelityOf(points, mesh);
@@ -243,6 +259,7 @@ class TrialRuns {
     double done_ = 0.0;  ///< Share of the whole before the work in progress.
     std::optional<Chains> openings_;
     std::optional<Diagnosis> diagnosis_;
+    MeshJudge judge_;  ///< Of the points as given, for every trial.
 };
 
 /// The search in progress.
@@ -283,11 +300,12 @@ class TrialSearch {
     const Visit& visit_;
 };
 
-/// "12 faults", "no fault".
-std::string faultText(const std::vector<ClassTotal>& totals) {
-    const std::size_t faults = faultCount(totals);
-    if (faults == 0) return isSound(totals) ? "sound" : "no fault found";
-    return std::string(isExact(totals) ? "" : "at least ") + std::to_string(faults) +
+/// "12 faults", "sound", "no triangle".
+std::string faultText(const MeshNumbers& numbers) {
+    if (numbers.triangles == 0) return "no triangle";
+    const std::size_t faults = faultCount(numbers.totals);
+    if (faults == 0) return isSound(numbers) ? "sound" : "no fault found";
+    return std::string(isExact(numbers.totals) ? "" : "at least ") + std::to_string(faults) +
            (faults == 1 ? " fault" : " faults");
 }
 
@@ -299,7 +317,7 @@ std::string trialText(const SettingsChange& next) {
 
 std::string describe(const MeshNumbers& numbers) {
     if (numbers.capped) return "stopped: too many triangles";
-    std::string text = faultText(numbers.totals) + "; " + std::to_string(numbers.lost) +
+    std::string text = faultText(numbers) + "; " + std::to_string(numbers.lost) +
                        (numbers.lost == 1 ? " point lost" : " points lost");
     if (numbers.setAside > 0) text += ", " + std::to_string(numbers.setAside) + " set aside";
     if (numbers.openings > 0) {
@@ -310,10 +328,14 @@ std::string describe(const MeshNumbers& numbers) {
            ", mean " + shortNumber(numbers.fidelity.meanDistance);
 }
 
+bool isSound(const MeshNumbers& numbers) {
+    return isSound(numbers.totals, numbers.triangles) && !numbers.capped;
+}
+
 bool isBetter(const MeshNumbers& trial, const MeshNumbers& best, const MeshNumbers& present) {
     const std::size_t mayLose = present.lost + present.points / kPointsPerLost;
     if (trial.capped || trial.triangles == 0) return false;
-    if (trial.closed > present.closed || trial.lost > mayLose) return false;
+    if (trial.closed > present.closed || trial.lost > mayLose + trial.dropped) return false;
     return rankOf(trial) < rankOf(best);
 }
 

@@ -16,8 +16,9 @@ namespace se {
 /// for fewer faults.
 struct MeshNumbers {
     std::size_t points = 0;    ///< All, used or not.
-    std::size_t lost = 0;      ///< Points in no triangle that were not set aside.
-    std::size_t setAside = 0;  ///< Usable points that were set aside: noise, SettingsChange::drop.
+    std::size_t lost = 0;      ///< Points in no triangle, `dropped` ones too, without noise.
+    std::size_t dropped = 0;   ///< Usable points of SettingsChange::drop.
+    std::size_t setAside = 0;  ///< Usable points that were set aside: noise, and `dropped`.
     /// Openings of the scan: chains of findRim() over its points, with the lists of the run without
     /// a change; but for those within Params::isWithinHoleLimits(), which are to be closed.
     std::size_t openings = 0;
@@ -30,6 +31,8 @@ struct MeshNumbers {
 /// "12 faults; 3 points lost; 1 of 2 openings closed; distances up to 0.4, mean 0.01", in the unit
 /// of the points.
 std::string describe(const MeshNumbers& numbers);
+/// isSound() of the mesh of a run that was not stopped.
+bool isSound(const MeshNumbers& numbers);
 
 /// A run with changed settings.
 struct Trial {
@@ -55,18 +58,19 @@ inline constexpr std::size_t kManyForTrials = 300'000;
 
 /// True if `trial` is better than `best`, given the numbers `present` of the run without a change.
 /// A run that was stopped is never better, nor is one that closes an opening more than `present`
-/// does, or loses more than one point in 200 more. Then fewer faults are better, lost points among
-/// them; then fewer points set aside, fewer lost, fewer openings closed, a lesser greatest and a
-/// lesser mean distance.
+/// does, or loses more than one point in 200 more, but for those that it drops. Then fewer faults
+/// are better, lost points among them; then fewer points set aside, fewer lost, fewer openings
+/// closed, a lesser greatest and a lesser mean distance.
 bool isBetter(const MeshNumbers& trial, const MeshNumbers& best, const MeshNumbers& present);
 
 /// Runs `file` with the settings `present` and with changes of them, a fixed list in a fixed order:
-/// sets of rules, normals, rims, lengths of lists, single rules, points that the doctor would drop,
-/// and the best of these two at a time. Ends early after a sound mesh that loses no point and
-/// closes no opening. Calls `visit`, unless it is empty, before each trial, with all trials so far
-/// and the change to be tried. Fails if the settings do not exist, if the points cannot be
-/// prepared, or if cancelled, which is checked between the parts of a trial. Deterministic: equal
-/// input and settings give equal trials.
+/// sets of rules, normals (oriented where given ones fit but contradict each other, derived where
+/// they do not fit: given_normals.h; all meshes are judged by judgeFor() of the file), rims,
+/// lengths of lists, single rules, points that the doctor would drop, and the best of these two at
+/// a time. Ends early after a sound mesh that loses no point and closes no opening. Calls `visit`,
+/// unless it is empty, before each trial, with all trials so far and the change to be tried. Fails
+/// if the settings do not exist, if the points cannot be prepared, or if cancelled, which is
+/// checked between the parts of a trial. Deterministic: equal input and settings give equal trials.
 Result<Trials> tryChanges(
     const PointFile& file, const RunSettings& present,
     const std::function<void(const Trials&, const SettingsChange&)>& visit = {},

@@ -132,10 +132,11 @@ std::string describe(const FaultPlace& place, std::span<const MeshFailure> failu
     return text;
 }
 
-std::string verdictText(std::span<const ClassTotal> totals, std::size_t listed,
-                        std::size_t places) {
-    if (isSound(totals)) return "sound";
+std::string verdictText(std::span<const ClassTotal> totals, std::size_t triangles,
+                        std::size_t listed, std::size_t places) {
+    if (isSound(totals, triangles)) return "sound";
     const std::size_t faults = faultCount(totals);
+    if (triangles == 0 && faults == 0) return "not sound: no triangle";
     if (faults == 0) return "no fault found, but the search ended early";
     const std::size_t all =
         std::accumulate(totals.begin(), totals.end(), std::size_t{0},

@@ -44,6 +44,9 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     return lost;
 }
 
+/// The points by which a mesh of `input` is judged.
+const PointSet& judgeOf(const PointSet& input) { return input.judge ? *input.judge : input; }
+
 double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
@@ -56,8 +59,8 @@ double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
 }  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : filled(withNormalsAndTypes(input)),
-      points(filled ? *filled : input),
+    : filled(withNormalsAndTypes(judgeOf(input))),
+      points(filled ? *filled : judgeOf(input)),
       triangles(mesh),
       topology(input.size(), mesh),
       componentTriangles(input.size(), 0) {
@@ -67,7 +70,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
             for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
             loops = inspect::boundaryLoops(*this);
         },
-        [&] { lostPoints = findLostPoints(*this, input); });
+        [&] { lostPoints = findLostPoints(*this, judgeOf(input)); });
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
@@ -245,8 +248,9 @@ std::string nounFor(const FailureClass& kind, std::size_t count) {
 std::string amountText(const ClassTotal& total) {
     const std::string known = std::to_string(total.total);
     if (total.all()) return known;
-    const std::string first =
-        total.listed < total.total ? "first " + std::to_string(total.listed) + " of " : "";
+    const std::string first = total.listed > 0 && total.listed < total.total
+                                  ? "first " + std::to_string(total.listed) + " of "
+                                  : "";
     return first + (total.exact ? "" : "at least ") + known;
 }
 
@@ -265,8 +269,8 @@ bool isExact(std::span<const ClassTotal> totals) {
     return std::all_of(totals.begin(), totals.end(), [](const ClassTotal& t) { return t.exact; });
 }
 
-bool isSound(std::span<const ClassTotal> totals) {
-    return faultCount(totals) == 0 && isExact(totals);
+bool isSound(std::span<const ClassTotal> totals, std::size_t triangles) {
+    return triangles > 0 && faultCount(totals) == 0 && isExact(totals);
 }
 
 bool isLoop(const MeshFailure& failure) {

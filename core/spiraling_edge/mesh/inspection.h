@@ -86,16 +86,17 @@ bool isComplete(std::span<const ClassTotal> totals);
 bool isExact(std::span<const ClassTotal> totals);
 /// The number of failures of the classes that are faults.
 std::size_t faultCount(std::span<const ClassTotal> totals);
-/// The definition of a sound mesh, for every program and panel: no failure of a class that is a
-/// fault, after a complete search for them.
-bool isSound(std::span<const ClassTotal> totals);
+/// The definition of a sound mesh, for every program and panel: it has triangles, and no failure of
+/// a class that is a fault, after a complete search for them.
+bool isSound(std::span<const ClassTotal> totals, std::size_t triangles);
 
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is an opening.
-/// Neighbor lists are not used; points that were set aside (PointSet::setAside, fitnessOf()) may be
-/// in no triangle. Requires corners below points.size() and finite positions of used points.
-/// Self-intersections are exact; the search for pairs has the limits of searchFaults(), and the
-/// first kMaxListed are listed. Deterministic, on all cores. About O(t log t).
+/// With PointSet::judge, that counts instead of the points. Neighbor lists are not used; points
+/// that were set aside (PointSet::setAside, fitnessOf()) may be in no triangle. Requires corners
+/// below points.size() and finite positions of used points. Self-intersections are exact; the
+/// search for pairs has the limits of searchFaults(), and the first kMaxListed are listed.
+/// Deterministic, on all cores. About O(t log t).
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
 /// As inspectWithTotals(), but without the search for pairs, which takes most of the time: the
 /// totals of intersecting triangles and of second layers are not exact.

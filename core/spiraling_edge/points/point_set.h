@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -93,6 +94,9 @@ struct PointSet {
     std::vector<Index> order;
     /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
     std::vector<bool> setAside;
+    /// These points with the normals and types by which a mesh of them is judged (judge.h). Null:
+    /// these themselves.
+    std::shared_ptr<const PointSet> judge;
 
     /// The gap of point p; no ends where none is known.
     RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }

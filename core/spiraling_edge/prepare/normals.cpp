@@ -3,7 +3,6 @@
 #include "spiraling_edge/prepare/normals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -68,8 +67,9 @@ Matrix scatter(std::span<const Vec3> position, Index p, std::span<const Index> l
     return m;
 }
 
-/// Direction of least scatter; zero if the next one scatters no more than rounding does.
-Vec3 planeNormal(Matrix m) {
+/// Direction of least scatter, zero if the next one scatters no more than rounding does; and the
+/// scatter along each axis.
+PlaneFit planeOf(Matrix m) {
     Matrix axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     constexpr int kSweeps = 8;
     for (int sweep = 0; sweep < kSweeps && !isDiagonal(m); ++sweep) {
@@ -83,17 +83,23 @@ Vec3 planeNormal(Matrix m) {
     });
     const double middle = m[order[1]][order[1]];
     const double largest = m[order[2]][order[2]];
+    PlaneFit plane;
+    plane.variance = {std::max(m[order[0]][order[0]], 0.0), middle, largest};
     constexpr double kInLine = 1e-12;  // Squares of lengths.
-    if (!(middle > kInLine * largest)) return Vec3(0.0);
+    if (!(middle > kInLine * largest)) return plane;
     const std::size_t least = order[0];
     const Vec3 n(axes[0][least], axes[1][least], axes[2][least]);
-    return n / std::sqrt(glm::dot(n, n));
+    plane.normal = n / std::sqrt(glm::dot(n, n));
+    return plane;
 }
 
 }  // namespace
 
-Vec3 planeNormalAt(std::span<const Vec3> position, Index p, std::span<const Index> list) {
-    return list.size() >= 2 ? planeNormal(scatter(position, p, list)) : Vec3(0.0);
+PlaneFit planeAt(std::span<const Vec3> position, Index p, std::span<const Index> list) {
+    if (list.size() < 2) return {};
+    PlaneFit plane = planeOf(scatter(position, p, list));
+    for (double& each : plane.variance) each /= static_cast<double>(list.size() + 1);
+    return plane;
 }
 
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,

@@ -1,6 +1,7 @@
 /// Estimation of missing normals.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -10,9 +11,17 @@
 
 namespace se {
 
-/// Unit normal of the plane nearest to a point and its listed neighbors, on either side; zero where
-/// no plane fits best, as below.
-Vec3 planeNormalAt(std::span<const Vec3> position, Index p, std::span<const Index> list);
+/// The plane nearest to a point and its listed neighbors.
+struct PlaneFit {
+    Vec3 normal{0.0};  ///< Unit length, on either side; zero where no plane fits best.
+    std::array<double, 3>
+        variance{};  ///< Along the normal, then across, ascending; scene units squared.
+};
+PlaneFit planeAt(std::span<const Vec3> position, Index p, std::span<const Index> list);
+/// Its normal; zero where no plane fits best, as below.
+inline Vec3 planeNormalAt(std::span<const Vec3> position, Index p, std::span<const Index> list) {
+    return planeAt(position, p, list).normal;
+}
 
 /// Unit normals of the planes nearest to each point and its listed neighbors (principal components
 /// of their positions; Hoppe et al. 1992, section 3.1), on either side. Zero where no plane fits

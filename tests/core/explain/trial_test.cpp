@@ -3,10 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
 
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;
@@ -93,6 +96,21 @@ TEST_CASE("trials: a sound mesh without a change needs no other") {
     CHECK(describe(bestOf(trials)).starts_with("sound; 0 points lost"));
 }
 
+TEST_CASE("trials: a mesh without a triangle is neither sound nor good enough") {
+    MeshNumbers nothing = numbersWith(0);
+    nothing.triangles = 0;
+    CHECK_FALSE(isSound(nothing));
+    CHECK(describe(nothing).starts_with("no triangle; "));
+    // Normals without a direction: no point is usable as given, so the others are tried.
+    PointFile file = sceneFile("torus");
+    file.normal.assign(file.position.size(), Vec3(0.0));
+    RunSettings settings;
+    settings.rules = "robust";
+    const Trials trials = triedOn(file, settings);
+    CHECK(trials.tried[0].numbers.triangles == 0);
+    CHECK(bestOf(trials).triangles > 0);
+}
+
 TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the search") {
     const Trials trials = triedOn(sceneFile("sharp-crease"));
     REQUIRE(trials.tried.size() >= 2);
@@ -100,7 +118,7 @@ TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the sea
     CHECK(trials.tried[1].change == SettingsChange{.rules = "robust"});
     CHECK(faultCount(bestOf(trials).totals) < faultCount(trials.tried[0].numbers.totals));
     for (std::size_t i = 0; i + 1 < trials.tried.size(); ++i)
-        CHECK_FALSE((isSound(trials.tried[i].numbers.totals) && trials.tried[i].numbers.lost == 0));
+        CHECK_FALSE((isSound(trials.tried[i].numbers) && trials.tried[i].numbers.lost == 0));
 }
 
 TEST_CASE("trials: every one is made as the settings after its change are run") {
@@ -135,7 +153,7 @@ TEST_CASE("trials: an opening that the mesh covers counts as closed") {
         const Trials trials = triedOn(open.file);
         CHECK(trials.tried[0].numbers.openings == open.rims);
         CHECK(bestOf(trials).closed <= trials.tried[0].numbers.closed);
-        if (isSound(bestOf(trials).totals)) CHECK(bestOf(trials).closed == 0);
+        if (isSound(bestOf(trials))) CHECK(bestOf(trials).closed == 0);
     }
     // A rim of a disc: the paper's rules close it like a tent, or leave it open.
     const Open holes = sphereWithHoles({Vec3(0.0, 0.0, 1.0)}, 0.5, 3);
@@ -154,6 +172,40 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
     CHECK_FALSE(dropped->leaveOut.empty());
     CHECK(dropped->numbers.setAside >= dropped->leaveOut.size());
     CHECK(dropped->numbers.points == file.position.size());
+}
+
+TEST_CASE("trials: given normals that fit and agree are never turned, nor others derived") {
+    const auto normalsTried = [](const PointFile& file) {
+        std::set<NormalSource> tried;
+        for (const Trial& each : triedOn(file).tried) {
+            if (each.change.normals) tried.insert(*each.change.normals);
+        }
+        return tried;
+    };
+    // No set of rules makes a sound mesh of these, so that all changes are tried.
+    PointFile file = sceneFile("uneven-density");
+    CHECK(normalsTried(file).empty());
+    PointFile flipped = file;
+    for (std::size_t p = 0; p < 40; ++p) flipped.normal[p] = -flipped.normal[p];
+    CHECK(normalsTried(flipped).count(NormalSource::Derived) == 0);
+    for (Vec3& n : file.normal) n = Vec3(0.0, 0.0, 1.0);
+    CHECK(normalsTried(file).count(NormalSource::Oriented) == 0);
+}
+
+TEST_CASE("trials: all of them are judged by the points as they are given") {
+    const auto file = sharedPoints("points/coupling.ply");
+    if (!file) return;
+    const Trials trials = triedOn(*file);
+    const Trial& best = trials.tried[trials.best];
+    const RunSettings settings = changed({}, best.change);
+    const Params params = paramsOf(settings).value();
+    PrepareOptions options = prepareOptionsFor(settings.prepare, params);
+    options.leaveOut = best.leaveOut;
+    PointSet points = prepare(*file, options).value().points;
+    points.judge = judgeFor(*file).value().points;
+    const MeshInspection found = inspectWithTotals(points, runAll(points, params).state.mesh());
+    CHECK(faultCount(found.totals) == faultCount(best.numbers.totals));
+    CHECK(found.report.flippedTriangles < 100);
 }
 
 TEST_CASE("trials: progress grows to 1, and false cancels") {

@@ -146,15 +146,16 @@ TEST_CASE("places: the verdict says so if there may be more places than those of
         totals[static_cast<std::size_t>(place)] = {listed, total, exact};
         return totals;
     };
-    CHECK(verdictText(totalsWith(0, 0, true), 0, 0) == "sound");
-    CHECK(verdictText(totalsWith(1, 1, true), 1, 1) == "1 fault at 1 place");
-    CHECK(verdictText(totalsWith(12, 12, true), 12, 3) == "12 faults at 3 places");
+    CHECK(verdictText(totalsWith(0, 0, true), 100, 0, 0) == "sound");
+    CHECK(verdictText(totalsWith(0, 0, true), 0, 0, 0) == "not sound: no triangle");
+    CHECK(verdictText(totalsWith(1, 1, true), 100, 1, 1) == "1 fault at 1 place");
+    CHECK(verdictText(totalsWith(12, 12, true), 100, 12, 3) == "12 faults at 3 places");
     // Followed through the run or not.
-    CHECK(verdictText(totalsWith(5, 12, true), 12, 3) == "12 faults at 3 places");
-    CHECK(verdictText(totalsWith(10000, 12000, true), 10000, 9000) ==
+    CHECK(verdictText(totalsWith(5, 12, true), 100, 12, 3) == "12 faults at 3 places");
+    CHECK(verdictText(totalsWith(10000, 12000, true), 100, 10000, 9000) ==
           "12000 faults at 9000 places or more");
-    CHECK(verdictText(totalsWith(10000, 12000, false), 10000, 9000) ==
+    CHECK(verdictText(totalsWith(10000, 12000, false), 100, 10000, 9000) ==
           "at least 12000 faults at 9000 places or more");
-    CHECK(verdictText(totalsWith(0, 0, false), 0, 0) ==
+    CHECK(verdictText(totalsWith(0, 0, false), 100, 0, 0) ==
           "no fault found, but the search ended early");
 }

@@ -383,17 +383,18 @@ TEST_CASE("inspection: a loop runs along walls with single points off them, and 
     CHECK_FALSE(found({0, 2, 4}));
 }
 
-TEST_CASE("inspection: sound means no fault, and that all were looked for") {
+TEST_CASE("inspection: sound means triangles, no fault, and that all were looked for") {
     const Sheet s = sheet(4);
     std::vector<ClassTotal> totals = inspectWithTotals(s.points, s.triangles).totals;
-    REQUIRE(isSound(totals));
+    REQUIRE(isSound(totals, s.triangles.size()));
+    CHECK_FALSE(isSound(totals, 0));
     for (std::size_t i = 0; i < totals.size(); ++i) {
         std::vector<ClassTotal> other = totals;
         other[i].exact = false;
-        CHECK_FALSE(isSound(other));
+        CHECK_FALSE(isSound(other, 1));
         other = totals;
         ++other[i].total;
-        CHECK(isSound(other) == !failureClasses()[i].fault);
+        CHECK(isSound(other, 1) == !failureClasses()[i].fault);
     }
 }
 

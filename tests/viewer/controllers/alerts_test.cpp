@@ -2,15 +2,18 @@
 #include "commands/alert_actions.h"
 #include "headless_app.h"
 #include "jobs/doctor_job.h"
+#include "jobs/mesh_export.h"
 #include "layers/layer.h"
 #include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "spiraling_edge/prepare/judge.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 using namespace se;
@@ -320,6 +323,55 @@ TEST_CASE(
     CHECK(app.session.finishedFaults() == app.session.alerts().search().found());
     // What the trials were about is gone.
     CHECK(app.session.trials().trials().tried.empty());
+}
+
+TEST_CASE("A mesh without a triangle is not called sound, and other settings are tried") {
+    const HeadlessApp other("no-triangle");
+    const std::filesystem::path path = other.folder / "zero.xyz";
+    std::ofstream file(path);
+    for (int i = 0; i < 9; ++i) file << i % 3 << ' ' << i / 3 << " 0 0 0 0\n";
+    file.close();
+    AlertApp app(path.string());
+    const AlertSearch& alerts = app.session.alerts().search();
+    REQUIRE(alerts.done());
+    CHECK(alerts.found()->triangles == 0);
+    CHECK_FALSE(alerts.sound());
+    CHECK(verdictText(alerts).find("the mesh is sound") == std::string::npos);
+    CHECK(bestChange(app.context).has_value());
+}
+
+TEST_CASE("The card counts what check counts of the saved mesh beside the points, also after Fix") {
+    const HeadlessApp other("card-and-check");
+    const std::filesystem::path path = other.folder / "points.xyz";
+    // A patch that contradicts the rest, and others that are right.
+    const PointFile sphere = findScene("four-edge-hole")->build();
+    std::ofstream out(path);
+    out.precision(17);
+    for (std::size_t p = 0; p < sphere.position.size(); ++p) {
+        const Vec3& x = sphere.position[p];
+        const Vec3 n = x.x > 0.6 ? -sphere.normal[p] : sphere.normal[p];
+        out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z << '\n';
+    }
+    out.close();
+    AlertApp app(path.string());
+    const auto counted = [&] {
+        const FinishedMesh mesh =
+            finishMesh(app.session.model(), *app.session.input().file()).value();
+        REQUIRE(saveMesh(app.session.model(), mesh, {(other.folder / "mesh.ply").string()}).ok());
+        const PointFile saved = readPoints(other.folder / "mesh.ply").value();
+        const MeshJudge judge = judgeFor(readPoints(path).value()).value();
+        return faultCount(inspectWithTotals(*judge.points, saved.faces).totals);
+    };
+    const auto onCard = [&] { return faultCount(app.session.alerts().search().found()->totals); };
+    CHECK(onCard() == counted());
+    app.session.moves().toEnd();
+    app.session.trials().start();
+    app.session.waitUntilDone();
+    REQUIRE(app.session.trials().best() != nullptr);
+    fixByTrials(app.context);
+    app.document.carryOut(app.ui.requests);
+    app.arrive();
+    CHECK(onCard() == counted());
 }
 
 TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 walks them") {

@@ -334,10 +334,17 @@ void drawList(const PanelContext& context) {
     drawRows(context, std::span(rows).subspan(above + 1));
 }
 
+/// The verdict on a mesh without failures: "No failures found: the mesh is sound."
+std::string noneText(const AlertSearch& alerts) {
+    if (alerts.sound()) return "No failures found: the mesh is sound.";
+    const bool none = alerts.found()->triangles == 0;
+    return std::string("No failures found, but ") +
+           (none ? "the mesh has no triangle." : "the search ended early.");
+}
+
 /// List of the checks, if nothing was found.
 void drawNothing(const AlertSearch& alerts) {
-    ImGui::TextUnformatted(alerts.sound() ? "No failures found: the mesh is sound."
-                                          : "No failures found, but the search ended early.");
+    ImGui::TextUnformatted(noneText(alerts).c_str());
     ImGui::Spacing();
     std::string checked;
     for (const FailureClass& each : failureClasses())
@@ -372,9 +379,7 @@ std::string alertsLine(const PanelContext& context) {
     if (alerts.stopped()) return "The search was stopped.";
     if (alerts.busy()) return "Searching for alerts ...";
     if (!alerts.done()) return "The search for alerts starts once the run is complete.";
-    if (alerts.failures().empty())
-        return alerts.sound() ? "No failures found: the mesh is sound."
-                              : "No failures found, but the search ended early.";
+    if (alerts.failures().empty()) return noneText(alerts);
     const std::string next = ". " + context.key("step.alert.next") + " shows the next one.";
     if (alerts.sound())
         return "The mesh is sound; " + counted(alerts.failures().size(), "alert", "alerts") + next;

@@ -97,7 +97,7 @@ void drawNarration(const PanelContext& context, const char* window) {
         const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;
         if (finished) {
-            const bool faulty = !session.alerts().search().places().empty();
+            const bool faulty = !session.alerts().search().sound();
             color = faulty ? context.palette.rejected : context.palette.used;
         } else if (const Event* event = session.event(); event != nullptr) {
             color = outcomeColor(context.palette, *event).value_or(color);

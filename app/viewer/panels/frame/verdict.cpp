@@ -169,9 +169,11 @@ std::vector<CardAction> actionsOf(const PanelContext& context, const AlertSearch
             {"Why?", "verdict why",
              "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why"),
              askWhyShown});
-        if (const auto change = bestChange(context.commands))
-            list.push_back({"Fix", "verdict fix", "Run again, to the end: " + wordsOf(*change),
-                            [](const PanelContext& c) { fixByTrials(c.commands); }});
+    }
+    const auto change = alerts.sound() ? std::nullopt : bestChange(context.commands);
+    if (change) {
+        list.push_back({"Fix", "verdict fix", "Run again, to the end: " + wordsOf(*change),
+                        [](const PanelContext& c) { fixByTrials(c.commands); }});
     }
     list.push_back({"Save mesh...", "verdict save", context.key("file.savemesh"),
                     [](const PanelContext& c) { c.run("file.savemesh"); }});
@@ -202,7 +204,7 @@ void drawClose(const PanelContext& context) {
 }
 
 void drawFound(const PanelContext& context, const AlertSearch& alerts) {
-    const bool faulty = !alerts.places().empty();
+    const bool faulty = !alerts.sound();
     std::string title = verdictText(alerts);
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
     ImGui::PushStyleColor(ImGuiCol_Text,
@@ -211,10 +213,12 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     ImGui::PopStyleColor();
     drawClose(context);
     if (!isSmall(context)) {
-        if (faulty) wrappedText(classesText(*alerts.found()));
+        if (!alerts.places().empty()) wrappedText(classesText(*alerts.found()));
         // The table of the trials has the distances too.
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));
+        if (const std::string& by = context.session().model().judged; !by.empty())
+            dimText("Judged " + by + ".");
         if (faulty) drawTrials(context);
         drawOpen(context, alerts.openLoops());
         ImGui::Spacing();

@@ -1,0 +1,236 @@
+/// Fit by angles at planar places. Sides without a global orientation: sheets are connected sets of
+/// points whose normals agree; two sheets contradict each other where they continue in one plane
+/// with opposite normals. Where the contradictions are more than noise can explain, the smaller
+/// sheet counts as flipped. O(points times list).
+#include "spiraling_edge/prepare/given_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
+#include "spiraling_edge/prepare/normals.h"
+
+namespace se {
+namespace {
+
+constexpr std::size_t kMeasuredPerThread = 1024;
+
+/// Absolute cosine between the normal of p and the plane normal there; 2 where the place is not
+/// planar, or has no normal.
+double cosineAt(const GivenNormals& given, Index p) {
+    constexpr double kNoPlace = 2.0;
+    if (!given.hasNormal(p)) return kNoPlace;
+    const PlaneFit plane = planeAt(given.position, p, given.nearest[p]);
+    const double sum = plane.variance[0] + plane.variance[1] + plane.variance[2];
+    const bool planar = plane.variance[0] < kFitLimits.thickness * sum &&
+                        plane.variance[1] > kFitLimits.width * plane.variance[2];
+    return planar ? std::abs(glm::dot(plane.normal, given.normal[p])) : kNoPlace;
+}
+
+}  // namespace
+
+std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
+    for (Vec3& n : normal) {
+        if (hasDirection(n)) {
+            scaleToUnit(n);
+        } else {
+            n = Vec3(0.0);
+        }
+    }
+    return normal;
+}
+
+NormalFit fitOf(const GivenNormals& given, unsigned threads) {
+    std::vector<double> cosines(given.size());
+    forEachItem(cosines.size(), threads, kMeasuredPerThread,
+                [&](std::size_t p) { cosines[p] = cosineAt(given, static_cast<Index>(p)); });
+    NormalFit fit;
+    for (Index p = 0; p < given.size(); ++p) fit.normals += given.hasNormal(p) ? 1U : 0U;
+    std::erase_if(cosines, [](double cosine) { return cosine > 1.5; });
+    fit.places = cosines.size();
+    if (cosines.empty()) return fit;
+    const auto middle = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2);
+    std::nth_element(cosines.begin(), middle, cosines.end());
+    fit.medianCosine = std::min(*middle, 1.0);
+    fit.near = static_cast<std::size_t>(std::count_if(
+        cosines.begin(), cosines.end(), [](double c) { return c >= kFitLimits.nearCosine; }));
+    return fit;
+}
+
+bool normalsFit(const NormalFit& fit) {
+    if (fit.normals == 0) return false;
+    if (fit.places < kFitLimits.leastPlaces) return true;
+    return fit.medianCosine >= kFitLimits.medianCosine &&
+           static_cast<double>(fit.near) >= kFitLimits.nearShare * static_cast<double>(fit.places);
+}
+
+bool sidesAgree(const Sides& sides) {
+    return std::find(sides.flipped.begin(), sides.flipped.end(), true) == sides.flipped.end();
+}
+
+namespace {
+
+// ---- sheets -------------------------------------------------------------------------------------
+
+/// True if p and q lie in one smooth sheet, regardless of the sign of their normals: each within 30
+/// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
+bool inOneSheet(const GivenNormals& given, Index p, Index q) {
+    if (!given.hasNormal(p) || !given.hasNormal(q)) return false;
+    const Vec3& a = given.normal[p];
+    const Vec3& b = given.normal[q];
+    const Vec3 offset = given.position[q] - given.position[p];
+    constexpr double kFlat = 0.5;
+    constexpr double kParallel = 0.70710678118654752;
+    const double reach = kFlat * glm::length(offset);
+    return std::abs(glm::dot(offset, a)) <= reach && std::abs(glm::dot(offset, b)) <= reach &&
+           std::abs(glm::dot(a, b)) >= kParallel;
+}
+
+/// Points in one sheet whose normals agree.
+DisjointSets sheetsOf(const GivenNormals& given) {
+    DisjointSets sheets(given.size());
+    for (Index p = 0; p < given.size(); ++p) {
+        for (const Index q : given.nearest[p]) {
+            if (inOneSheet(given, p, q) && !normalsOppose(given.normal[p], given.normal[q]))
+                sheets.unite(p, q);
+        }
+    }
+    return sheets;
+}
+
+// ---- contradictions -----------------------------------------------------------------------------
+
+/// Unit direction from p to q in projection along the normal of p; zero exactly above and below.
+Vec3 directionInPlane(const GivenNormals& given, Index p, Index q) {
+    Vec3 d = given.position[q] - given.position[p];
+    d -= glm::dot(d, given.normal[p]) * given.normal[p];
+    const double length = glm::length(d);
+    return length > 0.0 ? d / length : Vec3(0.0);
+}
+
+/// True if q lies less than 45 degrees above or below p. Else it is not in the same sheet, though
+/// its normal may agree by chance.
+bool isBeside(const GivenNormals& given, Index p, Index q) {
+    const Vec3 offset = given.position[q] - given.position[p];
+    constexpr double kSteep = 0.70710678118654752;
+    return std::abs(glm::dot(offset, given.normal[p])) < kSteep * glm::length(offset);
+}
+
+/// Neighbors in the sheet of p with an opposing normal, where p has no agreeing neighbor within 60
+/// degrees of their direction. If they were on a second sheet, that of p would continue beside
+/// them.
+void contradictions(const GivenNormals& given, Index p, std::vector<Index>& opposing) {
+    opposing.clear();
+    std::vector<Vec3> agreeing;
+    for (const Index q : given.nearest[p]) {
+        if (!given.hasNormal(q)) continue;
+        if (!normalsOppose(given.normal[p], given.normal[q])) {
+            if (isBeside(given, p, q)) agreeing.push_back(directionInPlane(given, p, q));
+        } else if (inOneSheet(given, p, q)) {
+            opposing.push_back(q);
+        }
+    }
+    constexpr double kBeside = 0.5;
+    const auto goesOn = [&](Index q) {
+        const Vec3 direction = directionInPlane(given, p, q);
+        return std::any_of(agreeing.begin(), agreeing.end(),
+                           [&](const Vec3& a) { return glm::dot(a, direction) > kBeside; });
+    };
+    opposing.erase(std::remove_if(opposing.begin(), opposing.end(), goesOn), opposing.end());
+}
+
+/// Number of contradictions of two sheets, by their least points.
+using Conflicts = std::map<std::pair<Index, Index>, std::size_t>;
+
+Conflicts conflictsBetween(const GivenNormals& given, DisjointSets& sheets) {
+    Conflicts conflicts;
+    std::vector<Index> opposing;
+    for (Index p = 0; p < given.size(); ++p) {
+        if (!given.hasNormal(p)) continue;
+        contradictions(given, p, opposing);
+        for (const Index q : opposing) {
+            const std::pair<Index, Index> pair = std::minmax({sheets.find(p), sheets.find(q)});
+            if (pair.first != pair.second) ++conflicts[pair];
+        }
+    }
+    return conflicts;
+}
+
+/// True if a patch of `patch` points with `pairs` contradictions must be flipped. Along a straight
+/// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps at
+/// least, even if half of it is the rim of the surface: 14 root m. A single flipped point
+/// contradicts in 12. Noise and thin parts contradict in places. Long strips have short rims, hence
+/// the bound above.
+bool isEvidence(std::size_t pairs, std::size_t patch) {
+    const double wanted = std::clamp(4.0 * std::sqrt(static_cast<double>(patch)), 8.0, 40.0);
+    return static_cast<double>(pairs) >= wanted;
+}
+
+/// The sheets that contradict each other with evidence, in both directions.
+using OpposingSheets = std::map<Index, std::vector<Index>>;
+
+OpposingSheets findOpposingSheets(const GivenNormals& given, DisjointSets& sheets,
+                                  const std::vector<std::size_t>& size) {
+    OpposingSheets opposingSheets;
+    for (const auto& [pair, count] : conflictsBetween(given, sheets)) {
+        if (!isEvidence(count, std::min(size[pair.first], size[pair.second]))) continue;
+        opposingSheets[pair.first].push_back(pair.second);
+        opposingSheets[pair.second].push_back(pair.first);
+    }
+    return opposingSheets;
+}
+
+/// Decides among sheets that contradict each other: the largest counts as right, those that
+/// contradict it as flipped, those that contradict these as right, and so on.
+std::map<Index, bool> flippedAmong(const OpposingSheets& opposingSheets,
+                                   const std::vector<std::size_t>& size) {
+    std::vector<Index> bySize;
+    for (const auto& entry : opposingSheets) bySize.push_back(entry.first);
+    std::sort(bySize.begin(), bySize.end(),
+              [&](Index a, Index b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
+    std::map<Index, bool> flipped;
+    for (const Index first : bySize) {
+        if (!flipped.emplace(first, false).second) continue;
+        std::vector<Index> reached{first};
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            const bool here = flipped.at(reached[i]);
+            for (const Index next : opposingSheets.at(reached[i])) {
+                if (flipped.emplace(next, !here).second) reached.push_back(next);
+            }
+        }
+    }
+    return flipped;
+}
+
+}  // namespace
+
+Sides sidesOf(const GivenNormals& given) {
+    const Index n = given.size();
+    Sides sides{std::vector<Index>(n, kNone), std::vector<bool>(n, false)};
+    DisjointSets sheets = sheetsOf(given);
+    std::vector<std::size_t> size(n, 0);  // by the least point
+    for (Index p = 0; p < n; ++p) {
+        if (given.hasNormal(p)) ++size[sheets.find(p)];
+    }
+    const OpposingSheets opposingSheets = findOpposingSheets(given, sheets, size);
+    const std::map<Index, bool> flipped = flippedAmong(opposingSheets, size);
+    for (Index p = 0; p < n; ++p) {
+        const auto sheet = flipped.find(sheets.find(p));
+        sides.flipped[p] = sheet != flipped.end() && sheet->second;
+    }
+    for (const auto& [sheet, others] : opposingSheets) {
+        for (const Index other : others) sheets.unite(sheet, other);
+    }
+    for (Index p = 0; p < n; ++p) {
+        if (given.hasNormal(p)) sides.component[p] = sheets.find(p);
+    }
+    return sides;
+}
+
+}  // namespace se

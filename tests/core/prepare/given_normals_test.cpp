@@ -1,0 +1,245 @@
+#include "spiraling_edge/prepare/given_normals.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/stepper/params.h"
+#include "support/shared_data.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+constexpr double kOneDegree = std::numbers::pi / 180.0;
+
+/// Even points of the unit sphere (Fibonacci), with outward normals.
+PointFile fibonacciSphere(std::size_t count) {
+    PointFile file;
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
+        const double r = std::sqrt(1.0 - z * z);
+        const double a = turn * static_cast<double>(i);
+        file.position.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    }
+    file.normal = file.position;
+    return file;
+}
+
+/// A number in [0, 1) from a counter.
+double chance(std::uint64_t& state) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(state >> 11) * 0x1.0p-53;
+}
+
+Vec3 randomDirection(std::uint64_t& state) {
+    while (true) {
+        const Vec3 v(2.0 * chance(state) - 1.0, 2.0 * chance(state) - 1.0,
+                     2.0 * chance(state) - 1.0);
+        const double square = glm::dot(v, v);
+        if (square > 1e-4 && square < 1.0) return v / std::sqrt(square);
+    }
+}
+
+/// Any unit vector at right angles with `n`.
+Vec3 across(const Vec3& n) {
+    const Vec3 other = std::abs(n.x) < 0.8 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+    return glm::normalize(glm::cross(n, other));
+}
+
+/// Each normal tilted by an angle, to changing directions.
+PointFile tilted(PointFile file, double degrees) {
+    std::uint64_t state = 7;
+    for (Vec3& n : file.normal) {
+        const Vec3 u = across(n);
+        const double a = 2.0 * std::numbers::pi * chance(state);
+        const Vec3 side = std::cos(a) * u + std::sin(a) * glm::cross(n, u);
+        n = std::cos(degrees * kOneDegree) * n + std::sin(degrees * kOneDegree) * side;
+    }
+    return file;
+}
+
+/// A box of n x n points a face, from a first axis on, with the normals of the faces; edges are
+/// left out.
+PointFile box(int n, const Vec3& size, int first = 0) {
+    PointFile file;
+    for (int axis = first; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+            for (int i = 0; i < n * n; ++i) {
+                Vec3 x(0.0);
+                x[axis] = 0.5 * sign;
+                x[(axis + 1) % 3] = (i % n + 0.5) / n - 0.5;
+                x[(axis + 2) % 3] = (i / n + 0.5) / n - 0.5;
+                file.position.push_back(x * size);
+                Vec3 normal(0.0);
+                normal[axis] = sign;
+                file.normal.push_back(normal);
+            }
+        }
+    }
+    return file;
+}
+
+PointFile noisy(PointFile file, double width) {
+    std::uint64_t state = 5;
+    for (Vec3& x : file.position) x += width * (2.0 * chance(state) - 1.0) * randomDirection(state);
+    return file;
+}
+
+PointFile flippedWhere(PointFile file, const std::function<bool(const Vec3&)>& where) {
+    for (std::size_t p = 0; p < file.normal.size(); ++p) {
+        if (where(file.position[p])) file.normal[p] = -file.normal[p];
+    }
+    return file;
+}
+
+PointFile withNormals(PointFile file, const std::function<Vec3(const Vec3&)>& normalAt) {
+    for (std::size_t p = 0; p < file.normal.size(); ++p)
+        file.normal[p] = normalAt(file.position[p]);
+    return file;
+}
+
+MeshJudge judgeOf(const PointFile& file) {
+    const Result<MeshJudge> judge = judgeFor(file);
+    REQUIRE(judge.ok());
+    return judge.value();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "given normals: right ones fit and agree, at edges, in thin sheets, in noise and inside out") {
+    struct Case {
+        const char* name;
+        PointFile file;
+    };
+    const auto out = [](const Vec3& x) { return -x; };
+    const Case cases[] = {
+        {"sphere", fibonacciSphere(600)},
+        {"inside out", withNormals(fibonacciSphere(600), out)},
+        {"tilted by 5 degrees", tilted(fibonacciSphere(600), 5.0)},
+        {"sharp edges", box(12, Vec3(1.0))},
+        {"a plate a third of a spacing thick", box(20, Vec3(1.0, 1.0, 0.017), 2)},
+        {"noise of a tenth of the spacing", noisy(fibonacciSphere(1200), 0.01)},
+        {"a tetrahedron", fibonacciSphere(4)},
+        {"an octahedron", fibonacciSphere(6)},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.name);
+        const MeshJudge judge = judgeOf(each.file);
+        CHECK(judge.fit);
+        CHECK(judge.areRight());
+        CHECK(departureText(judge).empty());
+    }
+}
+
+TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do not fit") {
+    std::uint64_t state = 3;
+    const Vec3 scanner(4.0, 1.0, 2.0);
+    struct Case {
+        const char* name;
+        PointFile file;
+    };
+    const Case cases[] = {
+        {"tilted by 20 degrees", tilted(fibonacciSphere(600), 20.0)},
+        {"tilted by 40 degrees", tilted(fibonacciSphere(600), 40.0)},
+        {"tilted by 60 degrees", tilted(fibonacciSphere(600), 60.0)},
+        {"all +z",
+         withNormals(fibonacciSphere(600), [](const Vec3&) { return Vec3(0.0, 0.0, 1.0); })},
+        {"lines of sight", withNormals(fibonacciSphere(600),
+                                       [&](const Vec3& x) { return glm::normalize(scanner - x); })},
+        {"chance",
+         withNormals(fibonacciSphere(600), [&](const Vec3&) { return randomDirection(state); })},
+        {"unsigned bytes",
+         withNormals(fibonacciSphere(600), [](const Vec3& x) { return x + Vec3(1.0); })},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.name);
+        const MeshJudge judge = judgeOf(each.file);
+        CHECK_FALSE(judge.fit);
+        CHECK(judge.unfitDegrees > 12.0);
+        CHECK(departureText(judge).starts_with("by derived normals: the given ones are "));
+        // Derived normals are those of the surface.
+        for (Index p = 0; p < each.file.position.size(); ++p)
+            CHECK(glm::dot(judge.points->normal[p], each.file.position[p]) > 0.9);
+    }
+}
+
+TEST_CASE("given normals: zeros and numbers that are none do not fit") {
+    for (const double value : {0.0, std::nan("")}) {
+        const MeshJudge judge =
+            judgeOf(withNormals(fibonacciSphere(600), [&](const Vec3&) { return Vec3(value); }));
+        CHECK_FALSE(judge.fit);
+        CHECK(glm::dot(judge.points->normal[5], judge.points->position[5]) > 0.9);
+    }
+}
+
+TEST_CASE("given normals: a patch that contradicts the rest is judged by its other side") {
+    for (const double from : {0.3, 0.8, 0.97}) {
+        CAPTURE(from);
+        const PointFile right = fibonacciSphere(600);
+        const PointFile file = flippedWhere(right, [&](const Vec3& x) { return x.z > from; });
+        const MeshJudge judge = judgeOf(file);
+        CHECK(judge.fit);
+        CHECK_FALSE(judge.areRight());
+        for (Index p = 0; p < right.normal.size(); ++p)
+            CHECK(glm::dot(judge.points->normal[p], right.normal[p]) > 0.99);
+    }
+}
+
+TEST_CASE("given normals: the order of the points and the number of threads change nothing") {
+    const PointFile file = tilted(box(16, Vec3(1.0, 1.0, 0.3)), 11.0);
+    PointFile reversed = file;
+    std::reverse(reversed.position.begin(), reversed.position.end());
+    std::reverse(reversed.normal.begin(), reversed.normal.end());
+    CHECK(judgeOf(file).fit == judgeOf(reversed).fit);
+    const MeshJudge one = judgeFor(file, {}, 1).value();
+    const MeshJudge three = judgeFor(file, {}, 3).value();
+    CHECK(one.fit == three.fit);
+    CHECK(one.points->normal == three.points->normal);
+}
+
+TEST_CASE("judge: a mesh turned against right normals has flipped triangles, whatever made it") {
+    const PointFile file = fibonacciSphere(600);
+    PrepareOptions options;
+    const PointSet run = prepare(file, options).value().points;
+    std::vector<Triangle> mesh = reconstruct(run, *paramsByName("robust")).state.mesh();
+    REQUIRE(mesh.size() == 1196);
+    for (Triangle& t : mesh) std::swap(t.b, t.c);
+    PointSet points = run;
+    for (Vec3& n : points.normal) n = -n;
+    CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
+    points.judge = judgeOf(file).points;
+    CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
+    // The user's word turns a piece only where its shape does not speak against it.
+    options.normals = NormalSource::Oriented;
+    points.judge = judgeFor(file, options, points).value().points;
+    CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
+    const PointFile inward = withNormals(file, [](const Vec3& x) { return -x; });
+    points.judge = judgeFor(inward, options, run).value().points;
+    for (Triangle& t : mesh) std::swap(t.b, t.c);
+    CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
+}
+
+TEST_CASE("given normals: those of the shared sets fit, and agree where a leg was once turned") {
+    for (const char* name : {"camel", "coupling", "seven_parts", "brain_piece", "femur", "fin90",
+                             "fandisk", "hippo", "oni", "torus_knot"}) {
+        CAPTURE(name);
+        const auto file = sharedPoints("points/" + std::string(name) + ".ply");
+        if (file) CHECK(judgeOf(*file).areRight());
+    }
+    for (const char* name : {"normals_tilted_20_degrees.xyz", "normals_are_ray_directions.ply"}) {
+        CAPTURE(name);
+        const auto file = sharedPoints("cases/" + std::string(name));
+        if (file) CHECK_FALSE(judgeOf(*file).fit);
+    }
+}
