@@ -113,6 +113,7 @@ fi
 stages
 [ "${2:-}" = stages ] && exit
 new_points
-"$viewer" scene:torus --no-config --size 1440x810 --goto 50% --screenshot images/viewer.png
+# The first command of README.md.
+"$viewer" scene:torus --no-config --size 1440x810 --goto 137.sphere.3 --screenshot images/viewer.png
 shrink images/viewer.png 256
 ./make-rule-pictures.sh "$program"

@@ -131,9 +131,10 @@ Status Application::waitUntilDone() {
 
 bool Application::animating() const {
     return session_.moves().busy() || playback_.playing() || painter_.moving() ||
-           painter_.unfinished() || ui_.look.blinking() || ui_.click.waiting() ||
-           compare_.moving() || session_.input().phase() == SessionPhase::Loading ||
-           sampling_.moving() || session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
+           painter_.unfinished() || painter_.late() || compare_.late() || ui_.look.blinking() ||
+           ui_.click.waiting() || compare_.moving() ||
+           session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
+           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
            ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||
            (session_.startPage() && ui_.startPage.sampling.busy());
 }
@@ -197,14 +198,9 @@ void Application::placeCamera(const PanelRects& rects) {
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
     const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
+    if (request == FrameRequest::Decision || atDifference) return frameDecision(commands_);
     const bool toPivot = request == FrameRequest::Pivot && session_.picture().pivot != kNone;
     if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
-    if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
-    frameFocus(commands_);
-    if (const Figure* figure = figureOfSource(session_.input().spec().source))
-        return camera_.faceStraight(glm::vec3(figure->view));
-    lookAtDecision(session_.shown(), session_.picture(), session_.shownTriangles(), camera_,
-                   ui_.viewEms);
 }
 
 /// Smooth moves of the camera. While the decision is followed, one begins where the cursor comes to
@@ -301,7 +297,10 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     // A picture is read from what this frame draws.
     const bool forced = redraws_ > 0 || ui_.requests.screenshot;
     redraws_ = std::max(redraws_ - 1, 0);
-    const bool drawn = viewChanged || otherViewChanged || panelsChanged || forced;
+    // A view of another size is shown only with its picture: until then the frame before stays, if
+    // the window has it.
+    const bool late = painter_.late() || compare_.late();
+    const bool drawn = forced || (!late && (viewChanged || otherViewChanged || panelsChanged));
     if (drawn) {
         const auto& tile = ui_.picture.tile;
         clearFrame(tile ? tile->size : size, palette().panel);

@@ -141,7 +141,8 @@ void Application::pastePosition() {
     playback_.pause();
     if (place.value().camera) camera_.setPose(*place.value().camera);
     const Status status = session_.moves().goToText(place.value().address);
-    if (!status) session_.messages().say(status.error().message);
+    if (!status) return session_.messages().say(status.error().message);
+    if (!place.value().camera) ui_.requests.frame = FrameRequest::Decision;
 }
 
 }  // namespace se::view

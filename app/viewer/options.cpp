@@ -91,9 +91,10 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
     addInputOptions(app, o, raw.input);
-    app.add_option("--goto", o.goTo,
-                   "Start at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
-                   "first event about point 812; or, with --with, at difference");
+    app.add_option(
+        "--goto", o.goTo,
+        "Start with a decision framed: PIVOT[.STAGE[.N]], for example 137.sphere.3, 50%, or "
+        "p812: the first event about point 812; or, with --with, difference");
     app.add_option(
            "--alert", o.alert,
            "Open on an alert: CLASS or CLASS:N as spiraling-edge why --failures lists them, "

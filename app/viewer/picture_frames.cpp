@@ -73,8 +73,7 @@ Picture drawPicture(Application& application, Target& target, glm::ivec2 size, i
     for (const PictureTile& tile : tilesOf(size, most, Relief::reach(application.em()), factor)) {
         look.tile = tile;
         const glm::ivec2 corner(tile.min.x, size.y - tile.min.y - tile.size.y);
-        // In the first frame the view gets another size, and its texture another name.
-        copyInto(whole, corner / factor, drawTile(application, target, size, tile.size, 2, factor));
+        copyInto(whole, corner / factor, drawTile(application, target, size, tile.size, 1, factor));
     }
     look.tile.reset();
     return whole;

@@ -66,6 +66,8 @@ Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // Until there is something to show, by attach().
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     made->title_ = "Spiraling Edge";
     made->window_ = glfwCreateWindow(size.x, size.y, made->title_.c_str(), nullptr, nullptr);
     const Error noGl{
@@ -221,7 +223,17 @@ void Window::attach(Application& application) {
     // frame.
     listenToPresses();
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    show(paletteOf(application.settings().theme).panel);
     lastFrame_ = glfwGetTime();
+}
+
+/// Shows the window in one color until the first frame is drawn: new memory may hold anything.
+void Window::show(const Color& color) {
+    glfwShowWindow(window_);
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    clearFrame(size, color);
+    glfwSwapBuffers(window_);
 }
 
 void Window::detach() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/key_routing.h"
+#include "scene/palette.h"
 #include "spiraling_edge/base/result.h"
 
 struct GLFWwindow;
@@ -54,6 +55,7 @@ class Window {
     void deliverButton();
     void drawFrame();
     void toggleFullScreen();
+    void show(const Color& color);
     static Window& of(GLFWwindow* window);
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
 

@@ -39,7 +39,7 @@ const Event* decisionAbout(const std::vector<Event>& events, Index point, Stage 
         if (found != nullptr && isA<LimitEvidence>(*found)) continue;
         const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
                                   isA<ReciprocalEvidence>(*found) &&
-                                  verdictOf(*found) == Verdict::Kept;
+                                  outcomeOf(*found) == Outcome::Taken;
         if (!isOtherEntry) found = &event;
     }
     return found;

@@ -5,6 +5,18 @@
 
 namespace se::view {
 
+void frameDecision(CommandContext& context) {
+    const Session& session = context.session;
+    if (!session.ready()) return;
+    const DecisionState& picture = session.picture();
+    if (picture.pivot == kNone && picture.underTest == kNone) return;
+    frameFocus(context);
+    if (const Figure* figure = figureOfSource(session.input().spec().source))
+        return context.camera.faceStraight(glm::vec3(figure->view));
+    lookAtDecision(session.shown(), picture, session.shownTriangles(), context.camera,
+                   context.ui.viewEms);
+}
+
 void moveToDecision(CommandContext& context, CameraMove::Kind kind) {
     const Session& session = context.session;
     if (!session.ready() || session.picture().pivot == kNone) return;

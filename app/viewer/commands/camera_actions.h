@@ -17,6 +17,9 @@ void swing(CommandContext& c);
 
 }  // namespace actions
 
+/// Frames the decision at the cursor as one whose address is opened: a figure of the paper as the
+/// paper shows it, others from the side that shows them best. No effect where there is none.
+void frameDecision(CommandContext& context);
 /// A smooth move to the view of the decision at the cursor. No effect without a pivot.
 void moveToDecision(CommandContext& context, CameraMove::Kind kind);
 

@@ -35,6 +35,8 @@ class CompareController {
     void fill(bool onPaper);
     /// As ScenePainter::draw().
     bool draw(const Rect& view, float em);
+    /// As ScenePainter::late().
+    bool late() const { return shown_ && painter_->late(); }
     /// True if the second view has something to show.
     bool shows() const { return shown_; }
     const DrawList& list() const { return painter_->list(); }

@@ -80,9 +80,12 @@ void DocumentController::begin(const Options& options) {
     arrival_.pending = true;
     arrival_.generation = c_.session.generation();
     annotatedSource_ = options.input.source;
-    arrival_.focus = options.focus;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
-    if (!options.goTo.empty()) arrival_.goTo = options.goTo;
+    if (!options.goTo.empty()) {
+        arrival_.goTo = options.goTo;
+        arrival_.framed = !options.camera;
+    }
+    arrival_.framed = arrival_.framed || options.focus;
     const bool named = !options.goTo.empty() || !options.alert.empty() || options.camera ||
                        options.atDifference || options.session;
     if (!named && options.benchFrames == 0) aimAtScene(options.input.source);
@@ -95,7 +98,7 @@ void DocumentController::aimAtScene(const std::string& source) {
     const std::string_view address = openingAddress(source);
     if (address.empty()) return;
     arrival_.goTo = address;
-    arrival_.focus = true;
+    arrival_.framed = true;
 }
 
 void DocumentController::keepIn(const std::filesystem::path& path, bool resetLayout) {
@@ -224,6 +227,7 @@ void DocumentController::takeLooks(const SessionFile& file, const std::string& p
     arrival_.ofSession = true;
     arrival_.goTo = file.place.address;
     arrival_.camera = file.place.camera;
+    arrival_.framed = !file.place.camera;
     arrival_.selected = file.selected;
     arrival_.alert = file.alert;
     arrival_.expectedHash = file.inputHash;
@@ -274,7 +278,7 @@ void DocumentController::arrive() {
     }
     const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
     if (atStart) return;
-    focus_ = arrival_.focus;
+    if (arrival_.framed) c_.ui.requests.frame = FrameRequest::Decision;
     placeStatus_ = c_.session.moves().goToText(arrival_.goTo);
     if (!placeStatus_) c_.session.messages().say(placeStatus_.error().message);
 }

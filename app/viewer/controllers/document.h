@@ -61,8 +61,6 @@ class DocumentController {
     std::string takeAlert() { return std::exchange(alert_, {}); }
     /// The input was opened at a named position.
     bool placed() const { return placed_; }
-    /// True once, after a position was reached that is to be framed.
-    bool takeFocus() { return std::exchange(focus_, false); }
     /// The counterpart named by the session or the command line, once.
     std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
     /// Error if the position of the command line does not exist.
@@ -85,9 +83,9 @@ class DocumentController {
         Selection selected;
         std::string alert;
         std::string expectedHash;
-        std::string file;  ///< For the list of recent files.
-        bool focus = false;
-        bool toEnd = false;  ///< Of the run: of an input that was changed.
+        std::string file;     ///< For the list of recent files.
+        bool framed = false;  ///< The decision at `goTo` is to be framed.
+        bool toEnd = false;   ///< Of the run: of an input that was changed.
         bool ofSession = false;
     };
     /// The user's annotations of an input, and the session file that they belong to.
@@ -140,7 +138,6 @@ class DocumentController {
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;
-    bool focus_ = false;
     bool placed_ = false;
     bool ofSession_ = false;
     bool foreign_ = false;

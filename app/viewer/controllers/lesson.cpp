@@ -9,7 +9,6 @@
 #include "commands/camera_actions.h"
 #include "commands/command_actions.h"
 #include "export/lesson_frames.h"
-#include "scene/decision_view.h"
 #include "session/bookmarked_lesson.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
@@ -301,15 +300,14 @@ void LessonController::aim() {
         return c_.camera.faceStraight(glm::vec3(*direction));
     }
     if (!fresh_) return moveToDecision(c_, CameraMove::Kind::Requested);
-    frameFocus(c_);
-    lookAtDecision(c_.session.shown(), c_.session.picture(), c_.session.shownTriangles(), c_.camera,
-                   c_.ui.viewEms);
+    frameDecision(c_);
 }
 
 void LessonController::follow(const std::string& address) {
     c_.playback.pause();
     const Status moved = c_.session.moves().goToText(address);
-    if (!moved) c_.session.messages().say(moved.error().message);
+    if (!moved) return c_.session.messages().say(moved.error().message);
+    c_.ui.requests.frame = FrameRequest::Decision;
 }
 
 void LessonController::save() {

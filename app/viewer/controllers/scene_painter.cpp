@@ -273,12 +273,24 @@ void ScenePainter::fillParticles(SamplingController& sampling, Theme theme) {
     ++fills_;
 }
 
-/// Quick from a move of the camera until it has rested for a moment; full in saved pictures.
+/// Quick from a move of the camera until it has rested for a moment; full in saved pictures, and
+/// at once where the size is another one.
 Finish ScenePainter::finishAt(double clock, const Drawn& next) {
-    const bool moved = next.camera != drawn_.camera || next.size != drawn_.size;
+    if (next.size != drawn_.size) return Finish::Full;
+    const bool moved = next.camera != drawn_.camera;
     if (moved) movedAt_ = clock;
     if (!moved && finish_ == Finish::Full) return finish_;
     return onPaper() || clock - movedAt_ > kRestSeconds ? Finish::Full : Finish::Quick;
+}
+
+/// The picture of a new size is delayed by a test.
+bool ScenePainter::waits(glm::ivec2 pixels, int lateFrames) {
+    if (std::exchange(pixels_, pixels) != pixels) {
+        framesToWait_ = lateFrames;
+    } else if (framesToWait_ > 0) {
+        --framesToWait_;
+    }
+    return late();
 }
 
 bool ScenePainter::draw(const CommandContext& context, const Rect& view, float em) {
@@ -297,6 +309,11 @@ bool ScenePainter::draw(const CommandContext& context, const Rect& view, float e
                     background,
                     em,
                     fills_};
+    if (waits(part.max - part.min, context.ui.picture.lateFrames)) {
+        renderer_->drawNothing(part.max - part.min, background);
+        drawn_ = {};
+        return false;
+    }
     const Finish finish = finishAt(context.ui.clock, key);
     if (key == drawn_ && finish == finish_) return false;
     drawn_ = key;

@@ -38,6 +38,8 @@ class ScenePainter {
     /// Draws the list in the view, or the part of it that a tile of the picture needs; if it, the
     /// camera or the size changed since the last time. False if not.
     bool draw(const CommandContext& context, const Rect& view, float em);
+    /// The view has another size, of which there is no picture yet: there is the background.
+    bool late() const { return framesToWait_ > 0; }
 
     const DrawList& list() const { return particles_ ? particleList_ : drawList_; }
     unsigned texture() const { return renderer_->texture(); }
@@ -83,6 +85,7 @@ class ScenePainter {
     bool uploadStill(const std::shared_ptr<const Model>& model,
                      const std::vector<Triangle>& triangles);
     Finish finishAt(double clock, const Drawn& next);
+    bool waits(glm::ivec2 pixels, int lateFrames);
     MeshColoring coloringOf(const Session& session, MeshStyle style);
     const Moment& lookAtMoment(const CommandContext& context, bool onPaper);
 
@@ -93,6 +96,8 @@ class ScenePainter {
     Filled filled_;
     Drawn drawn_;
     Finish finish_ = Finish::Full;
+    glm::ivec2 pixels_{0};       ///< Size of the picture.
+    int framesToWait_ = 0;       ///< PictureLook::lateFrames that are left.
     double movedAt_ = 0.0;       ///< Clock at the last move of the camera.
     LayerSwitches shownLayers_;  ///< Changes at the event of the picture.
     unsigned fills_ = 0;         ///< Number of times the list was made.

@@ -59,6 +59,14 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
         out.label(in.at(e.point), e.farther ? "same angle, farther" : "same angle, nearer",
                   c.rejected);
     }
+    if (isWhatIf(e.verdict)) addVerdict(e.verdict, in.at(e.point), c, out);
+}
+
+/// The result of the test, at the candidate e.
+std::string reciprocalText(const ReciprocalEvidence& e) {
+    if (e.verdict == Verdict::Kept) return "e: p lies inside";
+    if (e.verdict == Verdict::NotReciprocal) return "e: p lies outside";
+    return "e: " + std::string(verdictText(e.verdict));
 }
 
 /// The triangles that the candidate would form with its neighbors in the fan, hatched, and their
@@ -117,8 +125,7 @@ void addReciprocal(const LayerInput& in, DrawList& out) {
     const std::optional<Disc> disc = discAt(in, e->point, from);
     if (!disc) return;
     const Palette& c = in.palette;
-    const bool kept = e->verdict == Verdict::Kept;
-    const Color& verdict = kept ? c.used : c.rejected;
+    const Color& verdict = verdictColor(e->verdict, c);
     const float radius = 1.15F * discRadius(in);
     addPreview(in, *e, out);
     addSectorSheet(*disc, {0.0, e->limitDegrees, radius}, c.test.withAlpha(0.35F), out);
@@ -135,7 +142,7 @@ void addReciprocal(const LayerInput& in, DrawList& out) {
     addArc(*disc, {0.0, e->degrees, 0.6F * radius}, verdict, 0.14F, out);
     out.label(disc->at(0.5 * e->degrees, 0.6F * radius), degreesText(e->degrees), verdict, true);
     out.label(disc->at(e->limitDegrees, radius), "to " + degreesText(e->limitDegrees), c.test);
-    out.label(disc->origin, kept ? "e: p lies inside" : "e: p lies outside", verdict, true);
+    out.label(disc->origin, reciprocalText(*e), verdict, true);
 }
 
 }  // namespace se::view

@@ -31,10 +31,10 @@ void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
         disc->at(0.5 * (from + to), radius),
         degreesText(test.gapDegrees) + (wide ? " > " + numberText(limit) + "\xC2\xB0: kept" : ""),
         color, wide);
-    if (test.verdict == Verdict::Removed) {
-        out.line(in.at(test.t), in.at(test.s), c.used, 0.26F, Depth::OnTop);
-    } else {
+    if (isTaken(test.verdict)) {
         out.dashed(in.at(test.t), in.at(test.s), c.used.withAlpha(0.7F), 0.1F);
+    } else {
+        out.line(in.at(test.t), in.at(test.s), c.used, 0.26F, Depth::OnTop);
     }
 }
 
@@ -60,7 +60,7 @@ MeasureNames measureNames(const LayerInput& in) {
 void addMeasure(const LayerInput& in, const SphereEvidence& test, const glm::vec3& center,
                 float radius, DrawList& out) {
     const glm::vec3& q = in.at(test.q);
-    const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
+    const Color& verdict = verdictColor(test.verdict, in.palette);
     out.dashed(center, q, verdict, 0.1F);
     if (!(glm::distance(center, q) > 0.0F)) return;
     const glm::vec3 surface = center + radius * glm::normalize(q - center);
@@ -75,12 +75,13 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     if (latest == nullptr || in.picture.pivot == kNone) return;
     const SphereEvidence& test = *latest;
     addGap(in, test, out);
-    if (test.verdict == Verdict::NoCircle || !std::isfinite(test.radius)) return;
+    if (isWhatIf(test.verdict)) addVerdict(test.verdict, in.at(test.q), in.palette, out);
+    if (!hasSphere(test)) return;
     const glm::vec3 center = in.model.toView(test.center);
     const auto radius = static_cast<float>(test.radius * in.model.scale);
     const glm::vec3 p = in.at(in.picture.pivot);
     const glm::vec3 across = glm::cross(in.at(test.s) - p, in.at(test.t) - p);
-    if (radius <= 0.0F || glm::length(across) < 1e-12F) return;
+    if (glm::length(across) < 1e-12F) return;
 
     // The circle through p, s and t is the equator of the sphere (Fig. 8).
     const glm::vec3 axis = glm::normalize(across);
@@ -93,13 +94,15 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
 
     out.mark(center, Shape::Disc, color, 0.36F);
     out.line(center, p, color, 0.08F, Depth::OnTop);
-    const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
     addMeasure(in, test, center, radius, out);
     const MeasureNames names = measureNames(in);
     out.label(center, names.center, color);
     out.label(0.5F * (center + p), names.radius, color, true);
-    const std::string sign = test.distance < test.radius ? " < " : " \xE2\x89\xA5 ";
-    out.label(0.5F * (center + in.at(test.q)), names.distance + sign + names.radius, verdict, true);
+    const std::string sign = test.distance < test.radius             ? " < "
+                             : test.verdict == Verdict::InsideSphere ? " = "
+                                                                     : " \xE2\x89\xA5 ";
+    out.label(0.5F * (center + in.at(test.q)), names.distance + sign + names.radius,
+              verdictColor(test.verdict, in.palette), true);
 }
 
 }  // namespace se::view

@@ -25,6 +25,14 @@ void addParts(const Disc& disc, const Arc& arc, int parts, int step, const Color
 
 }  // namespace
 
+const Color& verdictColor(Verdict verdict, const Palette& palette) {
+    return isTaken(verdict) ? palette.used : palette.rejected;
+}
+
+void addVerdict(Verdict verdict, const glm::vec3& at, const Palette& palette, DrawList& out) {
+    out.label(at, std::string(verdictText(verdict)), verdictColor(verdict, palette), true);
+}
+
 std::optional<Disc> discAt(const LayerInput& in, Index point, Index first) {
     if (point == kNone || first == kNone) return std::nullopt;
     Disc disc;

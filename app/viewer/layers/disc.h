@@ -8,6 +8,7 @@
 
 #include "layer.h"
 #include "run/number_format.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 
@@ -34,6 +35,11 @@ std::optional<Disc> discAt(const LayerInput& in, Index point, Index first);
 std::optional<Disc> pivotDisc(const LayerInput& in);
 /// Radius of discs.
 inline float discRadius(const LayerInput& in) { return 0.62F * in.model.spacing; }
+
+/// The color of the result of a test: that of points that are kept, or that of refused ones.
+const Color& verdictColor(Verdict verdict, const Palette& palette);
+/// Labels a place with the words of a verdict.
+void addVerdict(Verdict verdict, const glm::vec3& at, const Palette& palette, DrawList& out);
 
 /// An arc on a disc, `degrees` wide at most 360.
 struct Arc {

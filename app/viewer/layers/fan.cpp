@@ -26,6 +26,20 @@ void addCovered(const LayerInput& in, const Overlap& overlap, DrawList& out) {
     }
 }
 
+/// Against the half turn, as it is shown.
+const char* comparedWithHalfTurn(double degrees) {
+    return degrees > 180.0   ? " > 180\xC2\xB0"
+           : degrees < 180.0 ? " < 180\xC2\xB0"
+                             : " = 180\xC2\xB0";
+}
+
+/// The effect on the triangle.
+std::string twoPointText(const TwoPointEvidence& e) {
+    if (e.verdict == Verdict::Discarded) return "overlap: dropped";
+    if (e.verdict != Verdict::Hole) return std::string(verdictText(e.verdict));
+    return e.degrees > 180.0 ? "made anyway" : "hole: filled";
+}
+
 }  // namespace
 
 void addFan(const LayerInput& in, DrawList& out) {
@@ -54,20 +68,20 @@ void addTwoPoint(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<TwoPointEvidence>(Stage::TwoPoint);
     const std::optional<Disc> disc = pivotDisc(in);
     if (e == nullptr || !disc || in.picture.last == kNone) return;
-    const bool over = e->verdict == Verdict::Discarded;
-    const Color& color = over ? in.palette.rejected : in.palette.test;
+    const bool made = isTaken(e->verdict);
+    const Color& color = made ? in.palette.test : in.palette.rejected;
     const glm::vec3 p = in.at(in.picture.pivot);
     const glm::vec3 first = in.at(in.picture.first);
     const glm::vec3 last = in.at(in.picture.last);
     out.sheet(p, first, last, color.withAlpha(0.25F));
     out.hatch(first, last, p, color, 9);
-    if (over) {
+    if (!made) {
         const Overlap overlap =
             overlapOf(in, *disc, {in.picture.pivot, in.picture.first, in.picture.last});
         addOverlap(in, overlap, out);
         addCovered(in, overlap, out);
     }
-    out.dashed(first, last, color, 0.2F, over ? 0.35F : 0.0F);
+    out.dashed(first, last, color, 0.2F, made ? 0.0F : 0.35F);
     const Arc arc{0.0, e->degrees, 0.75F * discRadius(in)};
     addArc(*disc, arc, color, 0.22F, out);
     // The half turn that the angle is compared with.
@@ -75,8 +89,8 @@ void addTwoPoint(const LayerInput& in, DrawList& out) {
                in.palette.textDim, 0.08F);
     out.label(disc->at(180.0, 1.3F * discRadius(in)), "180\xC2\xB0", in.palette.textDim);
     out.label(disc->at(0.5 * e->degrees, arc.radius),
-              degreesText(e->degrees) + (over ? " > 180\xC2\xB0" : " < 180\xC2\xB0"), color, true);
-    out.label(0.5F * (first + last), over ? "overlap: dropped" : "hole: filled", color, true);
+              degreesText(e->degrees) + comparedWithHalfTurn(e->degrees), color, true);
+    out.label(0.5F * (first + last), twoPointText(*e), color, true);
 }
 
 }  // namespace se::view

@@ -60,9 +60,9 @@ void addTaken(const LayerInput& in, const Triangle& t, DrawList& out) {
     }
 }
 
-void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e, DrawList& out) {
+void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e, const Color& color,
+                 DrawList& out) {
     const Triangle t{in.picture.pivot, e.a, e.b};
-    const Color& color = in.palette.rejected;
     out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(0.22F));
     out.hatch(in.at(t.b), in.at(t.c), in.at(t.a), color, 9);
     out.dashed(in.at(t.b), in.at(t.c), color, 0.2F, 0.35F);
@@ -82,18 +82,20 @@ void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e,
 void addGuard(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<GuardEvidence>(Stage::Guard);
     const std::optional<Disc> disc = pivotDisc(in);
-    if (e == nullptr || !disc || e->a == kNone) return;
-    const Color& color = in.palette.rejected;
+    if (e == nullptr || !disc) return;
+    // A what-if without an objection.
+    if (e->a == kNone) return addVerdict(e->verdict, disc->origin, in.palette, out);
+    const Color& color = verdictColor(e->verdict, in.palette);
     if (e->b == kNone) {
         out.dashed(disc->origin, in.at(e->a), color, 0.26F, 0.35F);
     } else {
-        addTriangle(in, *disc, *e, out);
+        addTriangle(in, *disc, *e, color, out);
     }
     const glm::vec3 far = e->b == kNone ? in.at(e->a) : in.middleOf(e->a, e->b);
     out.label(far,
               std::string(verdictText(e->verdict)) +
-                  (e->verdict == Verdict::WhatIfKept ? ""
-                   : e->dropped == kNone             ? ": fan refused"
+                  (isTaken(e->verdict)   ? ""
+                   : e->dropped == kNone ? ": fan refused"
                                          : ": " + std::to_string(e->dropped) + " dropped"),
               color, true);
 }

@@ -29,8 +29,11 @@ void addFeet(const LayerInput& in, const Disc& plane, float pivotSide, DrawList&
     for (const CandidateMark& mark : in.picture.candidates) {
         if (mark.state == CandidateState::Rejected && mark.stage != Stage::Hole) continue;
         const glm::vec3 at = in.at(mark.point);
+        // Those that are not tested yet, by their side.
         const bool far = glm::dot(at - plane.origin, plane.normal) * pivotSide <= 0.0F;
-        const Color& color = far ? in.palette.rejected : in.palette.used;
+        const bool refused =
+            mark.stage == Stage::Hole ? mark.state == CandidateState::Rejected : far;
+        const Color& color = refused ? in.palette.rejected : in.palette.used;
         out.dashed(at, plane.foot(at), color, 0.1F, 0.2F);
         out.mark(plane.foot(at), Shape::Dot, color, 0.4F);
     }
@@ -73,10 +76,11 @@ void addHolePlane(const LayerInput& in, DrawList& out) {
     addPlane(in, way * up, out);
     addFeet(in, plane, glm::dot(p - s, plane.normal), out);
     if (e->point == kNone) return;
-    const bool kept = e->verdict == Verdict::Kept;
+    const bool near = e->side * e->pivotSide > 0.0;
     out.label(0.5F * (in.at(e->point) + plane.foot(in.at(e->point))),
-              (kept ? "near" : "far") + formatted(" side, %.3g off", std::abs(e->side)),
-              kept ? c.used : c.rejected, true);
+              (near ? "near" : "far") + formatted(" side, %.3g off", std::abs(e->side)),
+              verdictColor(e->verdict, c), true);
+    if (isWhatIf(e->verdict)) addVerdict(e->verdict, in.at(e->point), c, out);
 }
 
 void addHoleFill(const LayerInput& in, DrawList& out) {

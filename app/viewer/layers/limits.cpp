@@ -19,6 +19,7 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
     }
     out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
     out.label(in.middleOf(e.from, e.to), start ? "S moves here" : "E moves here", color, true);
+    if (isWhatIf(e.verdict)) addVerdict(e.verdict, in.at(e.to), c, out);
     // The lost part of the range is dotted, outside of the remaining part.
     if (const std::optional<Disc> disc = pivotDisc(in)) {
         addDashedArc(*disc, {e.fromDegrees, e.toDegrees, 1.12F * discRadius(in)}, c.textDim, 0.12F,
@@ -27,8 +28,8 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
 }
 
 /// Height of the point above the plane of the disc: the reason why the angle misleads.
-void addStem(const LayerInput& in, const Disc& disc, Index point, DrawList& out) {
-    const Color& color = in.palette.rejected;
+void addStem(const LayerInput& in, const Disc& disc, Index point, const Color& color,
+             DrawList& out) {
     const glm::vec3 at = in.at(point);
     const glm::vec3 foot = disc.foot(at);
     out.line(at, foot, color, 0.14F, Depth::OnTop);
@@ -63,16 +64,21 @@ void addConvexity(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<DropEvidence>(Stage::Convex);
     const std::optional<Disc> disc = pivotDisc(in);
     if (e == nullptr || !disc) return;
+    // A what-if drops points that are not next on the ring.
+    if (e->verdict == Verdict::WhatIfDropped)
+        return addVerdict(e->verdict, in.at(e->point), in.palette, out);
     const bool start = e->side == Side::Start;
     const Index p = in.picture.pivot;
     const Index limit = start ? in.picture.start : in.picture.end;
     addCorner(in, {start ? e->point : p, limit, start ? p : e->point, false}, out);
-    addStem(in, *disc, e->point, out);
+    const Color& color = verdictColor(e->verdict, in.palette);
+    addStem(in, *disc, e->point, color, out);
     // The path along the ring, against the spoke.
     out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
     out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
     out.label(in.middleOf(limit, e->point), "along the ring", in.palette.used, true);
-    out.label(in.middleOf(p, e->point), "spoke: removed", in.palette.rejected, true);
+    const std::string effect(isWhatIf(e->verdict) ? verdictText(e->verdict) : "removed");
+    out.label(in.middleOf(p, e->point), "spoke: " + effect, color, true);
 }
 
 }  // namespace se::view

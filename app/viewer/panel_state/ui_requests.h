@@ -15,7 +15,7 @@
 namespace se::view {
 
 /// Target of the camera once the cursor has arrived.
-enum class FrameRequest : std::uint8_t { None, Focus, Pivot };
+enum class FrameRequest : std::uint8_t { None, Focus, Pivot, Decision };
 
 /// Requests of a command or panel, carried out by the application in the same frame.
 struct UiRequests {

@@ -18,7 +18,7 @@ std::string pointText(Index p) { return "point " + std::to_string(p); }
 
 bool saysWhatIf(const Event& event) {
     const std::optional<Verdict> verdict = verdictOf(event);
-    return verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped;
+    return verdict && isWhatIf(*verdict);
 }
 
 /// True if the triangle of this pivot is an ear closed by fill: there is no fan to test.

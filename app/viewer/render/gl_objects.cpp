@@ -180,6 +180,15 @@ void Batch::append(int buffer, std::size_t offset, const void* data, std::size_t
                     data);
 }
 
+void beginNew(unsigned frame, const glm::vec4& color) {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearColor(color.r, color.g, color.b, color.a);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 Target::~Target() { release(); }
 
 void Target::release() {
@@ -217,6 +226,7 @@ void Target::allocate(glm::ivec2 size) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    for (const unsigned frame : {resolved_, drawn_}) beginNew(frame, {0.0F, 0.0F, 0.0F, 1.0F});
 }
 
 void Target::begin(glm::ivec2 size) {

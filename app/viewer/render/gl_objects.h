@@ -83,6 +83,10 @@ class Batch {
     std::size_t capacity_[2] = {0, 0};
 };
 
+/// Makes a framebuffer the target of drawing, and clears all of its color and depth. To be called
+/// where storage is new, which holds whatever the memory held before.
+void beginNew(unsigned frame, const glm::vec4& color);
+
 /// An off-screen picture with depth.
 class Target {
   public:

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <glm/common.hpp>
 
+#include "gl_objects.h"
+
 namespace se::view {
 
 namespace {
@@ -36,29 +38,27 @@ void copy(GLuint from, GLuint to, const PixelRect& rect, GLbitfield what) {
 
 }  // namespace
 
-KeptPicture::~KeptPicture() { release(); }
-
-void KeptPicture::release() {
+KeptPicture::~KeptPicture() {
     glDeleteFramebuffers(static_cast<GLsizei>(frames_.size()), frames_.data());
     glDeleteRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
     glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
-    frames_ = {};
-    buffers_ = {};
-    textures_ = {};
 }
 
-bool KeptPicture::resize(glm::ivec2 size) {
+bool KeptPicture::resize(glm::ivec2 size, const Color& background) {
     size = glm::max(size, glm::ivec2(1));
     if (size == size_) return false;
-    if (size_.x > 0) release();
     size_ = size;
     GLint bound = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
-    glGenFramebuffers(static_cast<GLsizei>(frames_.size()), frames_.data());
-    glGenRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-    glGenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    if (frames_[kSampled] == 0) {
+        glGenFramebuffers(static_cast<GLsizei>(frames_.size()), frames_.data());
+        glGenRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+        glGenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    }
     allocateTextures();
     allocateSurfaces();
+    for (const unsigned frame : frames_)
+        beginNew(frame, {background.r, background.g, background.b, 1.0F});
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
     return true;
 }

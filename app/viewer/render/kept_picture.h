@@ -22,8 +22,10 @@ class KeptPicture {
     KeptPicture(const KeptPicture&) = delete;
     KeptPicture& operator=(const KeptPicture&) = delete;
 
-    /// Makes room for a picture of `size` pixels. True if nothing is kept.
-    bool resize(glm::ivec2 size);
+    /// Makes room for a picture of `size` pixels, of the background alone. True if nothing is
+    /// kept. texture() has the same name ever after: a list of drawing that was made before refers
+    /// to the new picture.
+    bool resize(glm::ivec2 size, const Color& background);
     glm::ivec2 size() const { return size_; }
     PixelRect whole() const { return {glm::ivec2(0), size_}; }
 
@@ -47,7 +49,6 @@ class KeptPicture {
     unsigned texture() const { return textures_[3]; }
 
   private:
-    void release();
     void allocateSurfaces();
     void allocateTextures();
     void target(unsigned frame, const PixelRect& rect);

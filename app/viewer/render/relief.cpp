@@ -54,6 +54,7 @@ void Relief::allocate(glm::ivec2 size) {
     glGenFramebuffers(1, &frame_);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    beginNew(frame_, glm::vec4(1.0F));
 }
 
 void Relief::useDepth(Shader& shader, const KeptPicture& picture, const CameraMatrices& camera) {

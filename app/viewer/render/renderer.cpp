@@ -62,6 +62,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const std::filesystem::path& 
     std::unique_ptr<Renderer> renderer(new Renderer);
     if (const Status status = renderer->loadShaders(shaderFolder); !status) return status.error();
     renderer->describeBatches();
+    renderer->drawNothing({1, 1}, {});
     return renderer;
 }
 
@@ -118,10 +119,15 @@ void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
     picture_.end();
 }
 
+void Renderer::drawNothing(glm::ivec2 size, const Color& background) {
+    picture_.resize(size, background);
+    kept_ = {};
+}
+
 /// Draws the surfaces again where they differ from what is kept.
 void Renderer::keep(const DrawList& list, SurfaceView view, Finish finish) {
     const bool refines = finish == Finish::Full && finish_ == Finish::Quick;
-    const bool all = picture_.resize(view.size) || !(view == kept_) || refines;
+    const bool all = picture_.resize(view.size, view.background) || !(view == kept_) || refines;
     kept_ = view;
     if (all) finish_ = finish;
     const bool full = finish_ == Finish::Full;

@@ -30,7 +30,9 @@ class Renderer {
     /// texture(). Only what differs from the last picture is drawn. Of the view, `rect` and `dots`
     /// are found here.
     void draw(const DrawList& list, SurfaceView view, Finish finish);
-    /// The last picture drawn, for ImGui::Image (upside down, as in OpenGL).
+    /// Makes a picture of that size of the background alone, for as long as draw() is not called.
+    void drawNothing(glm::ivec2 size, const Color& background);
+    /// The last picture drawn, for ImGui::Image (upside down, as in OpenGL). Always this name.
     unsigned texture() const { return picture_.texture(); }
 
   private:

@@ -232,9 +232,9 @@ void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     const bool spoke = e.b == kNone;
     out.row(spoke ? "spoke to" : "triangle",
             spoke ? pointsText({e.a}) : pointsText({in.picture.pivot, e.a, e.b}));
+    if (isTaken(e.verdict)) return out.row("dropped", "nothing: what-if");
     out.row("against it", std::string(verdictText(e.verdict)));
     if (!spoke) addMeasured(e, in, out);
-    if (e.verdict == Verdict::WhatIfKept) return out.row("dropped", "nothing: what-if");
     out.row("dropped", e.dropped == kNone ? "nothing: the fan is refused"
                                           : std::to_string(e.dropped) + ", 6.3 is repeated");
 }
@@ -336,6 +336,8 @@ void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRow
 std::vector<EvidenceRow> evidenceRows(const EvidenceInput& in) {
     EvidenceRows rows;
     std::visit([&](const auto& evidence) { addRows(evidence, in, rows); }, in.event.evidence);
+    if (const auto verdict = verdictOf(in.event); verdict && isWhatIf(*verdict))
+        rows.row("decided by", "a what-if, whatever the numbers");
     return rows.take();
 }
 

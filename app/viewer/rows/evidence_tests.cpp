@@ -126,13 +126,23 @@ constexpr std::array kConditions = {
     Condition{"ring concave", Verdict::NotConcave},
 };
 
-/// After a failed condition the later ones are not tested.
+/// After a failed condition the later ones are not tested. A rule or a what-if may move start or
+/// end where the ring is convex; which condition beyond that one a what-if overrides is not known.
 void addConditions(const LimitEvidence& e, const Params& rules, EvidenceRows& out) {
     bool asked = true;
+    const bool overridden = e.verdict == Verdict::WhatIfKept;
     const auto add = [&](const Condition& condition) {
         const bool failed = asked && e.verdict == condition.failure;
-        out.row(condition.name, !asked ? "not tested" : failed ? "no: it stays" : "yes");
-        asked = asked && !failed;
+        const bool convex = condition.failure == Verdict::NotConcave && !(e.turn > 0.0);
+        const bool passed = overridden && (condition.failure == Verdict::HalfTurn ||
+                                           condition.failure == Verdict::Blocked);
+        out.row(condition.name, !asked                 ? "not tested"
+                                : failed               ? "no: it stays"
+                                : convex && overridden ? "no"
+                                : convex               ? "no, but its rule is off"
+                                : passed               ? "overridden"
+                                                       : "yes");
+        asked = asked && !failed && !(convex && overridden);
     };
     for (const Condition& condition : kConditions) add(condition);
     if (rules.readings.belowHalfTurn) add({"below 180", Verdict::HalfTurn});
@@ -179,11 +189,15 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     }
     const Index p = picture.pivot;
     const Index limit = start ? picture.start : picture.end;
-    out.row("next on ring", "after " + side + " " + pointsText({limit}));
+    // A what-if drops points that are not next on the ring.
+    const bool next = e.verdict != Verdict::WhatIfDropped;
+    if (next) out.row("next on ring", "after " + side + " " + pointsText({limit}));
     out.row("angle", degreesText(e.degrees) + ", inside " + degreesText(picture.startDegrees) +
                          " to " + degreesText(picture.endDegrees));
-    out.angle("corner at " + side,
-              freeDegrees(in.model.points, start ? e.point : p, limit, start ? p : e.point), 180.0);
+    if (next)
+        out.angle("corner at " + side,
+                  freeDegrees(in.model.points, start ? e.point : p, limit, start ? p : e.point),
+                  180.0);
     const double height = heightOver(in.model.points, p, e.point);
     const double distance =
         glm::length(in.model.points.position[e.point] - in.model.points.position[p]);
@@ -210,7 +224,7 @@ void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     out.row("hole of " + std::to_string(e.edges),
             pointsText({in.picture.pivot, in.picture.start, in.picture.end}));
     if (e.point != kNone) out.row("point", pointsText({e.point}));
-    const bool near = e.verdict == Verdict::Kept;
+    const bool near = e.side * e.pivotSide > 0.0;
     out.sign("off the plane", signedText(e.side) + (near ? ", side of p" : ", far side"), e.side,
              e.pivotSide);
     out.row("p off the plane", signedText(e.pivotSide));
@@ -219,27 +233,38 @@ void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 
 namespace {
 
-const char* ruleOf(Verdict verdict) {
-    if (verdict == Verdict::InsideSphere) return "d < r: kept, no second rule";
-    if (verdict == Verdict::GapTooWide)
+const char* ruleOf(const SphereEvidence& e) {
+    if (e.verdict == Verdict::InsideSphere)
+        return e.distance < e.radius ? "d < r: kept, no second rule"
+                                     : "on the sphere: kept, no second rule";
+    if (e.verdict == Verdict::GapTooWide)
         return "d \xE2\x89\xA5 r, but the gap is over its limit: kept";
-    if (verdict == Verdict::NoCircle) return "no circle: kept";
-    if (verdict == Verdict::Removed) return "d \xE2\x89\xA5 r, and the gap is small enough";
-    return "a what-if, regardless of the test";
+    if (e.verdict == Verdict::NoCircle) return "no circle: kept";
+    return "d \xE2\x89\xA5 r, and the gap is small enough";
+}
+
+/// The effect of §6.4, by rule and what-if.
+const char* twoPointEffect(const TwoPointEvidence& e) {
+    if (isWhatIf(e.verdict))
+        return isTaken(e.verdict) ? "one triangle is made" : "the ring is dropped";
+    if (!isTaken(e.verdict)) return "overlap: the ring is dropped";
+    return e.degrees > 180.0 ? "one triangle is made anyway" : "hole: filled by one triangle";
 }
 
 }  // namespace
 
 void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("t, q, s", pointsText({e.t, e.q, e.s}));
-    out.row("decided by", ruleOf(e.verdict));
-    if (e.verdict != Verdict::NoCircle) {
+    if (!isWhatIf(e.verdict)) out.row("decided by", ruleOf(e));
+    if (hasSphere(e)) {
         const double over = e.distance - e.radius;
         out.row("radius r", numberText(e.radius));
         out.row("distance d", numberText(e.distance), {e.distance, e.radius, 2.0 * e.radius});
         out.row("margin d \xE2\x88\x92 r",
-                signedText(over) + (over < 0.0 ? ", inside" : ", outside"));
-        if (e.radius > 0.0) out.row("of r", percentText(over / e.radius));
+                signedText(over) + (over < 0.0                           ? ", inside"
+                                    : e.verdict == Verdict::InsideSphere ? ", on it"
+                                                                         : ", outside"));
+        out.row("of r", percentText(over / e.radius));
     }
     out.angle("gap t to s", e.gapDegrees, gapLimitDegrees(in.model.params));
 }
@@ -247,8 +272,7 @@ void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("first, last", pointsText({in.picture.first, in.picture.last}));
     out.angle("angle", e.degrees, 180.0);
-    out.row("so", e.verdict == Verdict::Discarded ? "overlap: the ring is dropped"
-                                                  : "hole: filled by one triangle");
+    out.row("so", twoPointEffect(e));
 }
 
 }  // namespace se::view

@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "spiraling_edge/replay/reading.h"
+
 namespace se::view {
 
 namespace {
@@ -156,8 +158,7 @@ class SectionMaker {
     void addCircle() {
         const bool tested = picture_.event && picture_.event->address.stage == Stage::Sphere;
         const auto* test = tested ? picture_.evidence<SphereEvidence>(Stage::Sphere) : nullptr;
-        if (test == nullptr || test->verdict == Verdict::NoCircle || !std::isfinite(test->radius))
-            return;
+        if (test == nullptr || !hasSphere(*test)) return;
         const double off = plane_.off(test->center);
         const double square = test->radius * test->radius - off * off;
         if (!(square > 0.0)) return;

@@ -8,6 +8,7 @@
 #include "run/neighborhood.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 
@@ -48,19 +49,20 @@ struct LineOfPaper {
     std::size_t operator()(const LimitEvidence& e) const {
         if (e.moves()) return 4;
         const bool placed = e.verdict == Verdict::NotConcave || e.verdict == Verdict::HalfTurn ||
-                            e.verdict == Verdict::Blocked;
+                            e.verdict == Verdict::Blocked || isWhatIf(e.verdict);
         return placed ? 3 : 2;
     }
-    std::size_t operator()(const DropEvidence&) const { return stage == Stage::Convex ? 1 : 5; }
+    std::size_t operator()(const DropEvidence& e) const {
+        if (stage != Stage::Convex) return 5;
+        return isTaken(e.verdict) ? 0 : 1;
+    }
     std::size_t operator()(const ReciprocalEvidence&) const { return 2; }
     std::size_t operator()(const HoleEvidence&) const { return 2; }
     std::size_t operator()(const SphereEvidence& e) const {
         if (e.verdict == Verdict::InsideSphere) return 2;
-        return e.verdict == Verdict::Removed ? 4 : 3;
+        return isTaken(e.verdict) ? 3 : 4;
     }
-    std::size_t operator()(const TwoPointEvidence& e) const {
-        return e.verdict == Verdict::Discarded ? 2 : 3;
-    }
+    std::size_t operator()(const TwoPointEvidence& e) const { return isTaken(e.verdict) ? 3 : 2; }
     std::size_t operator()(const EmitEvidence&) const { return 1; }
     std::size_t operator()(const RingEvidence& e) const { return e.inserted ? 1 : 0; }
     std::size_t operator()(const CloseEvidence&) const { return 2; }
@@ -68,6 +70,7 @@ struct LineOfPaper {
     std::size_t operator()(const JoinEvidence& e) const { return e.depthFromTop == kNone ? 4 : 5; }
     std::size_t operator()(const AdvanceEvidence& e) const { return e.popped ? 2 : 0; }
     std::size_t operator()(const GuardEvidence& e) const {
+        if (isWhatIf(e.verdict)) return isTaken(e.verdict) ? 1 : 4;
         if (e.dropped != kNone) return 3;
         const bool waits = e.verdict == Verdict::WideGap || e.verdict == Verdict::OverRim ||
                            e.verdict == Verdict::Steep;
@@ -123,16 +126,18 @@ std::string liveNumbers(const Event& event) {
             return formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
         },
         [](const SphereEvidence& e) {
-            return e.verdict == Verdict::NoCircle
-                       ? formatted("in line; gap %.1f\xC2\xB0", e.gapDegrees)
-                       : formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0", e.distance,
-                                   e.radius, e.gapDegrees);
+            return hasSphere(e) ? formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0",
+                                            e.distance, e.radius, e.gapDegrees)
+                                : formatted("in line; gap %.1f\xC2\xB0", e.gapDegrees);
         },
         [](const TwoPointEvidence& e) { return formatted("angle %.1f\xC2\xB0", e.degrees); },
         [](const FillEvidence& e) { return formatted("least angle %.1f\xC2\xB0", e.leastDegrees); },
         [](const auto&) { return std::string{}; },
     };
-    return std::visit(numbers, event.evidence);
+    std::string text = std::visit(numbers, event.evidence);
+    if (const auto verdict = verdictOf(event); verdict && isWhatIf(*verdict))
+        text = std::string(verdictText(*verdict)) + (text.empty() ? "" : "; " + text);
+    return text;
 }
 
 }  // namespace se::view

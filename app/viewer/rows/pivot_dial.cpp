@@ -119,10 +119,11 @@ class Maker {
         for (std::size_t i = 0; i < kept.size(); ++i) kept[i]->rank = static_cast<int>(i) + 1;
     }
 
-    /// Reason of a refusal in words, once per point.
+    /// Reason of a refusal in words, once per point, or that a what-if decided.
     void addReason(const Event& event) {
         const std::optional<Verdict> verdict = verdictOf(event);
-        if (!verdict || dial_.caption.empty() || outcomeOf(event) != Outcome::Refused) return;
+        if (!verdict || dial_.caption.empty()) return;
+        if (outcomeOf(event) != Outcome::Refused && !isWhatIf(*verdict)) return;
         const std::string reason(verdictText(*verdict));
         if (dial_.caption.find(reason) == std::string::npos) dial_.caption += ": " + reason;
     }
@@ -175,8 +176,7 @@ class Maker {
     }
     void show(const ReciprocalEvidence& e) {
         name(e.point, "e");
-        const bool kept = e.verdict == Verdict::Kept;
-        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, kept, e.printed};
+        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, isTaken(e.verdict), e.printed};
         dial_.caption = formatted("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     void show(const HoleEvidence& e) {
@@ -195,13 +195,13 @@ class Maker {
         dial_.marks.push_back({from + limit, formatted("%.4g\xC2\xB0", limit)});
         const std::string gap =
             formatted("gap %.1f\xC2\xB0 of %.4g\xC2\xB0; ", e.gapDegrees, limit);
-        dial_.caption = gap + (e.verdict == Verdict::NoCircle
-                                   ? "no circle"
-                                   : formatted("d \xE2\x88\x92 r = %+.3g", e.distance - e.radius));
+        dial_.caption =
+            gap + (hasSphere(e) ? formatted("d \xE2\x88\x92 r = %+.3g", e.distance - e.radius)
+                                : "no circle");
     }
     void show(const TwoPointEvidence& e) {
-        const bool over = e.verdict == Verdict::Discarded;
-        dial_.arcs.push_back({over ? DialArc::Kind::TooWide : DialArc::Kind::Gap, 0.0, e.degrees});
+        dial_.arcs.push_back(
+            {!isTaken(e.verdict) ? DialArc::Kind::TooWide : DialArc::Kind::Gap, 0.0, e.degrees});
         dial_.marks.push_back({180.0, "180\xC2\xB0"});
         dial_.caption = formatted("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
     }
@@ -217,14 +217,14 @@ class Maker {
                                                        : "joins after p";
     }
     void show(const GuardEvidence& e) {
-        if (e.b != kNone) {
+        if (e.b != kNone && !isTaken(e.verdict)) {
             const double from = degreesOf(e.a);
             double to = degreesOf(e.b);
             if (to <= from) to += 360.0;
             dial_.arcs.push_back({DialArc::Kind::TooWide, from, to});
         }
-        dial_.caption = e.verdict == Verdict::WhatIfKept      ? std::string("made: what-if")
-                        : e.verdict == Verdict::WhatIfDropped ? std::string("no triangle: what-if")
+        dial_.caption = isTaken(e.verdict)    ? std::string("the fan is made")
+                        : isWhatIf(e.verdict) ? std::string("no triangle")
                         : e.dropped == kNone
                             ? std::string("the fan is refused")
                             : std::to_string(e.dropped) + " is dropped, 6.3 is repeated";

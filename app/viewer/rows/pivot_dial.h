@@ -42,7 +42,7 @@ struct DialArc {
         Range,     ///< From start to end: where candidates may be.
         OldRange,  ///< From first to last, where it differs.
         Gap,       ///< §6.3: from t to s, without q.
-        TooWide,   ///< §6.3: from t to s, over 120 degrees; or §6.4: over 180.
+        TooWide,   ///< §6.3: from t to s, over 120 degrees; or §6.4: refused.
         Triangle,  ///< A triangle of this pivot.
         Angle,     ///< §6.1: from z to the tested angle.
     } kind = Kind::Range;
@@ -55,7 +55,7 @@ struct DialReciprocal {
     Index e = kNone;
     double pivotDegrees = 0.0;  ///< Angle of p at e.
     double limitDegrees = 0.0;  ///< The sector of e runs from 0 to here.
-    bool inside = false;
+    bool kept = false;          ///< The candidate is kept.
     /// The sector runs from efirst, after e on the ring, to elast, before it; else from elast to
     /// efirst.
     bool printed = false;

@@ -80,7 +80,8 @@ std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
     const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return std::nullopt;
     // Where start or end is now.
-    if (*verdict == Verdict::Moved) return palette.test;
+    if (const auto* limit = as<LimitEvidence>(event); limit != nullptr && limit->moves())
+        return palette.test;
     const Outcome outcome = rowOf(*verdict).outcome;
     if (outcome == Outcome::Taken) return palette.used;
     if (outcome == Outcome::Refused) return palette.rejected;

@@ -57,7 +57,7 @@ class Finders {
             ++event_;
             concerned_.clear();
             const auto* limit = as<LimitEvidence>(event);
-            if (limit != nullptr && limit->verdict == Verdict::Moved)
+            if (limit != nullptr && limit->moves())
                 moves_.push_back(lineOf(event, {input_.points, input_.params, pivot.point}));
             gather(event, pivot.point);
             const auto freed = rings_.add(event);

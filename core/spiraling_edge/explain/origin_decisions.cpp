@@ -100,12 +100,12 @@ bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c 
 
 bool fillsHole(const Event& event) {
     const auto* two = as<TwoPointEvidence>(event);
-    return two != nullptr && two->verdict == Verdict::Hole;
+    return two != nullptr && isTaken(two->verdict);
 }
 
 const SphereEvidence* closedGap(const Event& event) {
     const auto* sphere = as<SphereEvidence>(event);
-    return sphere != nullptr && sphere->verdict == Verdict::Removed ? sphere : nullptr;
+    return sphere != nullptr && !isTaken(sphere->verdict) ? sphere : nullptr;
 }
 
 std::optional<LedgerLine> lastDecision(const std::vector<LedgerLine>& decided,

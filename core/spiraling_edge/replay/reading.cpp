@@ -126,7 +126,12 @@ Index subjectOf(const Event& event) {
                       event.evidence);
 }
 
+bool hasSphere(const SphereEvidence& evidence) {
+    return evidence.radius > 0.0 && std::isfinite(evidence.radius);
+}
+
 std::optional<Reading> readingOf(const Event& event, const ReadingContext& context) {
+    if (const auto verdict = verdictOf(event); verdict && isWhatIf(*verdict)) return std::nullopt;
     return std::visit(Reader{context}, event.evidence);
 }
 

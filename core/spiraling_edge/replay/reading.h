@@ -30,7 +30,11 @@ Index testedPoint(const Event& event);
 /// of an advance, and of a step after the last pivot.
 Index subjectOf(const Event& event);
 
-/// The number that decided. Decisions that compare nothing, such as "is DONE", have none.
+/// True if the pivot, t and s lie on a circle, so that the sphere of §6.3 exists.
+bool hasSphere(const SphereEvidence& evidence);
+
+/// The number that decided. Decisions that compare nothing, such as "is DONE", have none, nor do
+/// those of a what-if.
 struct Reading {
     std::string_view quantity;  ///< "angle", "distance from the center"
     std::string_view unit;      ///< "deg", or empty: scene units.

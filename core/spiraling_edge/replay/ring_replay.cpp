@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "spiraling_edge/stepper/verdict_table.h"
+
 namespace se {
 
 RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount, const PaperRules& rules)
@@ -84,11 +86,14 @@ void RingReplay::on(const ReciprocalEvidence& e) {
     const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
     tested_ = another ? rings_[tested_].nextOfPoint : rings_.firstEntryOf(e.point);
     lost_ = tested_ == kNone;
-    if (lost_ || e.verdict != Verdict::Kept) return;
-    const auto known = instances_.find(e.point);
-    if (known == instances_.end() || foundBefore(tested_, known->second)) {
-        instances_[e.point] = tested_;
-    }
+    if (lost_ || !isTaken(e.verdict)) return;
+    const Instance found{tested_, isWhatIf(e.verdict)};
+    const auto [known, fresh] = instances_.try_emplace(e.point, found);
+    Instance& best = known->second;
+    // A what-if takes one of those that do not hold the pivot only if there is no other.
+    const bool better =
+        found.whatIf == best.whatIf ? foundBefore(found.entry, best.entry) : best.whatIf;
+    if (!fresh && better) best = found;
 }
 
 void RingReplay::beginUpdate() {
@@ -128,8 +133,8 @@ bool RingReplay::nextLink(Index point) {
         x_ = inserted_[linked_];
         if (!rings_.alive(x_)) continue;
         const auto other = instances_.find(rings_.point(x_));
-        if (other == instances_.end() || !rings_.alive(other->second)) continue;
-        y_ = other->second;
+        if (other == instances_.end() || !rings_.alive(other->second.entry)) continue;
+        y_ = other->second.entry;
         ++linked_;
         return rings_.point(x_) == point;
     }

@@ -28,6 +28,12 @@ class RingReplay {
     bool lost() const { return lost_; }
 
   private:
+    /// An entry that the reciprocal test takes.
+    struct Instance {
+        Index entry = kNone;
+        bool whatIf = false;  ///< Taken although its sector does not hold the pivot.
+    };
+
     void on(const SeedEvidence& e);
     void on(const PivotEvidence& e) { takePivot(e.pivot, e.first, e.last); }
     void on(const FillEvidence& e) { takePivot(e.pivot, e.first, e.last); }
@@ -63,10 +69,10 @@ class RingReplay {
     Index pivot_ = kNone;
     Index start_ = kNone;
     Index end_ = kNone;
-    Index tested_ = kNone;              ///< The entry under the reciprocal test.
-    std::map<Index, Index> instances_;  ///< Entries of a candidate that is on a ring already.
-    bool updating_ = false;             ///< §6.5 has begun.
-    std::vector<Index> leaving_;        ///< The next one last.
+    Index tested_ = kNone;                 ///< The entry under the reciprocal test.
+    std::map<Index, Instance> instances_;  ///< Of a candidate that is on a ring already.
+    bool updating_ = false;                ///< §6.5 has begun.
+    std::vector<Index> leaving_;           ///< The next one last.
     std::vector<Index> inserted_;
     bool finished_ = false;   ///< A finished edge was closed: no link comes after.
     std::size_t linked_ = 0;  ///< Number of inserted entries that were checked for other instances.

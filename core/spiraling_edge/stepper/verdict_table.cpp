@@ -67,6 +67,8 @@ const VerdictRow& rowOf(Verdict verdict) {
     return kVerdictTable[static_cast<std::size_t>(verdict)];
 }
 
+bool isTaken(Verdict verdict) { return rowOf(verdict).outcome == Outcome::Taken; }
+
 std::string_view verdictText(Verdict verdict) { return rowOf(verdict).text; }
 
 }  // namespace se

@@ -36,4 +36,12 @@ struct VerdictRow {
 std::span<const VerdictRow> verdictTable();
 const VerdictRow& rowOf(Verdict verdict);
 
+/// True if a decision took the tested point: kept, moved to, filled, inserted. Whoever shows a
+/// decision follows this, not the numbers of its test: a rule or a what-if may override them.
+bool isTaken(Verdict verdict);
+/// True for the verdict of a what-if, whatever the test would have decided.
+constexpr bool isWhatIf(Verdict verdict) {
+    return verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped;
+}
+
 }  // namespace se

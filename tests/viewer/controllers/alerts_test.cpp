@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <utility>
 
 using namespace se;
 using namespace se::view;
@@ -462,14 +463,14 @@ TEST_CASE("A scene opens at the decision that it demonstrates, in every layout")
         app.document.open("scene:figure-8");
         app.arrive();
         CHECK(app.place() == findScene("figure-8")->address);
-        CHECK(app.document.takeFocus());
+        CHECK(std::exchange(app.ui.requests.frame, FrameRequest::None) == FrameRequest::Decision);
         app.document.open("scene:sphere");
         app.arrive();
     }
-    // A named position takes precedence.
+    // A named position takes precedence, and is framed as well.
     AlertApp named("scene:figure-8", {}, "3.sort.1");
     CHECK(named.place() == "3.sort.1");
-    CHECK_FALSE(named.document.takeFocus());
+    CHECK(named.ui.requests.frame == FrameRequest::Decision);
     CHECK(AlertApp("scene:figure-8", {}, "0").place() == "start");
 }
 

@@ -165,8 +165,8 @@ TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point")
                     CHECK(dial.reciprocal.has_value() == (test != nullptr));
                     if (test == nullptr) return;
                     CHECK(dial.reciprocal->e == test->point);
-                    CHECK(dial.reciprocal->inside == (test->verdict == Verdict::Kept));
-                    CHECK(dial.reciprocal->inside ==
+                    CHECK(dial.reciprocal->kept == (test->verdict == Verdict::Kept));
+                    CHECK(dial.reciprocal->kept ==
                           (dial.reciprocal->pivotDegrees > 0.0 &&
                            dial.reciprocal->pivotDegrees < dial.reciprocal->limitDegrees));
                     // The free sector begins at the point before e: elast in Figure 6.

@@ -38,7 +38,7 @@ void keyRow(const PanelContext& context, const std::string& keys, const std::str
 }
 
 bool beginKeys(const char* id, const PanelContext& context) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return false;
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 8.5F * context.em);
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     return true;
@@ -121,7 +121,7 @@ void drawRow(const PanelContext& context, const Command& command) {
 
 void drawRows(const PanelContext& context) {
     constexpr int kFlags =
-        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
+        ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("##actions", 3, kFlags)) return;
     // As shares: in its first frame the window has no size yet.
     ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.55F);

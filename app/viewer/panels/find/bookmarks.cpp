@@ -58,7 +58,7 @@ void drawBookmarks(const PanelContext& context) {
         dimText(key + " sets or removes a bookmark at this decision.");
         return;
     }
-    if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableSetupColumn("address", ImGuiTableColumnFlags_WidthFixed, 7.5F * context.em);
     ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("away", ImGuiTableColumnFlags_WidthFixed, 1.4F * context.em);

@@ -123,7 +123,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
 /// Completions of the last word; a click inserts one.
 void drawTerms(const PanelContext& context) {
     const bool wide = ImGui::GetContentRegionAvail().x > 15.0F * context.em;
-    if (!ImGui::BeginTable("##terms", wide ? 2 : 1, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!ImGui::BeginTable("##terms", wide ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) return;
     if (wide) {
         ImGui::TableSetupColumn("form", ImGuiTableColumnFlags_WidthFixed, 7.6F * context.em);
         ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);

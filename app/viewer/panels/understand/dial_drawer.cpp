@@ -298,7 +298,7 @@ void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, co
     const std::string title = "e " + std::to_string(r.e);
     const glm::vec2 extent = rimTextSize(context, title);
     const Rect below{room.min + glm::vec2(0.0F, extent.y), room.size - glm::vec2(0.0F, extent.y)};
-    const Color& verdict = r.inside ? colors.used : colors.rejected;
+    const Color& verdict = r.kept ? colors.used : colors.rejected;
     const std::vector<RimText> texts = {{r.firstDegrees(), "efirst", colors.first},
                                         {r.lastDegrees(), "elast", colors.last},
                                         {r.pivotDegrees, "p", verdict}};
@@ -316,7 +316,7 @@ void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, co
     list->AddLine(disc.center, disc.at(r.lastDegrees(), 1.0F), toU32(colors.last), stroke);
     const ImVec2 at = disc.at(r.pivotDegrees, 0.9F);
     list->AddLine(disc.center, at, toU32(verdict), 1.5F * stroke);
-    drawShape(list, at, 0.6F * em, r.inside ? Shape::Disc : Shape::Cross, toU32(verdict));
+    drawShape(list, at, 0.6F * em, r.kept ? Shape::Disc : Shape::Cross, toU32(verdict));
     drawShape(list, disc.center, 0.6F * em, Shape::RingedDisc, toU32(colors.test));
     drawRimTexts(context, disc, below, {}, texts);
     list->AddText(context.fonts.text, kNameSize * em,

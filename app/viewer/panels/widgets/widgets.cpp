@@ -286,7 +286,8 @@ void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color)
 }
 
 bool beginValues(const char* id, const PanelContext& context) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    // In proportion to the content, a column would have no width in its first frame.
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return false;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.2F * context.em);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     return true;
