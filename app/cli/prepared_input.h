@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options.h"
+#include "output/output.h"
 #include "piece_input.h"
 #include "progress.h"
 #include "start_arguments.h"
@@ -30,6 +31,8 @@ class InputArguments {
   public:
     void addTo(CLI::App& app);
     const std::string& input() const { return input_; }
+    /// All files that are read, for ForceOption::require().
+    NamedFiles files() const { return {{"", input_}, {"--start", start_.path()}}; }
     const std::string& ruleSet() const { return rules_.setName(); }
     /// The options that were given, without the input. The app must outlive this object.
     std::vector<GivenOption> given() const;

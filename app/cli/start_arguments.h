@@ -12,6 +12,8 @@ namespace se::cli {
 class StartArguments {
   public:
     void addTo(CLI::App& app);
+    /// The file of the option; empty if it was not given.
+    const std::string& path() const { return path_; }
     /// The start of the file; without one that of the scene `input`, if it has one. Throws
     /// Failure(Input).
     GivenStart start(const std::string& input) const;

@@ -413,7 +413,11 @@ void Application::saveWindowPicture(glm::ivec2 size) {
     std::filesystem::path folder = home != nullptr ? home : ".";
     if (std::filesystem::is_directory(folder / "Pictures", error)) folder /= "Pictures";
     const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
-    const std::filesystem::path path = folder / ("spiraling-edge-" + place + ".png");
+    // A file that is there stays.
+    const std::string stem = "spiraling-edge-" + place;
+    std::filesystem::path path = folder / (stem + ".png");
+    for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(path, error)); ++i)
+        path = folder / (stem + "-" + std::to_string(i) + ".png");
     const Status status = writePicture(path, readPicture(size));
     session_.messages().say(status ? "Saved " + path.string() + "." : status.error().message);
 }

@@ -295,6 +295,8 @@ int main(int argc, char** argv) {
         if (const auto status = chooseComparison(options); !status) {
             return fail(kExitUsage, status.error().message);
         }
+        if (const auto status = requireInputsKept(options); !status)
+            return fail(kExitUsage, status.error().message);
         if (options.benchFrames > 0) return runBench(options);
         if (options.exported) return runExport(options);
         return options.screenshot.empty() ? runWindow(options) : runPicture(options);

@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "commands/commands.h"
+#include "export/formats.h"
+#include "export/lesson_frames.h"
+#include "export/numbered_files.h"
 #include "export_options.h"
 #include "input_options.h"
 #include "jobs/open_lesson.h"
@@ -19,6 +22,8 @@
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/lesson_runs.h"
+#include "teach/lesson_text.h"
 #include "teach/start_file.h"
 
 namespace se::view {
@@ -151,6 +156,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--bench-frames", o.benchFrames,
                    "Draw N frames, one sub-step each, without a window; print their cost")
         ->check(CLI::Range(1, 100000));
+    app.add_flag(std::string(kForceOption), o.force, std::string(kForceHelp));
     app.add_flag("--no-config", o.noConfig,
                  "Do not read or write settings, layout and recent files");
     app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
@@ -331,6 +337,69 @@ Status adoptStandardInput(Options& o) {
         o.input.points = std::make_shared<const PointFile>(std::move(points.value()));
     });
     return good ? read : good;
+}
+
+namespace {
+
+/// The files that a lesson reads: its inputs, and its images, which an export may name.
+void addLessonFiles(const LessonFile& file, std::vector<NamedFile>& inputs) {
+    const auto addText = [&](const std::string& text) {
+        for (const teach::TextBlock& block : teach::textBlocks(text)) {
+            if (!block.image.empty()) inputs.push_back({"the image", file.folder / block.image});
+        }
+    };
+    const auto addInput = [&](const std::string& input) {
+        if (!input.empty())
+            inputs.push_back({"the points", teach::lessonSource(input, file.folder)});
+    };
+    addText(file.lesson.text);
+    addInput(file.lesson.input);
+    for (const teach::LessonStep& step : file.lesson.steps) {
+        addText(step.text);
+        addInput(step.input);
+    }
+}
+
+std::vector<NamedFile> filesRead(const Options& o) {
+    std::vector<NamedFile> inputs{{"", o.input.source},
+                                  {"the session", o.sessionPath},
+                                  {"the lesson", o.lesson},
+                                  {"--start", o.startFile}};
+    if (o.with && o.with->isFile()) inputs.push_back({"--with", o.with->path});
+    if (o.session && o.session->with.isFile())
+        inputs.push_back({"the compared file", o.session->with.path});
+    if (o.grow && isVolumePath(o.grow->surface)) {
+        inputs.push_back({"the volume", o.grow->surface});
+        inputs.push_back({"the data file", dataFileOf(o.grow->surface)});
+    }
+    if (o.exported && o.exported->lesson) addLessonFiles(*o.exported->lesson, inputs);
+    if (!o.lesson.empty()) {
+        // A faulty one is reported when it is opened.
+        const auto lesson = lessonOfSource(o.lesson);
+        if (lesson && lesson.value()) addLessonFiles(*lesson.value(), inputs);
+    }
+    return inputs;
+}
+
+}  // namespace
+
+Status requireInputsKept(const Options& o) {
+    const auto isUnnamed = [](const NamedFile& each) { return each.path.empty(); };
+    std::vector<NamedFile> outputs{
+        {"--screenshot", o.screenshot}, {"--state-dump", o.stateDump}, {"--result", o.resultFile}};
+    if (o.exported) {
+        if (!namesFolder(o.exported->path)) outputs.push_back({"-o", o.exported->path});
+        if (o.exported->several()) {
+            for (const auto& each : numberedFilesAt(o.exported->path))
+                outputs.push_back({"-o", each});
+        }
+    }
+    std::erase_if(outputs, isUnnamed);
+    if (const Status apart = requireApart(outputs); !apart) return apart;
+    if (o.force || outputs.empty()) return success();
+    std::vector<NamedFile> inputs = filesRead(o);
+    std::erase_if(inputs, isUnnamed);
+    return requireKept(inputs, outputs);
 }
 
 ParsedOptions parseOptions(int argc, const char* const* argv) {

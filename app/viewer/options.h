@@ -46,4 +46,8 @@ Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec
 /// Sets Options::with; to be called after adoptSession(). Fails with a sentence.
 Status chooseComparison(Options& options);
 
+/// Fails if a file to write is also written under another option, or is one of the files that are
+/// read, unless kForceOption was given. Called once the options have been read, before any work.
+Status requireInputsKept(const Options& o);
+
 }  // namespace se::view

@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron lab_with_solution lesson_result sphere_points square | sort >helpers
+    printf '%s\n' ball expect fail fields icosahedron lab_with_solution lesson_result refuses sphere_points square | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -577,20 +577,77 @@ output_names_are_checked_first() {
     expect 0 run scene:sphere -q --report /dev/null --trace /dev/null
 }
 
+# refuses INPUT OUTPUT ARGUMENTS...: wrong usage that names both and --force, and the input stays.
+refuses() {
+    local input=$1 output=$2
+    shift 2
+    cp "$input" kept
+    expect 2 "$@"
+    says err " $output: is the same file as "
+    says err " $input, which would be replaced; choose another name, or add --force to replace it"
+    cmp -s "$input" kept || fail "\`spiraling-edge $*\` replaced $input"
+}
+
 outputs_do_not_replace_the_input() {
+    local option name
     icosahedron >in.xyz
-    cp in.xyz copy.xyz
-    ln -s in.xyz link.xyz
-    for option in --report --trace; do
-        for name in in.xyz ./in.xyz link.xyz; do
-            expect 2 run in.xyz $option $name
-            says err "$option $name: is the input; choose another name"
+    expect 0 run in.xyz -q -o in.ply
+    ln -s in.ply link.ply
+    ln in.ply hard.ply
+    mkdir sub
+    ln -s "$PWD" sub/up
+    for option in -o --report --trace; do
+        for name in in.ply ./in.ply link.ply hard.ply "$PWD/in.ply" sub/../in.ply sub/up/in.ply; do
+            refuses in.ply "$name" run in.ply $option "$name"
         done
     done
+    refuses link.ply in.ply run link.ply -q -o in.ply
+    for name in in.ply hard.ply; do
+        refuses in.ply $name doctor in.ply --fix $name
+        refuses in.ply $name reduce in.ply --failure holes -o $name
+    done
+    cp in.xyz small.ply
+    ln small.ply other.sesession
+    refuses small.ply other.sesession reduce small.ply --failure holes -o other.ply
+    # Standard input that is a file, and standard output.
+    cp in.ply kept.ply
+    "$program" run - -q -o in.ply <in.ply 2>err
+    is $? 2 "-o that is standard input"
+    says err "-o in.ply: is the same file as the input -"
+    "$program" run /dev/stdin -q -o in.ply <in.ply 2>err
+    is $? 2 "-o that is /dev/stdin"
+    "$program" run in.ply -q -o - >>in.ply 2>err
+    is $? 2 "standard output that is the input"
+    cmp -s in.ply kept.ply || fail "standard output was appended to the input"
+    # A second input.
+    echo '{"triangles": []}' >start.json
+    refuses start.json start.json run in.ply --start start.json --report start.json
+    printf 'keep 1\n' >moves.txt
+    refuses moves.txt ./moves.txt practice --answer moves.txt --result ./moves.txt
+    refuses in.ply in.ply lesson new in.ply -o in.ply
+    lesson_result a.result.json '"q"' '' true
+    refuses a.result.json a.result.json lesson results in.ply a.result.json -o a.result.json
+    ball 'isovalue:=1'
+    ln ball.nhdr ball.ply
+    refuses ball.nhdr ball.ply sample ball.nhdr -n 50 -o ball.ply
+    ln ball.raw raw.ply
+    expect 2 sample ball.nhdr -n 50 -o raw.ply
+    says err "-o raw.ply: is the same file as the data file ball.raw"
+}
+
+outputs_replace_the_input_by_force() {
+    icosahedron >in.xyz
     expect 0 run in.xyz -q -o in.ply
-    expect 2 reduce in.ply --failure holes -o ./in.ply
-    says err "is the input"
-    cmp in.xyz copy.xyz || fail "the input was replaced"
+    cp in.ply points.ply
+    expect 0 run points.ply -q -o points.ply --force
+    is "$(header_count face points.ply)" 20 triangles
+    ln -s points.ply link.ply
+    expect 0 doctor points.ply -q --fix link.ply --force
+    [ -L link.ply ] || fail "the link was replaced"
+    # Two outputs are two files, force or not.
+    expect 2 run in.ply -o a.ply --report a.ply --force
+    says err "-o and --report both name a.ply; give two names"
+    expect 2 run in.ply -o - --report /dev/stdout --force
 }
 
 mesh_goes_to_open_files_by_name() {
@@ -894,7 +951,7 @@ info_counts_what_is_wrong() {
     } >odd.xyz
     expect 0 info odd.xyz --json
     is "$(number duplicates out)" 1 duplicates
-    is "$(number zero_normals out)" 1 "zero normals"
+    is "$(number completed_normals out)" 1 "normals to derive"
     is "$(number non_finite out)" 1 "not finite"
     is "$(number unscaled_normals out)" 1 "not of unit length"
 }
@@ -911,7 +968,7 @@ doctor_says_what_is_wrong() {
     expect 1 doctor odd.xyz
     empty err
     says out "odd.xyz: 601 points, 0.196 between points, 2 x 2 x 2, 3 findings"
-    says out "error    zero_normals: 1 point with a zero normal"
+    says out "warning  zero_normals: 1 point with a normal that is zero, NaN or infinite"
     says out "at point 7"
     says out "try: spiraling-edge doctor odd.xyz --fix OUT.ply"
     expect 1 doctor odd.xyz --json
@@ -931,9 +988,10 @@ doctor_mends_what_needs_no_guessing() {
     awk 'NR == 8 { $4 = $5 = $6 = 0 } NR == 30 { $1 = "nan" } NR == 9 { $4 *= 3; $5 *= 3; $6 *= 3 }
          { print } NR == 50' good.xyz >odd.xyz
     expect 0 doctor odd.xyz --fix fixed.ply
-    says out "fixed.ply: written, 598 points"
+    says out "fixed.ply: written, 599 points"
+    says out "fixed    1 normal that was zero or not finite derived"
     says out "fixed    1 exact copy dropped"
-    is "$(header_count vertex fixed.ply)" 598 points
+    is "$(header_count vertex fixed.ply)" 599 points
     expect 0 doctor fixed.ply
     says out "nothing found"
     # To standard output the same bytes; words go to standard error.
@@ -948,6 +1006,47 @@ doctor_mends_what_needs_no_guessing() {
     says out "left     isolated_points"
     expect 0 doctor stray.xyz --fix dropped.ply --drop isolated_points
     is "$(header_count vertex dropped.ply)" 600 points
+}
+
+doctor_empties_no_file() {
+    local value
+    sphere_points good.xyz
+    for value in nan inf 0.0; do
+        awk -v v=$value '{ print $1, $2, $3, v, v, v }' good.xyz >bad.xyz
+        expect 1 doctor bad.xyz
+        says out "600 points with a normal that is zero, NaN or infinite: most, so all normals are derived"
+        expect 1 doctor bad.xyz --fix fixed.ply
+        is "$(header_count vertex fixed.ply)" 600 "points with normals of $value"
+        for file in bad.xyz fixed.ply; do
+            expect 0 run $file -q --check -o mesh.ply
+            is "$(header_count face mesh.ply)" 1196 "triangles of $file with normals of $value"
+        done
+        awk -v v=$value 'NR % 3 == 0 { $4 = $5 = $6 = v } { print }' good.xyz >some.xyz
+        expect 0 doctor some.xyz --fix fixed.ply
+        says out "200 normals that were zero or not finite derived"
+        for file in some.xyz fixed.ply; do
+            expect 0 run $file -q --check -o mesh.ply
+            is "$(header_count face mesh.ply)" 1196 "triangles of $file with some normals of $value"
+        done
+    done
+    # Rays, far from each other: each point is in line with all of its nearest.
+    awk 'BEGIN { for (y = 0; y < 4; ++y) for (x = 0; x < 50; ++x) print x, 1000 * y, 0, 0, 0, 1 }' >lines.xyz
+    echo old >out.ply
+    expect 1 doctor lines.xyz --fix out.ply --drop noise --drop in_line
+    says err "lines.xyz: out.ply not written: the fixes would leave 0 of 200 distinct finite positions"
+    says err "200 of 200 points dropped"
+    says err "leave out --drop noise, --drop in_line, or add --force to write the rest"
+    is "$(cat out.ply)" old "the file that was there"
+    expect 1 doctor lines.xyz -q --fix out.ply --drop in_line --force
+    is "$(header_count vertex out.ply)" 0 "points that were asked for"
+    for i in 1 2 3 4 5; do echo nan 0 0 0 0 1; done >nowhere.xyz
+    expect 1 doctor nowhere.xyz --fix nothing.ply
+    says err "would leave 0 of 0 distinct finite positions"
+    absent nothing.ply
+    # Copies are no places of their own.
+    { cat good.xyz; for i in $(seq 900); do echo 0 0 3 0 0 1; done; } >copies.xyz
+    expect 1 doctor copies.xyz --fix out.ply
+    is "$(header_count vertex out.ply)" 601 "points without copies"
 }
 
 doctor_remedies_help() {

@@ -1,34 +1,10 @@
 #include "output.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
-#include <filesystem>
 
 #include "exit_code.h"
-#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Whether two names denote one file, also before it exists. A device such as /dev/null may be
-/// named twice.
-bool sameFile(const std::string& a, const std::string& b) {
-    if (a == "-" || b == "-") return a == b;
-    std::error_code ignored;
-    const auto fileOf = [&](const std::string& path) {
-        return fs::weakly_canonical(withLinksFollowed(fs::absolute(path, ignored)), ignored);
-    };
-    const fs::path first = fileOf(a);
-    if (fs::exists(first, ignored) && !fs::is_regular_file(first, ignored)) return false;
-    const fs::path second = fileOf(b);
-    return first == second || fs::equivalent(first, second, ignored);
-}
-
-}  // namespace
-
 CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
                              const std::string& help) {
     return app.add_option(names, path, help)
@@ -39,26 +15,21 @@ CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::strin
             ""));
 }
 
-void requireWritable(std::initializer_list<OutputPath> outputs) {
-    for (const OutputPath* each = outputs.begin(); each != outputs.end(); ++each) {
-        if (each->path.empty()) continue;
-        for (const OutputPath* other = outputs.begin(); other != each; ++other) {
-            if (other->path.empty() || !sameFile(other->path, each->path)) continue;
-            throw Failure(ExitCode::Usage, fmt::format("{} and {} both name {}; give two names",
-                                                       other->option, each->option, each->path));
-        }
-        if (each->path == "-") continue;
-        if (const Status status = AtomicFile::check(each->path); !status)
-            throw Failure(ExitCode::Usage,
-                          fmt::format("{} {}", each->option, status.error().message));
-    }
+void ForceOption::addTo(CLI::App& app, const std::string& also) {
+    app.add_flag(std::string(kForceOption), given_, std::string(kForceHelp) + also);
 }
 
-void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs) {
-    for (const OutputPath& each : outputs) {
-        if (each.path.empty() || each.path == "-" || !sameFile(input, each.path)) continue;
-        throw Failure(ExitCode::Usage, fmt::format("{} {}: is the input; choose another name",
-                                                   each.option, each.path));
+void ForceOption::require(NamedFiles inputs, NamedFiles outputs) const {
+    const auto isUnnamed = [](const NamedFile& each) { return each.path.empty(); };
+    std::erase_if(inputs, isUnnamed);
+    std::erase_if(outputs, isUnnamed);
+    const auto requireGood = [](const Status& status, const std::string& before) {
+        if (!status) throw Failure(ExitCode::Usage, before + status.error().message);
+    };
+    requireGood(requireApart(outputs), "");
+    if (!given_) requireGood(requireKept(inputs, outputs), "");
+    for (const NamedFile& each : outputs) {
+        if (each.path != "-") requireGood(AtomicFile::check(each.path), each.role + " ");
     }
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
 
@@ -12,18 +14,24 @@ namespace se::cli {
 CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
                              const std::string& help);
 
-/// A file to write and the option that named it.
-struct OutputPath {
-    std::string_view option;
-    const std::string& path;  ///< Empty if the option was not given.
+/// Files of a command; those with an empty path, of options that were not given, are ignored.
+using NamedFiles = std::vector<NamedFile>;
+
+/// The option --force.
+class ForceOption {
+  public:
+    /// `also`: what else it permits this verb, the rest of a sentence.
+    void addTo(CLI::App& app, const std::string& also = "");
+    bool given() const { return given_; }
+
+    /// Fails early, before long work, if an output cannot be written, if two are the same file or
+    /// both standard output, or, without the option, if one would replace an input. Throws
+    /// Failure(Usage).
+    void require(NamedFiles inputs, NamedFiles outputs) const;
+
+  private:
+    bool given_ = false;
 };
-
-/// Fails early, before long work, if one of them cannot be written, or if two are the same file or
-/// both standard output. Throws Failure(Usage).
-void requireWritable(std::initializer_list<OutputPath> outputs);
-
-/// Fails if one of the files is `input`, which would be overwritten. Throws Failure(Usage).
-void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs);
 
 /// Writes all of `bytes`, to a file through a temporary one. Throws Failure(Internal).
 void writeOutput(const std::string& path, std::string_view bytes);

@@ -168,6 +168,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
                        {"types", derived.types},
                        {"rim", derived.rim},
                        {"neighbors", report.neighborsComputed},
+                       {"completed_normals", derived.completedNormals},
                        {"turned_normals", derived.turnedNormals},
                        {"normal_components", derived.normalComponents},
                        {"unknown_sides", derived.unknownSides},
@@ -223,6 +224,9 @@ std::string derivedSentence(const DerivedPieces& derived) {
     } else if (derived.orientation) {
         appendPart(text, fmt::format("sides of the normals, {} flipped", derived.turnedNormals));
     }
+    if (derived.completedNormals > 0)
+        appendPart(text, counted(derived.completedNormals, "normal that is zero or not finite",
+                                 "normals that are zero or not finite"));
     if (derived.unknownSides > 0)
         appendPart(text, unknownSidesText(derived.unknownSides, derived.normalComponents));
     if (derived.types) appendPart(text, "wall types");

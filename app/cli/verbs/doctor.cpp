@@ -28,6 +28,7 @@ struct DoctorArguments {
     std::vector<std::string> drop;
     bool json = false;
     bool quiet = false;
+    ForceOption force;
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
@@ -42,6 +43,7 @@ struct DoctorArguments {
             ->type_name("CHECK")
             ->allow_extra_args(false)
             ->needs(fix);
+        force.addTo(app, ", or where fewer than half of the distinct points would be left");
         app.add_flag("--json", json, "As JSON, with all indices");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
         std::string footer = "\nChecks (docs/doctor.md), * fixed by --fix:\n";
@@ -59,7 +61,7 @@ struct DoctorArguments {
         if (fixed == "-" && json)
             throw Failure(ExitCode::Usage,
                           "--fix -: standard output takes the points or --json, not both");
-        requireWritable({{"--fix", fixed}});
+        force.require({{"", input}}, {{"--fix", fixed}});
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
                 throw Failure(ExitCode::Usage,
@@ -177,6 +179,21 @@ std::string visitJson(const Visit& visit) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// Throws Failure(CheckFailed) if the fixes took most points, unless that is permitted.
+void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
+                     const FixedFile& fixed) {
+    const Status most = requireMostLeft(before.position, fixed.file.position, fixed.texts());
+    if (most || arguments.force.given()) return;
+    std::string others;
+    for (const std::string& name : arguments.drop)
+        others += (others.empty() ? "leave out " : ", ") + ("--drop " + name);
+    throw Failure(
+        ExitCode::CheckFailed,
+        fmt::format("{}: {} not written: {}; {}, or add {} to write the rest",
+                    nameOfInput(arguments.input), arguments.fixed, most.error().message,
+                    others.empty() ? "correct the file at its source" : others, kForceOption));
+}
+
 void write(const std::string& path, const PointFile& fixed) {
     if (path == "-") return writeOutput(path, meshPlyBytes(fixed, fixed.faces));
     const Status status = writeMeshPly(path, fixed, fixed.faces);
@@ -208,6 +225,7 @@ ExitCode doctorVerb(const Arguments& words) {
     if (!arguments.fixed.empty()) {
         const ProposedDrop drop = proposedDrop(visit.findings, arguments.drop);
         visit.fixed = applyFixes(file, drop.points, drop.reason);
+        requireMostKept(arguments, file, visit.fixed);
         const PointFile& fixed = visit.fixed.file;
         visit.left = examineInput(fixed, arguments.fixed, line);
         write(arguments.fixed, fixed);

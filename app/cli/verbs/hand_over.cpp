@@ -111,7 +111,6 @@ ExitCode renderVerb(const Arguments& words) {
     if (!picture.ends_with(".png") && !picture.ends_with(".PNG"))
         throw Failure(ExitCode::Usage,
                       fmt::format("-o {}: pictures are written as .png only", picture));
-    requireWritable({{"-o", picture}});
     if (place.empty() && !isSession(input)) place = "100%";
     Arguments arguments{input};
     if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});
@@ -142,7 +141,6 @@ ExitCode exportVerb(const Arguments& words) {
     }
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;
-    requireOtherThan(input, {{"-o", output}});
     Arguments arguments{input, "--export", output};
     forward(app, arguments);
     becomeViewer(arguments);

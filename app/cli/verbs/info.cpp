@@ -124,6 +124,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     json["set_aside"] = {{"non_finite", facts.prepared.nonFinitePoints},
                          {"zero_normals", facts.prepared.zeroNormals},
                          {"duplicates", facts.prepared.duplicatePoints}};
+    json["completed_normals"] = facts.prepared.derived.completedNormals;
     json["unscaled_normals"] = facts.prepared.unscaledNormals;
     json["attributes"] = Json::array();
     for (const Attribute& attribute : file.attributes) json["attributes"].push_back(attribute.name);
@@ -139,9 +140,15 @@ std::string factsJson(const std::string& input, const Facts& facts) {
 }
 
 std::string normalsSentence(const Facts& facts) {
-    if (facts.file.hasNormals()) return "yes";
     const DerivedPieces& derived = facts.prepared.derived;
-    std::string text = "none: a run derives them";
+    const bool given = facts.file.hasNormals();
+    if (given && !derived.normals) {
+        if (derived.completedNormals == 0) return "yes";
+        return fmt::format("yes, but {} zero or not finite: a run derives these",
+                           derived.completedNormals);
+    }
+    std::string text =
+        given ? "most are zero or not finite: a run derives all" : "none: a run derives them";
     if (derived.unknownSides > 0)
         text += "; " + unknownSidesText(derived.unknownSides, derived.normalComponents);
     return text;

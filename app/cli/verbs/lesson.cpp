@@ -33,6 +33,7 @@ struct LessonArguments {
     std::string output;
     bool answers = false;
     bool json = false;
+    ForceOption force;
 };
 
 /// A lesson, its faults by reading, and the folder of its inputs.
@@ -150,8 +151,7 @@ ExitCode newLesson(const LessonArguments& arguments) {
         throw Failure(ExitCode::Usage,
                       "lesson new: standard input cannot be read again; name a file");
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
-    requireWritable({{"-o", output}});
-    requireOtherThan(input, {{"-o", output}});
+    arguments.force.require({{"", input}}, {{"-o", output}});
     const std::string written = inputForLesson(input, output);
     const Result<teach::PreparedRun> run = teach::prepareRun(readInput(input), input, {});
     if (!run) throw Failure(ExitCode::Input, run.error().message);
@@ -164,7 +164,9 @@ ExitCode newLesson(const LessonArguments& arguments) {
 ExitCode sumUpResults(const LessonArguments& arguments) {
     if (arguments.names.empty())
         throw Failure(ExitCode::Usage, "lesson results: expected files *.result.json");
-    if (!arguments.output.empty()) requireWritable({{"-o", arguments.output}});
+    NamedFiles inputs;
+    for (const std::string& name : arguments.names) inputs.push_back({"", name});
+    arguments.force.require(std::move(inputs), {{"-o", arguments.output}});
     std::vector<teach::LessonResult> results;
     for (const std::string& name : arguments.names) {
         const Result<std::string> bytes = readBytes(name);
@@ -198,6 +200,7 @@ void addLessonOptions(CLI::App& app, LessonArguments& arguments) {
     app.add_flag("--json", arguments.json, "With list and check: as JSON");
     addOutputOption(app, "-o,--output", arguments.output,
                     "With new: write the lesson to this file; with results: the table as CSV");
+    arguments.force.addTo(app);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct PracticeArguments {
     std::string result;
     bool solution = false;
     bool json = false;
+    ForceOption force;
 
     void addTo(CLI::App& app) {
         app.add_option("--seed", seed, "Number of the task")->type_name("N")->capture_default_str();
@@ -35,6 +36,7 @@ struct PracticeArguments {
         addOutputOption(app, "--result", result,
                         "With --answer: write the result to this file, for lesson results")
             ->needs(answered);
+        force.addTo(app);
         app.add_flag("--solution", solution, "Print the moves of the run with their decisions")
             ->excludes(answered);
         app.add_flag("--json", json, "As JSON");
@@ -154,8 +156,7 @@ std::string gradeJson(const PracticeGrade& grade) {
 }
 
 ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask& task) {
-    if (!arguments.result.empty()) requireWritable({{"--result", arguments.result}});
-    requireOtherThan(arguments.answer, {{"--result", arguments.result}});
+    arguments.force.require({{"--answer", arguments.answer}}, {{"--result", arguments.result}});
     const std::vector<PlayMove> moves = readAnswer(arguments.answer, task);
     const PracticeGrade grade = teach::gradePractice(task, moves);
     if (!arguments.result.empty()) {

@@ -34,6 +34,7 @@ struct ReduceArguments {
     std::string output;
     std::uint64_t effort = kUsualEffort;
     bool quiet = false;
+    ForceOption force;
 
     void addTo(CLI::App& app) {
         input.addTo(app);
@@ -55,7 +56,12 @@ struct ReduceArguments {
             ->type_name("N")
             ->capture_default_str()
             ->check(CLI::Range(std::uint64_t{1}, kMaxEffort));
+        force.addTo(app);
         app.add_flag("-q,--quiet", quiet, "Print errors only");
+    }
+    /// The file beside that of -o with another extension.
+    std::string beside(const char* extension) const {
+        return std::filesystem::path(output).replace_extension(extension).string();
     }
 };
 
@@ -189,18 +195,17 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
 void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
                   const PreparedInput& run, const Reduced& reduced) {
     const std::string& output = arguments.output;
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(output).replace_extension(extension).string();
-    };
+    const std::string session = arguments.beside(".sesession");
+    const std::string test = arguments.beside(".sh");
     const Status status = writeMeshPly(output, reduced.file, {});
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
     const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
-    writeOutput(beside(".sesession"), sessionText(output, run, arguments.input, wanted, address));
-    writeOutput(beside(".sh"), testText(output, arguments, wanted));
+    writeOutput(session, sessionText(output, run, arguments.input, wanted, address));
+    writeOutput(test, testText(output, arguments, wanted));
     if (arguments.quiet) return;
     fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", output,
                counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
-               beside(".sesession"), beside(".sh"));
+               session, test);
     if (reduced.complete) return;
     fmt::print(stderr, "stopped early, after {} million tests: fewer points may be possible",
                arguments.effort);
@@ -228,8 +233,10 @@ ExitCode reduceVerb(const Arguments& words) {
     if (!arguments.output.ends_with(".ply"))
         throw Failure(ExitCode::Usage,
                       fmt::format("-o {}: only .ply is written", arguments.output));
-    requireOtherThan(arguments.input.input(), {{"-o", arguments.output}});
-    requireWritable({{"-o", arguments.output}});
+    arguments.force.require(arguments.input.files(),
+                            {{"-o", arguments.output},
+                             {"-o (session)", arguments.beside(".sesession")},
+                             {"-o (test)", arguments.beside(".sh")}});
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);

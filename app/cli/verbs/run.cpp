@@ -46,6 +46,7 @@ struct RunArguments {
     bool best = false;
     bool check = false;
     bool quiet = false;
+    ForceOption force;
     WriteOptions writing;
     PieceArguments piece;
     RuleArguments rules;
@@ -105,6 +106,7 @@ struct RunArguments {
         app.add_flag(
             "--check", check,
             "Search for faults, crossing triangles included; exit with 1 if there are any");
+        force.addTo(app);
         app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 
@@ -127,9 +129,8 @@ struct RunArguments {
                                       "a file .setrace with --trace",
                                       trace));
         }
-        // A mesh contains the points of the input, so it may replace it.
-        requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
-        requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
+        force.require({{"", input}, {"--start", start.path()}},
+                      {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
     /// Reports `--fault-fields` where no columns of points can be written.

@@ -27,6 +27,7 @@ struct SampleArguments {
     std::optional<double> isovalue;
     std::size_t neighbors = 0;
     SamplerOptions sampler;
+    ForceOption force;
     bool list = false;
     bool json = false;
     bool quiet = false;
@@ -64,6 +65,7 @@ struct SampleArguments {
         app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
             ->type_name("K")
             ->check(CLI::Range(1LL, kMaxNeighbors));
+        force.addTo(app);
         app.add_flag("--list", list, "List the shapes");
         app.add_flag("--json", json, "With --list: as JSON");
         app.add_flag("-q,--quiet", quiet, "Print errors only");
@@ -87,7 +89,10 @@ struct SampleArguments {
                 ExitCode::Usage,
                 fmt::format("-o {}: points can be written as {}", output,
                             listText(meshFormats(), &MeshFormat::extension, "or", isReadable)));
-        requireWritable({{"-o", output}});
+        const bool volume = isVolumePath(input);
+        force.require({{"", volume ? input : ""},
+                       {"the data file", volume ? dataFileOf(input).string() : ""}},
+                      {{"-o", output}});
     }
 };
 

@@ -17,6 +17,7 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
 #include "verbs.h"
 
@@ -41,6 +42,12 @@ constexpr std::array kRows{
     Row{"Hyperboloid", 215, 366, 0.01, "hyperboloid", ""},
 };
 
+std::string slug(std::string_view set) {
+    std::string name;
+    for (const char c : set) name += c == ' ' ? '_' : static_cast<char>(std::tolower(c));
+    return name;
+}
+
 struct TableArguments {
     std::string volumes;
     std::string save;
@@ -50,6 +57,7 @@ struct TableArguments {
     double curvature = 0.0;
     bool json = false;
     bool quiet = false;
+    ForceOption force;
     RuleArguments rules;
 
     void addTo(CLI::App& app) {
@@ -77,8 +85,13 @@ struct TableArguments {
             ->check(CLI::Range(0.0, 100.0));
         app.add_option("--save", save, "Write the five sets of points into this folder, as PLY")
             ->type_name("DIR");
+        force.addTo(app);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
+    }
+
+    std::filesystem::path savedPath(const Row& row) const {
+        return std::filesystem::path(save) / (slug(row.set) + ".ply");
     }
 
     void validate() const {
@@ -89,6 +102,17 @@ struct TableArguments {
                 throw Failure(ExitCode::Usage,
                               fmt::format("{} {}: no such folder", option, *folder));
         }
+        NamedFiles inputs;
+        NamedFiles outputs;
+        for (const Row& row : kRows) {
+            if (!row.volume.empty() && !volumes.empty()) {
+                const auto volume = std::filesystem::path(volumes) / row.volume;
+                inputs.push_back({"--volumes", volume});
+                inputs.push_back({"the data file", dataFileOf(volume)});
+            }
+            if (!save.empty()) outputs.push_back({"--save", savedPath(row)});
+        }
+        force.require(std::move(inputs), std::move(outputs));
     }
 };
 
@@ -113,12 +137,6 @@ struct Made {
         return static_cast<double>(mesh.triangles) / static_cast<double>(points);
     }
 };
-
-std::string slug(std::string_view set) {
-    std::string name;
-    for (const char c : set) name += c == ' ' ? '_' : static_cast<char>(std::tolower(c));
-    return name;
-}
 
 /// The shortest of the runs within a second: the others were slowed by other work of the machine.
 Reconstruction timedRun(const PointSet& points, const Params& params, double& seconds) {
@@ -168,10 +186,8 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     options.curvature = arguments.curvature;
     const PointFile file =
         samplePoints(readSurface(made.source, std::nullopt), options, made.source, line);
-    if (!arguments.save.empty()) {
-        const auto path = std::filesystem::path(arguments.save) / (slug(row.set) + ".ply");
-        writeOutput(path.string(), meshPlyBytes(file, {}));
-    }
+    if (!arguments.save.empty())
+        writeOutput(arguments.savedPath(row).string(), meshPlyBytes(file, {}));
     made.points = file.position.size();
     made.wallPoints =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));

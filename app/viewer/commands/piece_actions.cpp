@@ -149,11 +149,6 @@ void bringBack(CommandContext& context, const AsidePoints& group) {
         requests.fixes = std::move(fixes);
     }
     if (group.reason == AsideReason::Noise) requests.rules = withRule(rulesOf(spec), "noise", 0.0);
-    if (group.reason == AsideReason::NoDirection) {
-        InputSpec derived = spec;
-        derived.normals = NormalSource::Derived;
-        requests.openSpec = std::move(derived);
-    }
 }
 
 namespace actions {

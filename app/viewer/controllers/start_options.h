@@ -55,6 +55,7 @@ struct Options {
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: the built-in ones.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;
+    bool force = false;               ///< kForceOption.
     bool narrate = false;             ///< Print every sentence to stdout as well.
     std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
     int benchFrames = 0;              ///< Step through that number of frames and print their times.

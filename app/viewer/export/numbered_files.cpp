@@ -2,11 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "spiraling_edge/base/atomic_file.h"
 
 namespace se::view {
 
 namespace fs = std::filesystem;
+
+std::vector<fs::path> numberedFilesAt(const fs::path& path) {
+    const bool folder = namesFolder(path);
+    const std::string stem = folder ? "" : path.stem().string() + "-";
+    const std::string extension = folder ? ".png" : path.extension().string();
+    const auto isOurs = [&](const std::string& name) {
+        if (name == stem + "captions.txt") return true;
+        if (name.size() <= stem.size() + extension.size() || !name.starts_with(stem) ||
+            !name.ends_with(extension))
+            return false;
+        const auto number = std::string_view(name).substr(
+            stem.size(), name.size() - stem.size() - extension.size());
+        return number.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const fs::path parent = folder ? path : path.parent_path();
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(parent.empty() ? "." : parent, error)) {
+        if (isOurs(entry.path().filename().string())) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
 
 Status NumberedFiles::makeFolder() const {
     std::error_code error;

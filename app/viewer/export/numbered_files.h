@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "formats.h"
 
@@ -28,5 +29,9 @@ class NumberedFiles {
     std::size_t count_ = 0;
     std::string captions_;
 };
+
+/// The existing files that an export of several frames to `path` may replace: all that have such
+/// names, since the number of frames is not known before the run.
+std::vector<std::filesystem::path> numberedFilesAt(const std::filesystem::path& path);
 
 }  // namespace se::view

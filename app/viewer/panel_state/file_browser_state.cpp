@@ -146,8 +146,8 @@ std::string replaceText(const std::string& path, const std::string& source) {
     std::error_code error;
     const std::string name = fs::path(path).filename().string();
     const bool input = fs::equivalent(path, source, error) && !error;
-    return name + (input ? " is the input itself. Replace the points by the mesh?"
-                         : " exists already. Replace it?");
+    return name +
+           (input ? " is the input itself. Replace the points?" : " exists already. Replace it?");
 }
 
 }  // namespace se::view

@@ -23,8 +23,6 @@ constexpr std::array kReasons = {
               "Takes that fix back, and runs without it."},
     ReasonRow{AsideReason::NotFinite, "not_finite", "without a finite position: cannot be drawn",
               ""},
-    ReasonRow{AsideReason::NoDirection, "no_direction", "set aside: their normals are zero",
-              "Derives all normals from the positions, as Prepare does."},
     ReasonRow{AsideReason::Copy, "copy", "set aside: another point is at the same place", ""},
     ReasonRow{AsideReason::NoPlane, "no_plane", "set aside: no plane fits their neighbors", ""},
     ReasonRow{AsideReason::Noise, "noise", "set aside for noise",
@@ -41,8 +39,6 @@ AsideReason reasonOf(Fitness fitness, const Vec3& normal) {
     switch (fitness) {
         case Fitness::NonFinite:
             return AsideReason::NotFinite;
-        case Fitness::NoDirection:
-            return AsideReason::NoDirection;
         case Fitness::Copy:
             return AsideReason::Copy;
         case Fitness::Usable:
@@ -53,18 +49,14 @@ AsideReason reasonOf(Fitness fitness, const Vec3& normal) {
 
 }  // namespace
 
-std::vector<AsidePoints> asideOf(const PointSet& points, const PrepareReport& report) {
+std::vector<AsidePoints> asideOf(const PointSet& points) {
     std::array<AsidePoints, kReasons.size()> byReason;
     for (const ReasonRow& row : kReasons)
         byReason[static_cast<std::size_t>(row.reason)].reason = row.reason;
     std::vector<Fitness> fitness;
     for (Index p = 0; p < points.setAside.size(); ++p) {
         if (!points.setAside[p]) continue;
-        // Derived normals are no property of the file.
-        if (fitness.empty())
-            fitness = fitnessOf(points.position, report.derived.normals
-                                                     ? std::span<const Vec3>{}
-                                                     : std::span<const Vec3>(points.normal));
+        if (fitness.empty()) fitness = fitnessOf(points.position);
         AsidePoints& group =
             byReason[static_cast<std::size_t>(reasonOf(fitness[p], points.normal[p]))];
         group.points.push_back(p);

@@ -11,13 +11,12 @@
 namespace se::view {
 
 enum class AsideReason : std::uint8_t {
-    LeftOut,      ///< By the user, in the view.
-    Fixed,        ///< Dropped by a fix of the doctor.
-    NotFinite,    ///< The position is not finite.
-    NoDirection,  ///< The normal is zero or not finite.
-    Copy,         ///< Another point has the same position.
-    NoPlane,      ///< No plane fits the neighbors, to derive a normal from.
-    Noise,        ///< Others lie nearer to the middle of the noise.
+    LeftOut,    ///< By the user, in the view.
+    Fixed,      ///< Dropped by a fix of the doctor.
+    NotFinite,  ///< The position is not finite.
+    Copy,       ///< Another point has the same position.
+    NoPlane,    ///< No plane fits the neighbors, to derive a normal from.
+    Noise,      ///< Others lie nearer to the middle of the noise.
 };
 
 /// The points with one reason.
@@ -32,7 +31,7 @@ struct AsidePoints {
 };
 
 /// The points that prepare() set aside.
-std::vector<AsidePoints> asideOf(const PointSet& points, const PrepareReport& report);
+std::vector<AsidePoints> asideOf(const PointSet& points);
 /// The points of `file` that are not kept. `keep` has a value for each.
 AsidePoints asideOf(const PointFile& file, const std::vector<bool>& keep, AsideReason reason,
                     std::string fix = {});

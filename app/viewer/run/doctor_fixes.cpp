@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
@@ -61,7 +62,7 @@ void repair(const std::string& name, const ProposedDrop& drop, PointFile& file, 
     if (dropped.count > 0) done.dropped.push_back(std::move(dropped));
     for (std::size_t i = 0; i < left.size(); ++i) done.kept[i] = done.kept[left[i]];
     done.kept.resize(left.size());
-    for (const AppliedFix& fix : fixed.fixes) done.texts.push_back(fix.text);
+    for (std::string& text : fixed.texts()) done.texts.push_back(std::move(text));
 }
 
 }  // namespace
@@ -96,6 +97,7 @@ Fixes safeFixes(std::span<const Finding> findings) {
 
 Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress) {
     FixesDone done;
+    const std::vector<Vec3> before = fixes.empty() ? std::vector<Vec3>{} : file.position;
     done.kept.resize(file.position.size());
     std::iota(done.kept.begin(), done.kept.end(), Index{0});
     for (const std::string& name : fixes) {
@@ -107,6 +109,12 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& 
         const Result<Diagnosis> found = examine(file, progress);
         if (!found) return found.error();
         repair(name, proposedDrop(found.value(), {&name, 1}), file, done);
+    }
+    const Status most = requireMostLeft(before, file.position, done.texts);
+    if (!fixes.empty() && !most) {
+        return Error{"Not fixed: " + most.error().message +
+                     ". Correct the file at its source, or let spiraling-edge doctor write it " +
+                     "with " + std::string(kForceOption) + "."};
     }
     return done;
 }

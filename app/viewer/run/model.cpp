@@ -389,8 +389,7 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     model->points = std::move(prepared.value().points);
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};
-    for (AsidePoints& each : asideOf(model->points, model->report))
-        model->aside.push_back(std::move(each));
+    for (AsidePoints& each : asideOf(model->points)) model->aside.push_back(std::move(each));
     placeModel(*model);
     if (progress.cancelled) return openingCancelled();
     progress.share = 1.0;

@@ -10,6 +10,7 @@
 
 #include "run/number_format.h"
 #include "session.h"
+#include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -186,6 +187,9 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellQuoted(target.path);
+    const NamedFile input{"", steps.input};
+    const NamedFile output{"-o", target.path};
+    if (!requireKept({&input, 1}, {&output, 1})) command.text += " " + std::string(kForceOption);
     return command;
 }
 

@@ -13,9 +13,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <random>
 #include <string>
 #include <system_error>
+#include <tuple>
 
 #include "spiraling_edge/base/files.h"
 
@@ -86,6 +88,28 @@ bool isWriteProtected(const fs::path& target, unsigned mode) {
     }
     return ::access(target.c_str(), W_OK) != 0;
 }
+
+/// Waits until what was written is on the disk. True also where the file system has no such call.
+bool sync(int descriptor) {
+    return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
+/// A folder that is open in order to be synced; -1 if it may be written to but not read.
+class OpenFolder {
+  public:
+    explicit OpenFolder(const fs::path& folder)
+        : descriptor_(
+              ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {}
+    OpenFolder(const OpenFolder&) = delete;
+    OpenFolder& operator=(const OpenFolder&) = delete;
+    ~OpenFolder() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    bool synced() const { return descriptor_ < 0 || sync(descriptor_); }
+
+  private:
+    int descriptor_;
+};
 
 bool writeAll(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -196,12 +220,15 @@ Status AtomicFile::write(std::string_view bytes) {
 
 Status AtomicFile::commit() {
     errno = 0;
+    // Else a power failure after the rename could leave the new name with none of the bytes.
+    if (!temporary_.empty() && !sync(descriptor_)) return failure();
     if (::close(std::exchange(descriptor_, -1)) != 0) return failure();
     if (temporary_.empty()) return success();
+    const OpenFolder folder(target_.parent_path());
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return failure();
     temporary_.clear();
     unlistUnfinished(std::exchange(slot_, 0));
-    return success();
+    return folder.synced() ? success() : Status(failure());
 }
 
 void AtomicFile::closeAndRemove() {
@@ -215,6 +242,93 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
     if (!file) return file.error();
     if (const Status status = file.value().write(bytes); !status) return status;
     return file.value().commit();
+}
+
+namespace {
+
+constexpr std::string_view kStandardStream = "-";
+
+/// A file, whatever it is called: by device and inode; one that does not exist yet by those of its
+/// folder, and its name there.
+struct FileIdentity {
+    dev_t device = 0;
+    ino_t inode = 0;
+    std::string name;  ///< Empty if the file exists.
+    mode_t mode = S_IFREG;
+
+    /// Its content stays, and a write would replace it: no pipe, terminal or socket.
+    bool keepsContent() const { return S_ISREG(mode) || S_ISBLK(mode); }
+    friend bool operator==(const FileIdentity& a, const FileIdentity& b) {
+        return std::tie(a.device, a.inode, a.name) == std::tie(b.device, b.inode, b.name);
+    }
+};
+
+std::optional<FileIdentity> identityOf(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0)
+        return FileIdentity{status.st_dev, status.st_ino, {}, status.st_mode};
+    const fs::path target = withLinksFollowed(path);
+    const fs::path folder = target.parent_path();
+    if (target.empty() || ::stat(folder.empty() ? "." : folder.c_str(), &status) != 0)
+        return std::nullopt;
+    return FileIdentity{status.st_dev, status.st_ino, target.filename().string()};
+}
+
+bool isStandardStream(const NamedFile& file) { return file.path == kStandardStream; }
+
+/// True for `-` and the other names of standard output.
+bool isStandardOutput(const NamedFile& file) {
+    return isStandardStream(file) || file.path == "/dev/stdout" || file.path == "/dev/fd/1" ||
+           file.path == "/proc/self/fd/1";
+}
+
+std::optional<FileIdentity> identityOf(const NamedFile& file, const char* stream) {
+    return identityOf(isStandardStream(file) ? fs::path(stream) : file.path);
+}
+
+/// Devices such as /dev/null, and a terminal, may be written to twice; not so what one name of it
+/// opened.
+bool areSameOutput(const NamedFile& a, const NamedFile& b) {
+    if (isStandardOutput(a) && isStandardOutput(b)) return true;
+    const auto first = identityOf(a, "/dev/stdout");
+    const auto second = identityOf(b, "/dev/stdout");
+    return first && first == second && !S_ISCHR(first->mode);
+}
+
+bool isReplacedBy(const NamedFile& input, const NamedFile& output) {
+    const auto first = identityOf(input, "/dev/stdin");
+    const auto second = identityOf(output, "/dev/stdout");
+    return first && first == second && first->keepsContent() && first->name.empty();
+}
+
+}  // namespace
+
+Status requireApart(std::span<const NamedFile> outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const NamedFile& first = outputs[k];
+            const NamedFile& second = outputs[i];
+            if (!areSameOutput(first, second)) continue;
+            std::string text = first.role + " and " + second.role + " both name " +
+                               second.path.string() + "; give two names";
+            if (first.path != second.path) text += ": " + first.path.string() + " is the same file";
+            return Error{text};
+        }
+    }
+    return success();
+}
+
+Status requireKept(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {
+    for (const NamedFile& output : outputs) {
+        for (const NamedFile& input : inputs) {
+            if (!isReplacedBy(input, output)) continue;
+            return Error{output.role + " " + output.path.string() + ": is the same file as " +
+                         (input.role.empty() ? "the input" : input.role) + " " +
+                         input.path.string() + ", which would be replaced; choose another name, " +
+                         "or add " + std::string(kForceOption) + " to replace it"};
+        }
+    }
+    return success();
 }
 
 void removeUnfinishedFiles() noexcept {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "spiraling_edge/base/result.h"
@@ -11,8 +13,9 @@
 namespace se {
 
 /// A file that is being written. The bytes go to a temporary file in the folder of the target,
-/// created exclusively under an unpredictable name; commit() renames it to the target. Until then
-/// the target stays as it was, and without commit() the temporary file is removed. Links are
+/// created exclusively under an unpredictable name; commit() renames it to the target once it is on
+/// the disk. Until then the target stays as it was, and without commit() the temporary file is
+/// removed. Links are
 /// followed to their target; the mode of an existing file is kept. A pipe, a device and the open
 /// files of this process (/dev/stdout, /dev/fd/3) are written to directly. Errors name the path and
 /// the reason.
@@ -36,8 +39,9 @@ class AtomicFile {
 
     /// Appends `bytes`.
     Status write(std::string_view bytes);
-    /// Completes the file: closes it and, unless the target is written to directly, renames it. No
-    /// further call may follow.
+    /// Completes the file: unless the target is written to directly, syncs it, renames it and syncs
+    /// its folder. No further call may follow. An error leaves the old file, except one in syncing
+    /// the folder: then the new one may be lost with the power.
     Status commit();
 
   private:
@@ -67,6 +71,25 @@ std::filesystem::path withLinksFollowed(std::filesystem::path path);
 
 /// Writes `bytes` as an AtomicFile.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file that a command reads or writes.
+struct NamedFile {
+    std::string role;            ///< The option that names it: "--report"; empty: the input itself.
+    std::filesystem::path path;  ///< `-`: standard input or standard output.
+};
+
+/// The option by which a user agrees to lose data, and its help.
+inline constexpr std::string_view kForceOption = "--force";
+inline constexpr std::string_view kForceHelp =
+    "Write also where a file that is read would be replaced";
+
+/// Fails if two outputs of one command are the same file, also one that does not exist yet, or the
+/// same pipe. A device such as /dev/null may be named twice. Call it before long work.
+Status requireApart(std::span<const NamedFile> outputs);
+/// Fails if an output is the same file as an input, by device and inode with links followed, so
+/// that the input would be lost. Inputs that are no files (`scene:torus`) are ignored. Not called
+/// if the user gave kForceOption. Call it before long work.
+Status requireKept(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
 
 /// Removes the temporary files of this process. May be called from a signal handler.
 void removeUnfinishedFiles() noexcept;

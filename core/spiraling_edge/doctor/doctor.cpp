@@ -21,8 +21,9 @@ constexpr std::string_view kBest = "spiraling-edge run IN --best -o OUT.ply";
 constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
 
 constexpr std::array kChecks{
-    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, Fix::Repair,
-                findNonFinite},
+    DoctorCheck{"non_finite", "3",
+                "A point needs a place, three finite coordinates: these are set aside.", kFix,
+                Fix::Repair, findNonFinite},
     DoctorCheck{"duplicates", "3",
                 "\"There is only one point at any particular location\": copies are set aside.",
                 kFix, Fix::Repair, findDuplicates},
@@ -59,8 +60,9 @@ constexpr std::array kChecks{
     DoctorCheck{"no_normals", "3", "The normals are derived from the positions.", kBest, Fix::None,
                 findNoNormals},
     DoctorCheck{"zero_normals", "6.1",
-                "Angles are measured about the normal: points without are set aside.", kFix,
-                Fix::Repair, findZeroNormals},
+                "Angles are measured about the normal: one without a direction is derived from the "
+                "positions.",
+                kFix, Fix::Repair, findZeroNormals},
     DoctorCheck{"unscaled_normals", "6.2",
                 "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
                 Fix::Repair, findUnscaledNormals},
@@ -173,10 +175,10 @@ double ExaminedFile::distance(Index p, Index q) const {
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress) {
     if (const Status status = checkColumns(file); !status) return status.error();
     ExaminedFile examined{file};
-    examined.fitness = fitnessOf(file.position, file.normal);
+    examined.fitness = fitnessOf(file.position);
     examined.normal = unitNormals(file.normal);
     for (const Fitness fitness : examined.fitness) {
-        const bool present = fitness == Fitness::Usable || fitness == Fitness::NoDirection;
+        const bool present = fitness == Fitness::Usable;
         examined.present.push_back(present);
         examined.presentCount += present ? 1U : 0U;
     }

@@ -117,16 +117,26 @@ struct AppliedFix {
 struct FixedFile {
     PointFile file;
     std::vector<AppliedFix> fixes;  ///< Empty: the file is unchanged.
+
+    /// The sentences of the fixes.
+    std::vector<std::string> texts() const;
 };
 
-/// Makes the repairs that need no guess, the same that every prepare() makes: drops points that are
-/// not finite, have no direction or are exact copies; scales normals; corrects corner bits; puts
-/// lists in order and drops entries that name no other point. Normals that are all zero are removed
-/// as a whole, so that they are derived. `alsoDrop` (ascending) names points to leave out as well.
+/// Makes the repairs that need no guess, the same that every prepare() makes: drops points whose
+/// position is not finite or is that of a point before; derives normals that are zero or not finite
+/// (completeNormals(); if most are, all normals are removed, so that they are derived); scales
+/// normals; corrects corner bits; puts lists in order and drops entries that name no other point.
+/// `alsoDrop` (ascending) names points to leave out as well.
 /// The order of points, attributes and faces is kept; faces on a copy move to its original, and
 /// faces on other dropped points are removed. Requires columns of equal length, as examine()
 /// checks. `reason`: of these, a piece of a sentence, as Finding::dropReason.
 FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop = {},
                      std::string_view reason = "as requested");
+
+/// Fails if the fixes leave fewer than half of the distinct finite positions, or no point at all of
+/// some: what is wrong then is not in the points that they drop. `done` has the text of each fix;
+/// the error has these and what would be left, as a piece of a sentence. O(points).
+Status requireMostLeft(std::span<const Vec3> before, std::span<const Vec3> after,
+                       std::span<const std::string> done);
 
 }  // namespace se

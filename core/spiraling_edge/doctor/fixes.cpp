@@ -6,6 +6,7 @@
 
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/normals.h"
 
 namespace se {
 namespace {
@@ -17,8 +18,8 @@ class FixApplication {
         : file_(file), keep_(file.position.size(), true) {}
 
     FixedFile run(std::span<const Index> alsoDrop, std::string_view reason) && {
-        dropEmptyNormals();
         markUnfit();
+        mendNormals();
         markAsked(alsoDrop, reason);
         scaleNormals();
         correctCorners();
@@ -41,37 +42,46 @@ class FixApplication {
             {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
     }
 
-    /// Drops normals that are all zero, so that normals are derived.
-    void dropEmptyNormals() {
-        const std::size_t count = file_.normal.size();
-        if (std::any_of(file_.normal.begin(), file_.normal.end(),
-                        [](const Vec3& normal) { return normal != Vec3(0.0); }))
-            return;
-        file_.normal.clear();
-        note("zero_normals", count, "zero normal taken out, to be derived",
-             "zero normals taken out, to be derived");
-    }
-
     void markUnfit() {
-        fitness_ = fitnessOf(file_.position, file_.normal);
+        fitness_ = fitnessOf(file_.position);
         std::size_t notFinite = 0;
-        std::size_t zero = 0;
         std::size_t copies = 0;
         for (std::size_t p = 0; p < fitness_.size(); ++p) {
             keep_[p] = fitness_[p] == Fitness::Usable;
-            const bool directed = fitness_[p] != Fitness::NoDirection;
-            if (fitness_[p] == Fitness::NonFinite || (!directed && !isFinite(file_.normal[p])))
-                ++notFinite;
-            else if (!directed)
-                ++zero;
-            else if (fitness_[p] == Fitness::Copy)
-                ++copies;
+            if (fitness_[p] == Fitness::NonFinite) ++notFinite;
+            if (fitness_[p] == Fitness::Copy) ++copies;
         }
-        note("non_finite", notFinite, "point with a value that is not finite dropped",
-             "points with values that are not finite dropped");
+        note("non_finite", notFinite, "point with a coordinate that is not finite dropped",
+             "points with coordinates that are not finite dropped");
         note("duplicates", copies, "exact copy dropped", "exact copies dropped");
-        note("zero_normals", zero, "point with a zero normal dropped",
-             "points with a zero normal dropped");
+    }
+
+    /// Normals without a direction: takes all normals out, to be derived, if most are so; else
+    /// derives these, and drops the points where that is not possible.
+    void mendNormals() {
+        std::vector<Index> missing;
+        for (Index p = 0; p < file_.normal.size(); ++p) {
+            if (keep_[p] && !hasDirection(file_.normal[p])) missing.push_back(p);
+        }
+        if (missing.empty()) return;
+        if (lacksNormals(file_.normal, keep_)) {
+            file_.normal.clear();
+            const std::string rest = ": all normals taken out, to be derived";
+            return note("zero_normals", missing.size(), "normal is zero or not finite" + rest,
+                        "normals are zero or not finite" + rest);
+        }
+        file_.normal = completeNormals(file_, keep_).value();  // Fails only if cancelled.
+        std::size_t planeless = 0;
+        for (const Index p : missing) {
+            if (file_.normal[p] != Vec3(0.0)) continue;
+            keep_[p] = false;
+            ++planeless;
+        }
+        note("zero_normals", missing.size() - planeless,
+             "normal that was zero or not finite derived",
+             "normals that were zero or not finite derived");
+        note("zero_normals", planeless, "point dropped: its normal cannot be derived",
+             "points dropped: their normals cannot be derived");
     }
 
     void markAsked(std::span<const Index> alsoDrop, std::string_view reason) {
@@ -174,6 +184,26 @@ class FixApplication {
 };
 
 }  // namespace
+
+std::vector<std::string> FixedFile::texts() const {
+    std::vector<std::string> all;
+    for (const AppliedFix& fix : fixes) all.push_back(fix.text);
+    return all;
+}
+
+Status requireMostLeft(std::span<const Vec3> before, std::span<const Vec3> after,
+                       std::span<const std::string> done) {
+    const std::size_t places = countPlaces(before);
+    const std::size_t left = countPlaces(after);
+    const bool emptied = left == 0 && !before.empty();
+    if (!emptied && 2 * left >= places) return success();
+    std::string text;
+    for (const std::string& each : done) text += (text.empty() ? "" : "; ") + each;
+    return Error{"the fixes would leave " + std::to_string(left) + " of " +
+                 countText(places, "distinct finite position") +
+                 (places == 0 ? "" : ", fewer than half") +
+                 (text.empty() ? "" : " (" + text + ")")};
+}
 
 FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop,
                      std::string_view reason) {

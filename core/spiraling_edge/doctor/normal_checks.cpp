@@ -27,11 +27,13 @@ std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
 
 std::optional<Finding> findZeroNormals(const ExaminedFile& examined) {
     const std::vector<Vec3>& normal = examined.file.normal;
-    auto points = pointsWhere(normal.size(), [&](Index p) { return normal[p] == Vec3(0.0); });
-    const bool all = points.size() == examined.size();
-    return findingAt(
-        std::move(points), Severity::Error,
-        std::string("with a zero normal") + (all ? ": all, so that they can be derived" : ""));
+    auto points = pointsWhere(
+        normal.size(), [&](Index p) { return examined.present[p] && !hasDirection(normal[p]); });
+    const bool all = lacksNormals(normal, examined.present);
+    return findingAt(std::move(points), Severity::Warning,
+                     std::string("with a normal that is zero, NaN or infinite: ") +
+                         (all ? "most, so all normals are derived from the positions"
+                              : "derived, on the side of those about it"));
 }
 
 std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined) {

@@ -12,12 +12,10 @@ namespace se {
 // ---- single points ------------------------------------------------------------------------------
 
 std::optional<Finding> findNonFinite(const ExaminedFile& examined) {
-    const PointFile& file = examined.file;
-    auto points = pointsWhere(examined.size(), [&](Index p) {
-        return !isFinite(file.position[p]) || (file.hasNormals() && !isFinite(file.normal[p]));
-    });
+    auto points = pointsWhere(examined.size(),
+                              [&](Index p) { return examined.fitness[p] == Fitness::NonFinite; });
     return findingAt(std::move(points), Severity::Error,
-                     "with a coordinate or a normal that is NaN or infinite");
+                     "with a coordinate that is NaN or infinite");
 }
 
 std::optional<Finding> findDuplicates(const ExaminedFile& examined) {

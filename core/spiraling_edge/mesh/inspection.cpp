@@ -38,7 +38,7 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
         if (!mesh.topology.used[p]) lost.push_back(p);
     }
     if (lost.empty()) return lost;
-    const std::vector<Fitness> fitness = fitnessOf(input.position, input.normal);
+    const std::vector<Fitness> fitness = fitnessOf(input.position);
     const auto isAside = [&](Index p) { return p < input.setAside.size() && input.setAside[p]; };
     std::erase_if(lost, [&](Index p) { return isAside(p) || fitness[p] != Fitness::Usable; });
     return lost;

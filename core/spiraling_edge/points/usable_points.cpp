@@ -57,19 +57,22 @@ class PositionTable {
 
 }  // namespace
 
-std::vector<Fitness> fitnessOf(std::span<const Vec3> position, std::span<const Vec3> normal) {
+std::vector<Fitness> fitnessOf(std::span<const Vec3> position) {
     std::vector<Fitness> fitness(position.size(), Fitness::Usable);
     PositionTable seen(position);
     for (Index p = 0; p < position.size(); ++p) {
         if (!isFinite(position[p])) {
             fitness[p] = Fitness::NonFinite;
-        } else if (!normal.empty() && !hasDirection(normal[p])) {
-            fitness[p] = Fitness::NoDirection;
         } else if (seen.add(p) != p) {
             fitness[p] = Fitness::Copy;
         }
     }
     return fitness;
+}
+
+std::size_t countPlaces(std::span<const Vec3> position) {
+    const std::vector<Fitness> fitness = fitnessOf(position);
+    return static_cast<std::size_t>(std::count(fitness.begin(), fitness.end(), Fitness::Usable));
 }
 
 std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness) {

@@ -12,17 +12,19 @@ namespace se {
 /// The fitness of a point for the algorithm.
 enum class Fitness : std::uint8_t {
     Usable,
-    NonFinite,    ///< Its position is not finite.
-    NoDirection,  ///< Its normal is zero or not finite.
-    Copy,         ///< A usable point with a lower index has exactly the same position.
+    NonFinite,  ///< Its position is not finite.
+    Copy,       ///< A point with a lower index has exactly the same position.
 };
 
-/// The fitness of each point. `normal` may be empty: then none lacks a direction. O(points).
-std::vector<Fitness> fitnessOf(std::span<const Vec3> position, std::span<const Vec3> normal);
+/// The fitness of each point, by positions alone: a missing normal is derived. O(points).
+std::vector<Fitness> fitnessOf(std::span<const Vec3> position);
+/// Number of distinct finite positions. O(points).
+std::size_t countPlaces(std::span<const Vec3> position);
 
 /// For each copy the usable point at its position, for each usable point itself, else kNone.
 std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness);
 
+/// True if a normal has a direction: it is finite and not zero.
 inline bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }
 
 /// Scales `normal` to unit length; one without direction is unchanged. True if its length was off

@@ -29,7 +29,7 @@ struct Surroundings {
 Result<Surroundings> surroundingsOf(const PointFile& file, unsigned threads,
                                     const Progress& progress) {
     Surroundings around;
-    for (const Fitness fitness : fitnessOf(file.position, {}))
+    for (const Fitness fitness : fitnessOf(file.position))
         around.present.push_back(fitness == Fitness::Usable);
     NeighborOptions nearest;
     nearest.dropOpposingNormals = false;
@@ -109,7 +109,7 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
         surroundingsOf(file, threads, partOf(progress, 0.0, kListsDone));
     if (!around) return around.error();
     MeshJudge judge;
-    std::vector<Vec3> given = rightNormals(file, around.value(), threads, judge);
+    const std::vector<Vec3> given = rightNormals(file, around.value(), threads, judge);
     PrepareOptions own;
     own.neighbors.threads = threads;
     own.normals = judge.fit ? NormalSource::AsGiven : NormalSource::Derived;
@@ -117,7 +117,10 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
     Result<Prepared> prepared = prepare(file, own, partOf(progress, kMeasuredDone, 1.0));
     if (!prepared) return prepared.error();
     PointSet& points = prepared.value().points;
-    if (judge.fit) points.normal = std::move(given);
+    // Where the file has no normal, the one that prepare() completed stays.
+    for (Index p = 0; p < given.size(); ++p) {
+        if (given[p] != Vec3(0.0)) points.normal[p] = given[p];
+    }
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
     if (run != nullptr && named) turnAsInRun(around.value(), *run, points);
     points.neighbors = {};
@@ -131,7 +134,7 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
 std::shared_ptr<const PointSet> MeshJudge::forRun(const PointSet& run,
                                                   std::span<const Index> leaveOut) const {
     auto judge = std::make_shared<PointSet>(*points);
-    const std::vector<Fitness> fitness = fitnessOf(run.position, run.normal);
+    const std::vector<Fitness> fitness = fitnessOf(run.position);
     for (std::size_t p = 0; p < run.setAside.size(); ++p) {
         if (run.setAside[p] && fitness[p] == Fitness::Usable) judge->setAside[p] = true;
     }

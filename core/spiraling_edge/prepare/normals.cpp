@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/orientation.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 
@@ -113,6 +117,102 @@ Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
     };
     if (!forEachWithProgress(normal.size(), threads, kPlanesPerThread, progress, estimate))
         return Error{"the work on normals was cancelled"};
+    return normal;
+}
+
+bool lacksNormals(std::span<const Vec3> normal, const std::vector<bool>& usable) {
+    if (normal.empty()) return true;
+    std::size_t directed = 0;
+    std::size_t all = 0;
+    for (std::size_t p = 0; p < usable.size(); ++p) {
+        if (!usable[p]) continue;
+        ++all;
+        directed += hasDirection(normal[p]) ? 1U : 0U;
+    }
+    return 2 * directed < all;
+}
+
+namespace {
+
+/// Sets missing normals by those of neighbors.
+class NormalCompletion {
+  public:
+    NormalCompletion(std::span<const Vec3> position, const NeighborLists& lists,
+                     std::vector<Vec3>& normal)
+        : position_(position), lists_(lists), normal_(normal), plane_(normal.size(), Vec3(0.0)) {}
+
+    /// `missing`: the points whose normals are to be set, which are zero.
+    void run(const std::vector<Index>& missing) {
+        for (const Index p : missing) {
+            plane_[p] = planeNormalAt(position_, p, lists_[p]);
+            queue_.push_back(p);
+        }
+        // Each is looked at again once a neighbor has got its normal.
+        for (std::size_t i = 0; i < queue_.size(); ++i) {
+            if (!set(queue_[i])) continue;
+            for (const Index q : lists_[queue_[i]]) {
+                if (plane_[q] != Vec3(0.0)) queue_.push_back(q);
+            }
+        }
+    }
+    /// The planes of the points of parts in which no point has a normal; zero at all others.
+    std::vector<Vec3> takeRest() { return std::move(plane_); }
+
+  private:
+    /// True if p has got its normal now.
+    bool set(Index p) {
+        double side = 0.0;
+        for (const Index q : lists_[p]) {
+            Vec3 other = normal_[q];
+            if (!scaledDirection(other)) continue;
+            side += glm::dot(plane_[p], other);
+        }
+        if (side == 0.0) return false;
+        normal_[p] = side < 0.0 ? -plane_[p] : plane_[p];
+        plane_[p] = Vec3(0.0);
+        return true;
+    }
+    static bool scaledDirection(Vec3& normal) {
+        if (!hasDirection(normal)) return false;
+        scaleToUnit(normal);
+        return true;
+    }
+
+    std::span<const Vec3> position_;
+    const NeighborLists& lists_;
+    std::vector<Vec3>& normal_;
+    std::vector<Vec3> plane_;  ///< Zero once used.
+    std::vector<Index> queue_;
+};
+
+}  // namespace
+
+Result<std::vector<Vec3>> completeNormals(const PointFile& file, const std::vector<bool>& usable,
+                                          unsigned threads, const Progress& progress) {
+    std::vector<Vec3> normal = file.normal;
+    std::vector<Index> missing;
+    for (Index p = 0; p < normal.size(); ++p) {
+        if (!usable[p] || hasDirection(normal[p])) continue;
+        normal[p] = Vec3(0.0);
+        missing.push_back(p);
+    }
+    if (missing.empty()) return normal;
+    NeighborOptions nearest;
+    nearest.dropOpposingNormals = false;
+    nearest.threads = threads;
+    const Result<NeighborLists> lists = findNeighbors(file.position, {}, usable, nearest, progress);
+    if (!lists) return lists.error();
+    NormalCompletion completion(file.position, lists.value(), normal);
+    completion.run(missing);
+    std::vector<Vec3> rest = completion.takeRest();
+    const OrientationOptions outward{UnknownSide::ByVote, {}, threads};
+    const Result<OrientationReport> turned =
+        orientNormals(file.position, lists.value(), rest, outward);
+    if (!turned) return turned.error();
+    for (const Index p : missing) {
+        if (normal[p] == Vec3(0.0)) normal[p] = rest[p];
+        if (file.normalType == ScalarType::Float) normal[p] = Vec3(glm::vec3(normal[p]));
+    }
     return normal;
 }
 

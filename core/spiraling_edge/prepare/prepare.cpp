@@ -92,13 +92,11 @@ class Preparation {
 
     /// Sets aside points from which nothing can be derived, and those to leave out.
     void setAsideUnusable() {
-        const std::vector<Fitness> fitness =
-            fitnessOf(set_.position, derivesNormals() ? std::span<const Vec3>{} : file_.normal);
+        const std::vector<Fitness> fitness = fitnessOf(set_.position);
         usable_.resize(fitness.size());
         for (std::size_t p = 0; p < fitness.size(); ++p) {
             usable_[p] = fitness[p] == Fitness::Usable;
             if (fitness[p] == Fitness::NonFinite) ++report_.nonFinitePoints;
-            if (fitness[p] == Fitness::NoDirection) ++report_.zeroNormals;
             if (fitness[p] == Fitness::Copy) ++report_.duplicatePoints;
         }
         for (const Index p : options_.leaveOut) {
@@ -106,19 +104,33 @@ class Preparation {
             if (usable_[p]) ++report_.leftOut;
             usable_[p] = false;
         }
+        derives_ = options_.normals == NormalSource::Derived || lacksNormals(file_.normal, usable_);
     }
 
-    bool derivesNormals() const {
-        return !file_.hasNormals() || options_.normals == NormalSource::Derived;
+    /// The normals of the file, of unit length, with those that have no direction completed.
+    Status takeGivenNormals() {
+        set_.normal = file_.normal;
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (usable_[p] && !hasDirection(file_.normal[p])) ++report_.derived.completedNormals;
+        }
+        if (report_.derived.completedNormals > 0) {
+            Result<std::vector<Vec3>> all =
+                completeNormals(file_, usable_, options_.neighbors.threads, upTo(kNearestDone));
+            if (!all) return all.error();
+            set_.normal = std::move(all.value());
+        }
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
+                ++report_.unscaledNormals;
+        }
+        report_.zeroNormals = setAsidePlaneless();
+        report_.derived.completedNormals -= report_.zeroNormals;
+        return success();
     }
 
     Status makeNormals() {
-        if (!derivesNormals()) {
-            set_.normal = file_.normal;
-            for (Index p = 0; p < set_.size(); ++p) {
-                if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
-                    ++report_.unscaledNormals;
-            }
+        if (!derives_) {
+            if (Status status = takeGivenNormals(); !status) return status;
             if (options_.normals == NormalSource::AsGiven) return success();
         }
         StopWatch watch;
@@ -127,7 +139,7 @@ class Preparation {
         const OrderedPoints points(set_.position, std::move(lists.value()));
         DerivedPieces& derived = report_.derived;
         std::vector<Vec3> normal;
-        if (derivesNormals()) {
+        if (derives_) {
             Result<std::vector<Vec3>> planes = estimateNormals(
                 points.position(), points.lists(), options_.neighbors.threads, upTo(kPlanesDone));
             if (!planes) return planes.error();
@@ -137,16 +149,16 @@ class Preparation {
         } else {
             normal = points.renumbered(std::move(set_.normal));
         }
-        const OrientationOptions sides{derivesNormals() ? UnknownSide::ByVote : UnknownSide::AsMost,
+        const OrientationOptions sides{derives_ ? UnknownSide::ByVote : UnknownSide::AsMost,
                                        options_.scanner, options_.neighbors.threads};
         const Result<OrientationReport> oriented =
             orientNormals(points, normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
         set_.normal = points.restored(std::move(normal));
-        if (derivesNormals()) setAsidePlaneless();
+        if (derives_) report_.derived.planelessPoints = setAsidePlaneless();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;
-        derived.turnedNormals = derivesNormals() ? 0 : turned.turned;
+        derived.turnedNormals = derives_ ? 0 : turned.turned;
         derived.normalComponents = turned.components;
         derived.unknownSides = turned.unknownSides;
         derived.orientationSeconds = watch.lap();
@@ -161,12 +173,15 @@ class Preparation {
         return findNeighbors(set_.position, {}, usable_, nearest, upTo(kNearestDone));
     }
 
-    void setAsidePlaneless() {
+    /// Returns their number.
+    std::size_t setAsidePlaneless() {
+        std::size_t planeless = 0;
         for (Index p = 0; p < set_.size(); ++p) {
             if (!usable_[p] || set_.normal[p] != Vec3(0.0)) continue;
             usable_[p] = false;
-            ++report_.derived.planelessPoints;
+            ++planeless;
         }
+        return planeless;
     }
 
     /// Progress of a part of the work, from the share done so far to `share` of the whole.
@@ -291,7 +306,8 @@ class Preparation {
     PointSet& set_ = prepared_.points;
     PrepareReport& report_ = prepared_.report;
     std::vector<bool> usable_;
-    double done_ = 0.0;  ///< Share of the whole work.
+    bool derives_ = false;  ///< All normals are derived.
+    double done_ = 0.0;     ///< Share of the whole work.
 };
 
 }  // namespace
@@ -315,6 +331,10 @@ void storeDerived(const PointSet& points, const PrepareReport& report, PointFile
     const DerivedPieces& derived = report.derived;
     if (derived.normals || derived.orientation || report.noisyPoints > 0)
         file.normal = points.normal;
+    for (std::size_t p = 0; p < file.normal.size(); ++p) {
+        if (derived.completedNormals > 0 && !hasDirection(file.normal[p]))
+            file.normal[p] = points.normal[p];
+    }
     if (derived.normals) file.normalType = file.positionType;
     if (derived.types || derived.rim) file.type = points.type;
 }

@@ -90,6 +90,8 @@ struct DerivedPieces {
     std::size_t normalComponents = 0;  ///< Parts that were oriented independently.
     std::size_t unknownSides = 0;      ///< Of these: OrientationReport::unknownSides.
     std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
+    /// Of points whose given normals have no direction, beside others that have: completeNormals().
+    std::size_t completedNormals = 0;
     std::size_t rimPoints = 0;
     std::size_t rimChains = 0;   ///< Closed, one per opening.
     double normalSeconds = 0.0;  ///< Including the search for the neighbors that they need.
@@ -106,8 +108,8 @@ std::string unknownSidesText(std::size_t unknown, std::size_t parts);
 /// their index, but have an empty list and are in no list.
 struct PrepareReport {
     std::size_t nonFinitePoints = 0;
-    std::size_t zeroNormals = 0;      ///< Or not finite: without a direction.
-    std::size_t duplicatePoints = 0;  ///< Exact copies of a usable point with a lower index.
+    std::size_t zeroNormals = 0;      ///< Without a direction, where no plane fits best either.
+    std::size_t duplicatePoints = 0;  ///< Exact copies of a point with a lower index.
     std::size_t leftOut = 0;          ///< At the user's request: PrepareOptions::leaveOut.
     /// Normals whose length was off by more than 1e-3. Smaller errors, as of rounded numbers in a
     /// file, are corrected without mention.

@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
@@ -17,6 +19,14 @@ using namespace se::test;
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Calls of fsync(), which this program replaces by its own.
+struct Syncs {
+    std::string kinds;  ///< 'f' for a file, 'd' for a folder, in their order.
+    char fails = 0;     ///< The kind that fails.
+    fs::path watched;
+    std::string content;  ///< Of `watched`, when a file was synced.
+} syncs;
 
 fs::perms modeOf(const fs::path& path) { return fs::status(path).permissions(); }
 
@@ -35,7 +45,98 @@ void checkEndsBy(int signal, Work&& work) {
     CHECK(WTERMSIG(status) == signal);
 }
 
+NamedFile named(const char* role, const fs::path& path) { return {role, path}; }
+
 }  // namespace
+
+extern "C" int fsync(int descriptor) {
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    const char kind = S_ISDIR(status.st_mode) ? 'd' : 'f';
+    syncs.kinds += kind;
+    if (kind == 'f' && !syncs.watched.empty()) syncs.content = bytesOf(syncs.watched);
+    if (kind != syncs.fails) return static_cast<int>(::syscall(SYS_fsync, descriptor));
+    errno = EIO;
+    return -1;
+}
+
+TEST_CASE("Write: the bytes are on the disk before the name, and the name before the end") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "a", "old").ok());
+    syncs = {"", 0, folder / "a", ""};
+    REQUIRE(writeFileAtomically(folder / "a", "new").ok());
+    CHECK(syncs.kinds == "fd");
+    CHECK(syncs.content == "old");
+    CHECK(bytesOf(folder / "a") == "new");
+    syncs = {};
+}
+
+TEST_CASE("Write: bytes that do not reach the disk are an error, and the old file stays") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "a", "old").ok());
+    syncs = {"", 'f', {}, ""};
+    const Status status = writeFileAtomically(folder / "a", "new");
+    REQUIRE_FALSE(status.ok());
+    CHECK(contains(status.error().message, "cannot be written: Input/output error"));
+    CHECK(bytesOf(folder / "a") == "old");
+    CHECK(folder.fileCount() == 1);
+    syncs = {"", 'd', {}, ""};
+    CHECK_FALSE(writeFileAtomically(folder / "a", "new").ok());
+    syncs = {};
+}
+
+TEST_CASE("Write: a folder that may not be listed can be written to") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "closed");
+    fs::permissions(folder / "closed", fs::perms::owner_write | fs::perms::owner_exec);
+    CHECK(writeFileAtomically(folder / "closed/a", "new").ok());
+    fs::permissions(folder / "closed", fs::perms::owner_all);
+}
+
+TEST_CASE("Write: an output that is an input by any of its names would be lost") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "in.ply") << "points";
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("in.ply", folder / "link.ply");
+    fs::create_symlink("../link.ply", folder / "sub/far.ply");
+    fs::create_hard_link(folder / "in.ply", folder / "hard.ply");
+    fs::create_directory_symlink(".", folder / "here");
+    const std::vector<NamedFile> inputs{named("", folder / "in.ply"), named("", "scene:torus")};
+    for (const char* name :
+         {"in.ply", "sub/../in.ply", "link.ply", "sub/far.ply", "hard.ply", "here/in.ply"}) {
+        CAPTURE(name);
+        const std::vector<NamedFile> outputs{named("-o", folder / name)};
+        const Status status = requireKept(inputs, outputs);
+        REQUIRE_FALSE(status.ok());
+        CHECK(contains(status.error().message, "-o " + (folder / name).string()));
+        CHECK(contains(status.error().message, "the input " + (folder / "in.ply").string()));
+        CHECK(contains(status.error().message, "--force"));
+    }
+    for (const char* name : {"out.ply", "sub/in.ply", "none/in.ply"})
+        CHECK(requireKept(inputs, std::vector<NamedFile>{named("-o", folder / name)}).ok());
+    // What is read from and written to a device is not lost.
+    const std::vector<NamedFile> device{named("", "/dev/null")};
+    CHECK(requireKept(device, device).ok());
+}
+
+TEST_CASE("Write: two outputs are two files, also before they exist") {
+    const TemporaryFolder folder;
+    fs::create_symlink("later", folder / "link");
+    fs::create_directory_symlink(".", folder / "here");
+    const auto apart = [&](const fs::path& a, const fs::path& b) {
+        return requireApart(std::vector<NamedFile>{named("-o", a), named("--report", b)}).ok();
+    };
+    CHECK_FALSE(apart(folder / "later", folder / "later"));
+    CHECK_FALSE(apart(folder / "later", folder / "here/./later"));
+    CHECK_FALSE(apart(folder / "later", folder / "link"));
+    CHECK_FALSE(apart("-", "-"));
+    CHECK_FALSE(apart("-", "/dev/stdout"));
+    CHECK(apart(folder / "later", folder / "other"));
+    CHECK(apart("/dev/null", "/dev/null"));
+    CHECK(apart("-", folder / "later"));
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK_FALSE(apart(folder / "pipe", folder / "pipe"));
+}
 
 TEST_CASE("Write: a link stays a link, and its target is replaced") {
     const TemporaryFolder folder;

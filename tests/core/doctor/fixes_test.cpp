@@ -71,7 +71,7 @@ TEST_CASE("doctor: points keep their order and everything that belongs to them")
     const PointFile after = applyFixes(before).file;
     std::vector<double> kept;
     for (Index p = 0; p < before.position.size(); ++p) {
-        if (p != 10 && p != 20 && p != 31) kept.push_back(p);
+        if (p != 10 && p != 31) kept.push_back(p);
     }
     REQUIRE(after.attributes.size() == 1);
     CHECK(after.attributes[0].values == kept);
@@ -85,8 +85,7 @@ TEST_CASE("doctor: points keep their order and everything that belongs to them")
         for (const Index q : listOf(after, p)) names.push_back(static_cast<Index>(kept[q]));
         std::vector<Index> wanted;
         for (const Index q : listOf(before, old)) {
-            if (q != old && q < before.position.size() && q != 10 && q != 20 && q != 31)
-                wanted.push_back(q);
+            if (q != old && q < before.position.size() && q != 10 && q != 31) wanted.push_back(q);
         }
         std::sort(names.begin(), names.end());
         std::sort(wanted.begin(), wanted.end());
@@ -135,6 +134,43 @@ TEST_CASE("doctor: normals that are all zero are taken out, not the points") {
     CHECK_FALSE(fixed.file.hasNormals());
     CHECK(fixed.file.position == file.position);
     CHECK(repairsOf(fixed).at("zero_normals") == file.position.size());
+}
+
+TEST_CASE("doctor: a normal without a direction is derived, and its point stays") {
+    for (const Vec3& none : {Vec3(0.0), Vec3(std::numeric_limits<double>::quiet_NaN()),
+                             Vec3(0.0, std::numeric_limits<double>::infinity(), 1.0)}) {
+        PointFile file = ball();
+        const std::vector<Vec3> right = file.normal;
+        for (Index p = 0; p < 40; ++p) file.normal[p] = none;
+        const FixedFile some = applyFixes(file);
+        CHECK(some.file.position == file.position);
+        CHECK(repairsOf(some) == std::map<std::string, std::size_t>{{"zero_normals", 40}});
+        for (Index p = 0; p < right.size(); ++p)
+            CHECK(glm::dot(some.file.normal[p], right[p]) > 0.9);
+        file.normal.assign(file.position.size(), none);
+        const FixedFile all = applyFixes(file);
+        CHECK_FALSE(all.file.hasNormals());
+        CHECK(all.file.position == file.position);
+    }
+}
+
+TEST_CASE("doctor: fixes that leave fewer than half of the places are refused") {
+    const std::vector<Vec3> three{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    std::vector<Vec3> copies(20, three[0]);
+    copies.push_back(three[1]);
+    copies.push_back(three[2]);
+    copies.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+    CHECK(requireMostLeft(copies, three, {}).ok());
+    CHECK(requireMostLeft(copies, std::vector<Vec3>{three[0], three[1]}, {}).ok());
+    const std::vector<std::string> done{"2 points dropped"};
+    const Status one = requireMostLeft(copies, std::vector<Vec3>{three[0]}, done);
+    REQUIRE_FALSE(one.ok());
+    CHECK(one.error().message ==
+          "the fixes would leave 1 of 3 distinct finite positions, fewer than half (2 points "
+          "dropped)");
+    CHECK_FALSE(requireMostLeft(copies, {}, done).ok());
+    CHECK_FALSE(requireMostLeft(std::vector<Vec3>{copies.back()}, {}, done).ok());
+    CHECK(requireMostLeft({}, {}, {}).ok());
 }
 
 TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {

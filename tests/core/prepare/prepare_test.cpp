@@ -293,26 +293,72 @@ TEST_CASE("prepare: points that are not finite are set aside") {
     CHECK_FALSE(isSetAside(prepared.points, 5));
 }
 
-TEST_CASE("prepare: normals without direction set their points aside") {
-    PointFile file = makeCircle();
-    file.normal[0] = Vec3(0);
-    file.normal[1].y = kNan;
-    file.normal[2].z = -kInf;
-    const Prepared prepared = mustPrepare(file);
-    CHECK(prepared.report.zeroNormals == 3);
-    for (Index p = 0; p < 3; ++p) CHECK(isSetAside(prepared.points, p));
+TEST_CASE("prepare: normals without direction are derived, on the side of the others") {
+    for (const double side : {1.0, -1.0}) {  // Also against what faces outward.
+        PointFile file = findScene("sphere")->build();
+        file.neighbors = {};
+        for (Vec3& normal : file.normal) normal *= side;
+        const std::vector<Vec3> right = file.normal;
+        file.normal[0] = Vec3(0);
+        file.normal[1].y = kNan;
+        file.normal[2].z = -kInf;
+        // A patch, of which some have no neighbor with a normal.
+        for (Index p = 0; p < file.position.size(); ++p) {
+            if (file.position[p].z > 0.7) file.normal[p] = Vec3(kNan);
+        }
+        const Prepared prepared = mustPrepare(file);
+        CHECK(prepared.report.zeroNormals == 0);
+        CHECK(prepared.report.derived.completedNormals > 80);
+        CHECK_FALSE(prepared.report.derived.normals);
+        for (Index p = 0; p < file.position.size(); ++p) {
+            CHECK_FALSE(isSetAside(prepared.points, p));
+            CHECK(glm::dot(prepared.points.normal[p], right[p]) > 0.97);
+            if (isFinite(file.normal[p]) && file.normal[p] != Vec3(0.0))
+                CHECK(prepared.points.normal[p] == right[p]);
+        }
+        storeDerived(prepared.points, prepared.report, file);
+        for (const Vec3& normal : file.normal) CHECK(isFinite(normal));
+    }
 }
 
-TEST_CASE("prepare: of points at one place the first usable stays") {
+TEST_CASE("prepare: normals of which most have no direction are all derived") {
+    for (const Vec3& none : {Vec3(0.0), Vec3(kNan), Vec3(0.0, kInf, 0.0)}) {
+        PointFile file = findScene("sphere")->build();
+        file.neighbors = {};
+        PointFile bare = file;
+        bare.normal.clear();
+        const auto n = static_cast<Index>(file.position.size());
+        for (Index p = 0; 2 * p <= n; ++p) file.normal[p] = none;
+        const Prepared most = mustPrepare(file);
+        CHECK(most.report.derived.normals);
+        CHECK(most.points.normal == mustPrepare(bare).points.normal);
+        file.normal.assign(n, none);
+        CHECK(mustPrepare(file).points.normal == most.points.normal);
+    }
+}
+
+TEST_CASE("prepare: where no plane fits, a normal without direction sets its point aside") {
+    PointFile file;
+    for (int i = 0; i < 30; ++i) {
+        file.position.emplace_back(i, 0.0, 0.0);
+        file.normal.emplace_back(0.0, 0.0, i == 15 ? 0.0 : 1.0);
+    }
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.zeroNormals == 1);
+    CHECK(prepared.report.derived.completedNormals == 0);
+    CHECK(isSetAside(prepared.points, 15));
+    CHECK_FALSE(isSetAside(prepared.points, 14));
+}
+
+TEST_CASE("prepare: of points at one place the first stays") {
     PointFile file = makeCircle();
     file.position[7] = file.position[2] = file.position[5];
-    file.normal[2] = Vec3(0);
     file.position[8] = Vec3(0.0, 0.0, 0.0);
     file.position[9] = Vec3(-0.0, 0.0, -0.0);
     const Prepared prepared = mustPrepare(file);
-    CHECK(prepared.report.zeroNormals == 1);
-    CHECK(prepared.report.duplicatePoints == 2);
-    CHECK_FALSE(isSetAside(prepared.points, 5));
+    CHECK(prepared.report.duplicatePoints == 3);
+    CHECK_FALSE(isSetAside(prepared.points, 2));
+    CHECK(isSetAside(prepared.points, 5));
     CHECK(isSetAside(prepared.points, 7));
     CHECK_FALSE(isSetAside(prepared.points, 8));
     CHECK(isSetAside(prepared.points, 9));
@@ -346,7 +392,7 @@ TEST_CASE("prepare: the corner bit follows from the face bits") {
 
 TEST_CASE("prepare: lists from the file are cleaned and put in order") {
     PointFile file = makeCircle();
-    file.normal[11] = Vec3(0);
+    file.position[11] = Vec3(kNan);
     file.position[10] = file.position[9];
     const Lists given = {{2, 1, 2, 0, 11, 1}, {}, {1, 3}, {6, 4}, {9, 10, 3}};
     for (const auto& list : given) file.neighbors.append(list);
@@ -397,7 +443,8 @@ TEST_CASE("prepare: the shared files with hazards pass, and the report counts wh
     };
     CHECK(report("duplicates.ply").duplicatePoints == 50);
     CHECK(report("not_finite.ply").nonFinitePoints == 15);
-    CHECK(report("zero_normals.ply").zeroNormals == 30);
+    CHECK(report("zero_normals.ply").zeroNormals == 0);
+    CHECK(report("zero_normals.ply").derived.completedNormals == 30);
     CHECK(report("unscaled_normals.ply").unscaledNormals > 1000);
     CHECK(report("same_point.ply").duplicatePoints == 19);
     for (const char* name : {"empty.ply", "one_point.ply", "two_points.ply", "collinear.ply",

@@ -184,8 +184,4 @@ TEST_CASE("Noise comes back by its rule, points dropped by a fix by taking back 
     app.carryOut();
     bringBack(app.context, {AsideReason::Fixed, "duplicates"});
     CHECK(app.ui.requests.fixes == Fixes{"flipped_normals"});
-    app.ui.requests = {};
-    bringBack(app.context, {AsideReason::NoDirection});
-    REQUIRE(app.ui.requests.openSpec);
-    CHECK(app.ui.requests.openSpec->normals == NormalSource::Derived);
 }

@@ -32,7 +32,7 @@ PointFile plainSphere() {
     return file;
 }
 
-/// A sphere with a copy of point 3, point 7 without a direction, and point 9 without a position.
+/// A sphere with a copy of point 3, point 7 without a normal, and point 9 without a position.
 PointFile flawedSphere() {
     PointFile file = plainSphere();
     file.type.clear();
@@ -60,14 +60,11 @@ TEST_CASE("Points that the preparation sets aside are listed by reason, with the
     REQUIRE(loaded);
     const Model& model = *loaded.value().model;
     const auto copy = static_cast<Index>(file.position.size() - 1);
-    CHECK(model.aside.size() == 3);
-    CHECK(countOf(model.aside) == 3);
+    CHECK(model.aside.size() == 2);
+    CHECK(countOf(model.aside) == 2);
     CHECK(groupOf(model, "not_finite").points == std::vector<Index>{9});
-    CHECK(groupOf(model, "no_direction").points == std::vector<Index>{7});
     CHECK(groupOf(model, "copy").points == std::vector<Index>{copy});
     CHECK(returnText(AsideReason::NotFinite).empty());
-    CHECK_FALSE(returnText(AsideReason::NoDirection).empty());
-    // With derived normals none lacks a direction.
     InputSpec derived;
     derived.normals = NormalSource::Derived;
     CHECK(countOf(loadPoints(file, derived).value().model->aside) == 2);

@@ -112,7 +112,7 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     app.follow(safeFixes(app.session.doctorJob().findings()));
     CHECK(app.session.input().spec().fixes.size() == 2);
     CHECK(app.findings().empty());
-    CHECK(app.session.model().points.size() == all - 3);
+    CHECK(app.session.model().points.size() == all - 1);
     CHECK(app.session.model().fixesDone.size() == 3);  // copies, zero normals, flipped ones
     // The normals point outwards: the sphere is about the origin of its own box.
     for (std::size_t p = 0; p < app.session.model().points.size(); ++p)
@@ -124,6 +124,26 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     CHECK(app.session.model().points.size() == all);
     CHECK(app.finds("flipped_normals"));
     CHECK(app.session.model().fixesDone.empty());
+}
+
+TEST_CASE("Fixes that take most of the points are refused, and the open input stays") {
+    FixApp app("fix-most-test");
+    PointFile lines;  // Rays, far from each other: each point is in line with all of its nearest.
+    for (int i = 0; i < 200; ++i) {
+        lines.position.emplace_back(i % 50, 1000.0 * (i / 50), 0.0);
+        lines.normal.emplace_back(0.0, 0.0, 1.0);
+    }
+    write(app.path, lines);
+    app.document.open(app.path);
+    app.waitUntilDone();
+    REQUIRE(app.finds("in_line"));
+    app.follow({"in_line"});
+    CHECK(app.session.input().error().find("would leave 0 of 200 distinct") != std::string::npos);
+    CHECK(app.session.ready());
+    CHECK(app.session.input().spec().fixes.empty());
+    CHECK(app.session.model().points.size() == 200);
+    PointFile file = lines;
+    CHECK_FALSE(fixInput(file, {"non_finite", "in_line"}));
 }
 
 TEST_CASE("Bookmarks and notes stay when the input is repaired, and another input is not") {

@@ -50,6 +50,21 @@ TEST_CASE("The command names the input and the mesh, each as one word of a shell
           "spiraling-edge run '" + (fs::current_path() / "odd $name.ply").string() + "' -o m.ply");
 }
 
+TEST_CASE("The command of a mesh that replaces the points says so") {
+    const fs::path folder = test::ownPlace("mesh-command-force");
+    fs::create_directories(folder);
+    const fs::path points = folder / "p.ply";
+    std::ofstream(points) << "points";
+    fs::create_symlink("p.ply", folder / "link.ply");
+    const std::string run = "spiraling-edge run " + shellQuoted(points.string()) + " -o ";
+    for (const fs::path& mesh : {points, folder / "link.ply"}) {
+        CHECK(textOf(specOf(points.string()), {mesh.string()}) ==
+              run + shellQuoted(mesh.string()) + " --force");
+    }
+    CHECK(textOf(specOf(points.string()), {"m.ply"}) == run + "m.ply");
+    fs::remove_all(folder);
+}
+
 TEST_CASE("The command has every option in which the input differs from the defaults") {
     InputSpec spec = specOf(kSphere);
     spec.rules = "robust";

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "export/numbered_files.h"
 #include "export_fields.h"
 #include "input/key_routing.h"
 #include "mesh_fields.h"
@@ -77,9 +78,14 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     std::error_code error;
     const bool session = context.ui().browser == BrowserTask::SaveSession;
     const bool own = session && path == context.ui().sessionPath;
-    if (!own && fs::exists(path, error) && state.overwrite != path) {
+    const auto numbered = frames && exported.frames != ExportFrames::Picture
+                              ? numberedFilesAt(path)
+                              : std::vector<fs::path>{};
+    const fs::path& there = numbered.empty() ? path : numbered.front();
+    if (!own && fs::exists(there, error) && state.overwrite != path) {
         state.overwrite = path;
-        state.error = path.filename().string() + " exists already. Save again to replace it.";
+        state.error = replaceText(there.string(), context.session().input().spec().source) +
+                      " Save again to do so.";
         return;
     }
     state.overwrite.clear();

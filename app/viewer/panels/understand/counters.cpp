@@ -58,6 +58,7 @@ void drawInput(const PanelContext& context) {
     if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
     if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);
     if (report.zeroNormals > 0) warn(context, "zero normals", report.zeroNormals);
+    if (derived.completedNormals > 0) warn(context, "normals derived", derived.completedNormals);
     if (report.duplicatePoints > 0) warn(context, "duplicates", report.duplicatePoints);
     if (report.noisyPoints > 0) warn(context, "noise", report.noisyPoints);
     if (report.droppedListEntries > 0) count(context, "list cleaned", report.droppedListEntries);

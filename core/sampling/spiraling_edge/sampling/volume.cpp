@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <fstream>
 
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -101,6 +102,19 @@ Result<Volume> readVolume(const fs::path& path) {
     const Result<std::string> data = readBytes(dataPath);
     if (!data) return io::errorAt(name, io::lineText(header.dataFileLine), data.error().message);
     return io::decodeNrrd(header, data.value(), dataPath.string());
+}
+
+fs::path dataFileOf(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return {};
+    constexpr std::size_t kHeader = 1U << 16U;  // Without the values that may follow it.
+    std::string bytes(kHeader, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    const Result<io::NrrdHeader> header = io::parseNrrdHeader(bytes, path.string());
+    if (!header || header.value().dataFile.empty()) return {};
+    return path.parent_path() / header.value().dataFile;
 }
 
 Result<Volume> readVolume(std::string_view bytes, const std::string& name) {

@@ -47,6 +47,8 @@ bool isVolumePath(const std::filesystem::path& path);
 /// byte order, raw or gzip, axis-aligned spacings or space directions. Errors name the file and
 /// the line, what was expected and what to do. Nothing is allocated that the file cannot fill.
 Result<Volume> readVolume(const std::filesystem::path& path);
+/// The file that holds the values of a volume; empty if the volume itself does, or cannot be read.
+std::filesystem::path dataFileOf(const std::filesystem::path& path);
 /// Reads a volume from memory, attached data only; `name` is its name in errors.
 Result<Volume> readVolume(std::string_view bytes, const std::string& name);
 
