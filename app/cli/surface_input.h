@@ -16,7 +16,7 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
 /// Makes `box` the domain. Throws Failure if a volume, whose name begins messages, is smaller.
 void cutBy(const WallBox& box, const std::string& input, Field& field);
 
-/// Samples with the progress line. Throws Failure if sampling fails or is interrupted.
+/// Samples with the progress line. Throws Failure if sampling fails.
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
                        ProgressLine& line);
 

@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron lab_with_solution lesson_result sphere_points square | sort >helpers
+    printf '%s\n' ball expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result sphere_points square user_ticks | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -651,12 +651,104 @@ interrupt_leaves_no_file() {
     icosahedron >&3
     sleep 0.5
     kill -INT $process
-    exec 3>&-
+    # The pipe is still open: a read that waits is interrupted too.
     local code=0
     wait $process || code=$?
+    exec 3>&-
     is "$code" 130 "exit code"
     says err interrupted
     is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
+}
+
+# A height map of 150 by 150 points with normals, as XYZ.
+height_map() {
+    awk 'BEGIN { for (x = 0; x < 150; ++x) for (y = 0; y < 150; ++y)
+        print x, y, 0.3 * sin(x / 9) * cos(y / 7), 0, 0, 1 }'
+}
+
+# user_ticks PROCESS: hundredths of a second that it has computed, in `ticks`; empty once it ended.
+user_ticks() {
+    local words=()
+    { read -ra words <"/proc/$1/stat"; } 2>/dev/null || true
+    ticks=${words[13]:-}
+}
+
+# interrupted_after TICKS SIGNAL_ACTION ARGUMENTS...: runs the program, and sends SIGINT once it has
+# computed so long. Its exit code is in `code`, the seconds that it computed after the signal in
+# `late`. The input of a verb that reads none is a pipe that stays open.
+interrupted_after() {
+    local wanted=$1 action=$2 process ticks before=() after=()
+    shift 2
+    times >before
+    env "--$action-signal=INT" "$program" "$@" <&"$never" >out 2>err &
+    process=$!
+    while user_ticks $process; [ -n "$ticks" ] && [ "$ticks" -lt "$wanted" ]; do
+        read -rt 0.005 -u "$never"
+    done
+    kill -STOP $process && user_ticks $process && kill -INT $process
+    kill -CONT $process || fail "\`spiraling-edge $*\` ended before it was interrupted"
+    code=0
+    wait $process || code=$?
+    times >after
+    late=$(cat before after | awk -v ticks="${ticks:-0}" '
+        NR % 2 == 0 { split($1, part, /[ms]/); user[NR] = 60 * part[1] + part[2] }
+        END { printf "%.2f", user[4] - user[2] - ticks / 100 }')
+    rm before after
+}
+
+interrupts_end_every_verb_at_once() {
+    mkfifo silence
+    exec {never}<>silence
+    height_map >big.xyz
+    expect 0 run big.xyz -q -o mesh.ply --trace run.setrace
+    local files now code late
+    files=$(ls | sort | tr '\n' ' ')
+    while read -r ticks arguments; do
+        # shellcheck disable=SC2086
+        interrupted_after "$ticks" default $arguments
+        is "$code" 130 "$arguments after $ticks ticks: exit code"
+        says err interrupted
+        echo "$late s after the signal: $arguments"
+        awk "BEGIN { exit !($late < 0.06) }" || fail "$arguments: computed for $late s after it"
+        now=$(ls | sort | tr '\n' ' ')
+        is "$now" "$files" "$arguments: files"
+    done <<'VERBS'
+1 run big.xyz -o new.ply --report new.json
+4 run big.xyz -o new.ply --report new.json
+9 run big.xyz -o new.ply --report new.json
+14 run big.xyz -o new.ply --check --report new.json
+60 run big.xyz --best -o new.ply
+1 info big.xyz
+1 doctor big.xyz --fix new.ply
+6 doctor big.xyz --fix new.ply
+1 check mesh.ply
+4 check mesh.ply
+9 check mesh.ply --points big.xyz
+20 sample sphere -n 100000 -o new.ply
+3 why big.xyz --failures
+20 why big.xyz --failures
+9 compare big.xyz --with --rules robust
+3 diff run.setrace big.xyz --rules robust
+12 reduce scene:torus --failure openings -o new.ply
+5 table1 --save new
+20 figures --check
+20 lesson check tour
+0 practice --answer -
+0 info -
+VERBS
+    exec {never}>&-
+}
+
+an_ignored_interrupt_stays_ignored() {
+    mkfifo silence
+    exec {never}<>silence
+    height_map >big.xyz
+    local code late
+    interrupted_after 4 ignore run big.xyz -q -o mesh.ply
+    exec {never}>&-
+    is "$code" 0 "exit code"
+    empty err
+    expect 0 info mesh.ply
 }
 
 used_points_alone_are_written() {

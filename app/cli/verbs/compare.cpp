@@ -107,7 +107,6 @@ ExitCode compareVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
     const ParsedInput other(optionsOfB(arguments.input, split.with));
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const Comparison found =
         split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);

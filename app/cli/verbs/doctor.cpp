@@ -194,7 +194,6 @@ ExitCode doctorVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     const Piece piece = arguments.piece.piece();
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const InputPiece read = readPiece(arguments.input, piece);
     const PointFile& file = read.file;

@@ -182,7 +182,6 @@ ExitCode figuresVerb(const Arguments& words) {
             throw Failure(ExitCode::Usage, "--conformance: takes neither numbers nor --check");
         return writeConformance(arguments.conformance);
     }
-    catchInterrupts();
     ProgressLine line(arguments.check);
     std::size_t failed = 0;
     for (const Figure& figure : figures()) {

@@ -230,7 +230,6 @@ ExitCode reduceVerb(const Arguments& words) {
                       fmt::format("-o {}: only .ply is written", arguments.output));
     requireOtherThan(arguments.input.input(), {{"-o", arguments.output}});
     requireWritable({{"-o", arguments.output}});
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
     if (!run.params.whatIf.empty())

@@ -159,7 +159,6 @@ ExitCode sampleVerb(const Arguments& words) {
     Field field = readSurface(arguments.input, arguments.isovalue);
     if (!arguments.box.empty()) cutBy(boxFromText(arguments.box), arguments.input, field);
 
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     StopWatch watch;
     PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);

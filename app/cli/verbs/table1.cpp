@@ -266,7 +266,6 @@ ExitCode table1Verb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     const Params params = arguments.rules.params();
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     std::vector<Made> all;
     all.reserve(kRows.size());

@@ -253,7 +253,6 @@ ExitCode whyVerb(const Arguments& words) {
         if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
         ring = place.value();
     }
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
     const std::string missing = missingPointIn(arguments.query, run.points.size());
