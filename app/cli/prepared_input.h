@@ -30,6 +30,7 @@ class InputArguments {
   public:
     void addTo(CLI::App& app);
     const std::string& input() const { return input_; }
+    const ByteLimit& limit() const { return limit_; }
     const std::string& ruleSet() const { return rules_.setName(); }
     /// The options that were given, without the input. The app must outlive this object.
     std::vector<GivenOption> given() const;
@@ -55,6 +56,7 @@ class InputArguments {
     StartArguments start_;
     NeighborArguments neighbors_;
     DerivedArguments derived_;
+    ByteLimit limit_;
     std::vector<const CLI::Option*> options_;
 };
 

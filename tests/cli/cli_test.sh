@@ -739,6 +739,77 @@ VERBS
     exec {never}>&-
 }
 
+budgets_end_reading() {
+    local arguments
+    icosahedron >points.xyz
+    {
+        printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 200 200 200\nencoding: gzip\n\n'
+        head -c 8000000 /dev/zero | gzip
+    } >bomb.nrrd
+    [ "$(wc -c <bomb.nrrd)" -lt 20000 ] || fail "the volume is not packed"
+    mkdir folder
+    printf '# T\n\n```se lesson\nversion = 1\ninput = "zero"\n```\n## S\n' >folder/a.lesson.md
+    head -c 200000 /dev/zero >folder/zero
+    while read -r arguments; do
+        # shellcheck disable=SC2086
+        expect 3 $arguments --most-bytes 100000
+        says err "holds more than 100000 bytes, read or unpacked; --most-bytes N raises this limit"
+    done <<'READERS'
+run /dev/zero -o new.ply
+run /dev/zero --best -o new.ply
+info /dev/zero
+doctor /dev/zero
+check /dev/zero
+check points.xyz --points /dev/zero
+why /dev/zero --failures
+compare /dev/zero --with --rules robust
+compare points.xyz --mesh /dev/zero
+reduce /dev/zero --failure holes -o new.ply
+sample bomb.nrrd -n 10 --iso 0.5 -o new.ply
+lesson new folder/zero -o folder/new.lesson.md
+READERS
+    expect 1 lesson check folder/a.lesson.md --most-bytes 100000
+    says out "holds more than 100000 bytes"
+    absent new.ply
+    yes 1 2 3 | "$program" info - --most-bytes 100000 >out 2>err && fail "endless input was read"
+    says err "standard input: holds more than 100000 bytes"
+    expect 0 info points.xyz --most-bytes "$(wc -c <points.xyz)"
+    expect 2 info points.xyz --most-bytes 0
+    # What has a limit of its own has no option.
+    expect 3 diff /dev/zero points.xyz
+    says err "/dev/zero: holds more than 268435456 bytes"
+    expect 3 run points.xyz --start /dev/zero
+    says err "/dev/zero: holds more than 67108864 bytes"
+    expect 3 lesson results /dev/zero
+    says err "/dev/zero: holds more than 67108864 bytes"
+}
+
+promises_of_headers_take_no_memory() {
+    # Programs that take the memory that a header promises end at this limit.
+    ulimit -v 2000000
+    printf 'ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' >a.ply
+    sed 's/ascii/binary_little_endian/' a.ply >b.ply
+    sed 's/element vertex 4000000000/element vertex 1\nproperty float w\nelement foo 4000000000/' a.ply >c.ply
+    printf 'OFF\n4000000000 4000000000 0\n0 0 0\n' >a.off
+    printf 'VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 4000000000\nHEIGHT 1\nPOINTS 4000000000\nDATA ascii\n0 0 0\n' >a.pcd
+    sed 's/ascii/binary/' a.pcd >b.pcd
+    printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1000000 1000000 1000000\nencoding: raw\n\nabc' >a.nrrd
+    sed 's/raw/gzip/' a.nrrd >b.nrrd
+    truncate -s 1T huge.xyz
+    truncate -s 1T huge.nrrd
+    local file
+    for file in a.ply b.ply c.ply a.off a.pcd b.pcd huge.xyz; do
+        expect 3 info $file
+        says err "$file"
+    done
+    for file in a.nrrd b.nrrd huge.nrrd; do
+        expect 3 sample $file -n 10 --iso 0.5 -o new.ply
+        says err "$file"
+    done
+    says err "2147483648 bytes"
+    absent new.ply
+}
+
 an_ignored_interrupt_stays_ignored() {
     mkfifo silence
     exec {never}<>silence

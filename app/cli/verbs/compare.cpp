@@ -68,7 +68,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& 
 /// A as a run, B as the finished mesh of a file.
 Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const PointFile file = readInput(arguments.mesh);
+    const PointFile file = readInput(arguments.mesh, arguments.input.limit());
     if (file.faces.empty())
         throw Failure(ExitCode::Input, arguments.mesh + ": has no triangles to compare with");
     const PreparedInput a = arguments.input.prepare(line);

@@ -51,6 +51,7 @@ struct RunArguments {
     StartArguments start;
     NeighborArguments neighbors;
     DerivedArguments derived;
+    ByteLimit limit;
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
@@ -81,6 +82,7 @@ struct RunArguments {
         start.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
+        addByteLimit(app, limit);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
                      "the doctor would drop) and keep the best mesh: the fewest faults, at most "
@@ -317,7 +319,7 @@ ExitCode runVerb(const Arguments& words) {
     TraceWriter trace(arguments.trace,
                       arguments.stages ? teach::TraceDetail::Stages : teach::TraceDetail::Fans);
     StopWatch watch;
-    InputPiece read = readPiece(arguments.input, piece);
+    InputPiece read = readPiece(arguments.input, piece, arguments.limit);
     PointFile& file = read.file;
     outcome.points = read.points;
     outcome.seconds.read = watch.lap();

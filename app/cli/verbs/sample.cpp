@@ -27,6 +27,7 @@ struct SampleArguments {
     std::optional<double> isovalue;
     std::size_t neighbors = 0;
     SamplerOptions sampler;
+    ByteLimit limit;
     bool list = false;
     bool json = false;
     bool quiet = false;
@@ -64,6 +65,7 @@ struct SampleArguments {
         app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
             ->type_name("K")
             ->check(CLI::Range(1LL, kMaxNeighbors));
+        addByteLimit(app, limit);
         app.add_flag("--list", list, "List the shapes");
         app.add_flag("--json", json, "With --list: as JSON");
         app.add_flag("-q,--quiet", quiet, "Print errors only");
@@ -156,7 +158,7 @@ ExitCode sampleVerb(const Arguments& words) {
         return ExitCode::Good;
     }
     arguments.validate();
-    Field field = readSurface(arguments.input, arguments.isovalue);
+    Field field = readSurface(arguments.input, arguments.isovalue, arguments.limit);
     if (!arguments.box.empty()) cutBy(boxFromText(arguments.box), arguments.input, field);
 
     ProgressLine line(!arguments.quiet);

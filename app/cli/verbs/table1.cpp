@@ -48,6 +48,7 @@ struct TableArguments {
     double reach = 1.6;
     std::uint64_t seed = 1;
     double curvature = 0.0;
+    ByteLimit limit;
     bool json = false;
     bool quiet = false;
     RuleArguments rules;
@@ -77,6 +78,7 @@ struct TableArguments {
             ->check(CLI::Range(0.0, 100.0));
         app.add_option("--save", save, "Write the five sets of points into this folder, as PLY")
             ->type_name("DIR");
+        addByteLimit(app, limit);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
     }
@@ -166,8 +168,8 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     options.count = row.points;
     options.seed = arguments.seed;
     options.curvature = arguments.curvature;
-    const PointFile file =
-        samplePoints(readSurface(made.source, std::nullopt), options, made.source, line);
+    const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
+                                        options, made.source, line);
     if (!arguments.save.empty()) {
         const auto path = std::filesystem::path(arguments.save) / (slug(row.set) + ".ply");
         writeOutput(path.string(), meshPlyBytes(file, {}));
