@@ -9,12 +9,11 @@ namespace se::cli {
 /// The exit codes of every verb (see README.md).
 enum class ExitCode : int {
     Good = 0,
-    CheckFailed = 1,    ///< The run ended, but its result has a fault.
-    Usage = 2,          ///< Wrong command line.
-    Input = 3,          ///< The input is missing or malformed.
-    NoDisplay = 4,      ///< No display, no OpenGL or no viewer.
-    Internal = 5,       ///< A bug, or the result could not be written.
-    Interrupted = 130,  ///< Ctrl+C.
+    CheckFailed = 1,  ///< The run ended, but its result has a fault.
+    Usage = 2,        ///< Wrong command line.
+    Input = 3,        ///< The input is missing or malformed.
+    NoDisplay = 4,    ///< No display, no OpenGL or no viewer.
+    Internal = 5,     ///< A bug, or the result could not be written.
 };
 
 /// Thrown by a verb that cannot continue; main() prints the message and exits with the code.

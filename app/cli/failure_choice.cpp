@@ -40,7 +40,7 @@ FailureChoice failureChoiceFrom(const std::string& text) {
 
 State endOfRun(const PointSet& points, const Params& params) {
     Stepper stepper(points, params);
-    stepper.runUntil([](const State&) { return interrupted(); });
+    stepper.run();
     return stepper.takeState();
 }
 

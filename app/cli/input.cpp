@@ -49,12 +49,13 @@ std::string nameOfInput(const std::string& input) {
     return input == kStandardInput ? "standard input" : input;
 }
 
-PointFile readInput(const std::string& input) {
+PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
     constexpr std::string_view kScenePrefix = "scene:";
     if (input.starts_with(kScenePrefix)) return buildScene(input.substr(kScenePrefix.size()));
-    Result<PointFile> file =
-        input == kStandardInput ? readStandardInput() : readPoints(std::filesystem::path(input));
+    Result<PointFile> file = input == kStandardInput
+                                 ? readStandardInput(limit)
+                                 : readPoints(std::filesystem::path(input), limit);
     if (!file) throw Failure(ExitCode::Input, file.error().message);
     return std::move(file.value());
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/points/point_file.h"
 
 namespace se::cli {
@@ -14,6 +15,6 @@ inline constexpr std::string_view kStandardInput = "-";
 std::string nameOfInput(const std::string& input);
 
 /// Reads it. Throws Failure(Input) if it is missing or malformed.
-PointFile readInput(const std::string& input);
+PointFile readInput(const std::string& input, const ByteLimit& limit);
 
 }  // namespace se::cli

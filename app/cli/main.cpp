@@ -116,7 +116,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "spiraling-edge: %s\n", message);
     };
     se::returnFreedMemory();
-    se::removeUnfinishedFilesAtSignals();
+    se::removeUnfinishedFilesAtSignals(
+        "\nspiraling-edge: interrupted; no file is left half written\n");
     ExitCode code = ExitCode::Internal;
     try {
         code = se::cli::dispatch(se::cli::Arguments(argv + 1, argv + argc));

@@ -118,6 +118,13 @@ Vec3 DerivedArguments::scanner(const PointFile& file) const {
     return position.value();
 }
 
+void addByteLimit(CLI::App& app, ByteLimit& limit) {
+    app.add_option("--most-bytes", limit.bytes,
+                   "Read and unpack at most N bytes of an input (default 2147483648, 2 GiB)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+}
+
 WallBox boxFromText(const std::string& text) {
     const auto n = numbersIn(text, 6);
     if (!n) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exit_code.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
@@ -22,6 +23,9 @@ inline constexpr long long kMaxNeighbors = 1'000'000;
 /// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
 /// to exit with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
+
+/// Adds --most-bytes, for verbs that read points, volumes or lessons.
+void addByteLimit(CLI::App& app, ByteLimit& limit);
 
 /// A box from six numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1. Throws Failure otherwise.
 WallBox boxFromText(const std::string& text);

@@ -38,8 +38,8 @@ Piece PieceArguments::piece() const {
     return piece;
 }
 
-InputPiece readPiece(const std::string& input, const Piece& piece) {
-    InputPiece read{readInput(input), {piece, 0, 0}};
+InputPiece readPiece(const std::string& input, const Piece& piece, const ByteLimit& limit) {
+    InputPiece read{readInput(input, limit), {piece, 0, 0}};
     read.points.inFile = read.file.position.size();
     Result<PointFile> cut = cutPiece(std::move(read.file), piece, nameOfInput(input));
     if (!cut) throw Failure(ExitCode::Usage, "--crop: " + cut.error().message);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/prepare/piece.h"
 
 namespace se::cli {
@@ -36,6 +37,6 @@ struct InputPiece {
 
 /// Reads the piece. Throws Failure(Input) if the input is missing or malformed, Failure(Usage) if
 /// the box holds none of its points.
-InputPiece readPiece(const std::string& input, const Piece& piece);
+InputPiece readPiece(const std::string& input, const Piece& piece, const ByteLimit& limit);
 
 }  // namespace se::cli

@@ -17,6 +17,7 @@ void InputArguments::addTo(CLI::App& app) {
     start_.addTo(app);
     neighbors_.addTo(app);
     derived_.addTo(app);
+    addByteLimit(app, limit_);
     for (const CLI::Option* option : app.get_options()) {
         if (!option->get_lnames().empty() && option->get_lnames().front() != "help")
             options_.push_back(option);
@@ -62,7 +63,7 @@ PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
 }
 
 PointFile InputArguments::read(const ProgressLine& line) const {
-    InputPiece read = readPiece(input_, piece_.piece());
+    InputPiece read = readPiece(input_, piece_.piece(), limit_);
     const std::string kept = keptSentence(read.points);
     if (line.isWanted() && !kept.empty()) fmt::print(stderr, "{}: kept {}\n", input_, kept);
     return std::move(read.file);

@@ -33,6 +33,7 @@ class InputArguments {
     const std::string& input() const { return input_; }
     /// All files that are read, for ForceOption::require().
     NamedFiles files() const { return {{"", input_}, {"--start", start_.path()}}; }
+    const ByteLimit& limit() const { return limit_; }
     const std::string& ruleSet() const { return rules_.setName(); }
     /// The options that were given, without the input. The app must outlive this object.
     std::vector<GivenOption> given() const;
@@ -58,6 +59,7 @@ class InputArguments {
     StartArguments start_;
     NeighborArguments neighbors_;
     DerivedArguments derived_;
+    ByteLimit limit_;
     std::vector<const CLI::Option*> options_;
 };
 

@@ -1,42 +1,17 @@
-// The handler only sets a flag that long work polls, and lets a second signal end the program
-// without unfinished files; nothing else is safe in a handler. SA_RESTART keeps reads and writes
-// from failing meanwhile.
 #include "progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
-
-#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
 
 namespace {
 
-volatile std::sig_atomic_t interruptSeen = 0;
-
-void noteInterrupt(int) {
-    interruptSeen = 1;
-    // A second signal ends the program; no partial file is left.
-    removeUnfinishedFilesAtSignals();
-}
-
 constexpr std::chrono::milliseconds kInterval{100};
 
 }  // namespace
-
-void catchInterrupts() {
-    struct sigaction action {};
-    action.sa_handler = noteInterrupt;
-    action.sa_flags = SA_RESTART;
-    sigaction(SIGINT, &action, nullptr);
-}
-
-void releaseInterrupts() { removeUnfinishedFilesAtSignals(); }
-
-bool interrupted() { return interruptSeen != 0; }
 
 ProgressLine::ProgressLine(bool wanted)
     : wanted_(wanted),

@@ -1,4 +1,5 @@
-/// Long work on a terminal: a progress line, and Ctrl+C as a flag that the work polls.
+/// Long work on a terminal: a progress line. Ctrl+C needs nothing here: it ends the program at once
+/// (atomic_file.h).
 #pragma once
 
 #include <chrono>
@@ -9,12 +10,6 @@
 #include "input.h"
 
 namespace se::cli {
-
-/// From now on the first Ctrl+C only sets the flag; the second ends the program as usual.
-void catchInterrupts();
-bool interrupted();
-/// From now on Ctrl+C ends the program at once.
-void releaseInterrupts();
 
 /// Writes to stderr if that is a terminal, at most ten times a second, and erases the line at the
 /// end.
@@ -42,16 +37,15 @@ class ProgressLine {
 };
 
 /// Runs `work`, which takes a Progress and returns a Result, while the progress line shows `what`
-/// and the share done. Throws Failure if it fails or is interrupted; `input` begins the message.
+/// and the share done. Throws Failure if it fails; `input` begins the message.
 template <typename Work>
 auto runWithProgress(const std::string& what, const std::string& input, ProgressLine& line,
                      Work&& work) {
     auto result = work([&](double share) {
         if (line.due()) line.write(what, share);
-        return !interrupted();
+        return true;
     });
     line.clear();
-    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
     if (!result) throw Failure(ExitCode::Input, nameOfInput(input) + ": " + result.error().message);
     return std::move(result.value());
 }

@@ -16,8 +16,9 @@
 namespace se::cli {
 namespace {
 
-Field readVolumeField(const std::string& input, const std::optional<double>& isovalue) {
-    Result<Volume> read = readVolume(std::filesystem::path(input));
+Field readVolumeField(const std::string& input, const std::optional<double>& isovalue,
+                      const ByteLimit& limit) {
+    Result<Volume> read = readVolume(std::filesystem::path(input), limit);
     if (!read) throw Failure(ExitCode::Input, read.error().message);
     const auto volume = std::make_shared<const Volume>(std::move(read.value()));
     const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
@@ -32,10 +33,11 @@ Field readVolumeField(const std::string& input, const std::optional<double>& iso
 
 }  // namespace
 
-Field readSurface(const std::string& input, const std::optional<double>& isovalue) {
+Field readSurface(const std::string& input, const std::optional<double>& isovalue,
+                  const ByteLimit& limit) {
     if (isovalue && !std::isfinite(*isovalue))
         throw Failure(ExitCode::Usage, "--iso: must be a finite number");
-    if (isVolumePath(input)) return readVolumeField(input, isovalue);
+    if (isVolumePath(input)) return readVolumeField(input, isovalue, limit);
     const Shape* shape = findShape(input);
     if (shape == nullptr) {
         throw Failure(ExitCode::Input, input + " neither a shape nor a volume (" +

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "file_bytes.h"
 #include "lesson_keys.h"
@@ -16,6 +17,8 @@
 namespace se::teach {
 namespace {
 
+/// The folder of a lesson; nothing for one that is not a file.
+using Folder = std::optional<std::filesystem::path>;
 using MarkdownTree = std::unique_ptr<cmark_node, decltype(&cmark_node_free)>;
 
 std::vector<std::string_view> linesOf(std::string_view text) {
@@ -47,10 +50,12 @@ std::string_view urlOf(cmark_node* node) {
     return url == nullptr ? std::string_view{} : url;
 }
 
-/// True for a relative path that leads out of its folder, and for an absolute one.
-bool leavesFolder(std::string_view path) {
+/// True for a relative path that leads out of its folder, and for an absolute one; of a lesson in a
+/// folder, also for a link out of it, and for what isUnfit().
+bool leavesFolder(std::string_view path, const Folder& folder) {
     const std::filesystem::path plain = std::filesystem::path(path).lexically_normal();
-    return plain.is_absolute() || (!plain.empty() && *plain.begin() == "..");
+    if (plain.is_absolute() || (!plain.empty() && *plain.begin() == "..")) return true;
+    return folder && isUnfitIn(*folder, *folder / plain);
 }
 
 /// A text that names no answer of the run is the answer itself.
@@ -62,7 +67,8 @@ void separateTypedAnswer(Question& question) {
 
 class LessonReader {
   public:
-    LessonReader(std::string_view text, const std::string& name) : lines_(linesOf(text)) {
+    LessonReader(std::string_view text, const std::string& name, Folder folder)
+        : lines_(linesOf(text)), folder_(std::move(folder)) {
         lesson_.name = name;
         lesson_.hash = hashOfText(text);
     }
@@ -168,17 +174,18 @@ class LessonReader {
             if (type == CMARK_NODE_LINK && urlOf(node).starts_with("se:") && !lesson_.steps.empty())
                 lesson_.steps.back().links.push_back({line, std::string(urlOf(node).substr(3))});
             if (type != CMARK_NODE_IMAGE) continue;
-            if (urlOf(node).find(':') != std::string_view::npos || leavesFolder(urlOf(node)))
+            if (urlOf(node).find(':') != std::string_view::npos ||
+                leavesFolder(urlOf(node), folder_))
                 add(line, "",
                     "the image " + std::string(urlOf(node)) +
-                        " is not in the folder of the lesson");
+                        " is not a file in the folder of the lesson");
         }
         cmark_iter_free(iterator);
     }
 
     void requireInside(const std::string& input, std::size_t line) {
-        if (input.starts_with("scene:") || input.empty() || !leavesFolder(input)) return;
-        add(line, "input", input + " is not in the folder of the lesson: copy it there");
+        if (input.starts_with("scene:") || input.empty() || !leavesFolder(input, folder_)) return;
+        add(line, "input", input + " is not a file in the folder of the lesson: copy it there");
     }
 
     void finish() {
@@ -211,6 +218,7 @@ class LessonReader {
     }
 
     std::vector<std::string_view> lines_;
+    Folder folder_;
     Lesson lesson_;
     std::vector<LessonFault> faults_;
 };
@@ -223,9 +231,7 @@ LessonReading refused(const std::string& name, std::size_t line, std::string mes
     return reading;
 }
 
-}  // namespace
-
-LessonReading readLesson(std::string_view text, const std::string& name) {
+LessonReading parsedLesson(std::string_view text, const std::string& name, const Folder& folder) {
     if (text.size() > kLongestLesson)
         return refused(name, 0, "over 1 MB; a lesson is text, its images are files beside it");
     if (const std::size_t line = lineOfBadByte(text); line > 0)
@@ -236,17 +242,20 @@ LessonReading readLesson(std::string_view text, const std::string& name) {
     }
     const MarkdownTree tree(cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT),
                             &cmark_node_free);
-    return LessonReader(text, name).read(tree.get());
+    return LessonReader(text, name, folder).read(tree.get());
+}
+
+}  // namespace
+
+LessonReading readLesson(std::string_view text, const std::string& name) {
+    return parsedLesson(text, name, std::nullopt);
 }
 
 Result<LessonReading> readLessonFile(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored) &&
-        std::filesystem::file_size(path, ignored) > kLongestLesson)
-        return refused(path.string(), 0, "over 1 MB; a lesson is text");
-    Result<std::string> bytes = readBytes(path);
+    const Result<std::string> bytes =
+        readBytes(path, {kLongestLesson, "a lesson is text, its images are files beside it"});
     if (!bytes) return bytes.error();
-    return readLesson(bytes.value(), path.string());
+    return parsedLesson(bytes.value(), path.string(), path.parent_path());
 }
 
 }  // namespace se::teach

@@ -29,7 +29,8 @@ struct LessonReading {
 /// Reads a lesson; `name` is that of its file, for messages. Never fails otherwise than by faults.
 LessonReading readLesson(std::string_view text, const std::string& name);
 
-/// Reads the file of a lesson. Fails if it cannot be read as a file.
+/// Reads the file of a lesson. Fails if it cannot be read as a file, or is over kLongestLesson. An
+/// image or input that is a device, a pipe, or a link out of the folder of the lesson is a fault.
 Result<LessonReading> readLessonFile(const std::filesystem::path& path);
 
 }  // namespace se::teach

@@ -106,12 +106,12 @@ Result<std::string> pointsSource(std::string source) {
     return source;
 }
 
-Result<PointFile> readLessonPoints(const std::string& source) {
+Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit) {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
     if (input.value().starts_with(kScene)) return buildSceneOf(input.value());
     if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
-    return readPoints(std::filesystem::path(input.value()));
+    return readPoints(std::filesystem::path(input.value()), limit);
 }
 
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
@@ -148,8 +148,8 @@ Status goToPlace(RunCursor& cursor, std::string_view place) {
     return Error{absenceText(cursor, *address)};
 }
 
-LessonRuns::LessonRuns(std::filesystem::path folder, PointsReader read)
-    : folder_(std::move(folder)), read_(std::move(read)) {}
+LessonRuns::LessonRuns(std::filesystem::path folder, const ByteLimit& limit)
+    : folder_(std::move(folder)), limit_(limit) {}
 
 Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting) {
     const Result<RunSettings> settings = runSettings(setting);
@@ -162,7 +162,7 @@ Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSet
     const std::string key = source + '\n' + settingsKey(settings);
     if (const auto known = cursors_.find(key); known != cursors_.end()) return known->second.get();
     if (files_.count(source) == 0) {
-        Result<PointFile> file = read_(source);
+        Result<PointFile> file = readLessonPoints(source, limit_);
         if (!file) return file.error();
         files_.emplace(source, std::move(file.value()));
     }

@@ -3,28 +3,25 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "lesson_setting.h"
 #include "question.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"
 #include "spiraling_edge/replay/run_cursor.h"
 
 namespace se::teach {
 
-/// Reads the points of an input: "scene:ID", or the path of a file.
-using PointsReader = std::function<Result<PointFile>(const std::string& source)>;
-
 /// The points of an input: its own name, or for a lesson the input of that lesson. Fails if such
 /// lessons form a cycle, or if one of them is faulty.
 Result<std::string> pointsSource(std::string source);
 
 /// Reads the points of pointsSource(): a built-in scene, or a file.
-Result<PointFile> readLessonPoints(const std::string& source);
+Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit = {});
 
 /// The input of a lesson in the folder `folder` as a path for the program, or scene:ID.
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder);
@@ -47,8 +44,8 @@ Status goToPlace(RunCursor& cursor, std::string_view place);
 /// The runs of one lesson.
 class LessonRuns {
   public:
-    /// `folder`: that of the lesson's file.
-    explicit LessonRuns(std::filesystem::path folder, PointsReader read = readLessonPoints);
+    /// `folder`: that of the lesson's file; `limit`: of each of its inputs.
+    explicit LessonRuns(std::filesystem::path folder, const ByteLimit& limit = {});
 
     /// The cursor of the run of a setting; valid as long as this object. Fails as prepareRun().
     Result<RunCursor*> cursorOf(const StepSetting& setting);
@@ -57,7 +54,7 @@ class LessonRuns {
 
   private:
     std::filesystem::path folder_;
-    PointsReader read_;
+    ByteLimit limit_;
     std::map<std::string, PointFile> files_;
     std::map<std::string, std::unique_ptr<RunCursor>> cursors_;
 };

@@ -108,7 +108,7 @@ Result<GivenStart> startFromText(std::string_view text, const std::string& name)
 }
 
 Result<GivenStart> readStartFile(const std::string& path) {
-    const Result<std::string> bytes = readBytes(path);
+    const Result<std::string> bytes = readBytes(path, kTextLimit);
     return bytes ? startFromText(bytes.value(), path) : Result<GivenStart>(bytes.error());
 }
 

@@ -147,6 +147,10 @@ void addInputOptions(CLI::App& app, Options& o, RawInput& raw) {
                    "Begin with the triangles and edge rings of this JSON file "
                    "(docs/file-formats.md)")
         ->type_name("FILE");
+    app.add_option("--most-bytes", o.input.maxBytes,
+                   "Read and unpack at most N bytes of an input (default 2147483648, 2 GiB)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
     addPiece(app, o, raw);
     addPreparing(app, o, raw);
     addGrowing(app, raw);

@@ -280,7 +280,8 @@ int runWindow(const Options& options) {
 
 int main(int argc, char** argv) {
     se::returnFreedMemory();
-    se::removeUnfinishedFilesAtSignals();
+    se::removeUnfinishedFilesAtSignals(
+        "\nspiraling-edge-viewer: interrupted; no file is left half written\n");
     try {
         ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;

@@ -329,7 +329,7 @@ Status adoptStandardInput(Options& o) {
     if (o.session || !isStandardInput(o.input.source)) return success();
     Status read = success();
     const Status good = guarded([&] {
-        Result<PointFile> points = readStandardInput();
+        Result<PointFile> points = readStandardInput(ByteLimit{o.input.maxBytes});
         if (!points) {
             read = points.error();
             return;

@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields icosahedron lab_with_solution lesson_result refuses sphere_points square | sort >helpers
+    printf '%s\n' ball expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result refuses sphere_points square user_ticks | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -726,12 +726,175 @@ interrupt_leaves_no_file() {
     icosahedron >&3
     sleep 0.5
     kill -INT $process
-    exec 3>&-
+    # The pipe is still open: a read that waits is interrupted too.
     local code=0
     wait $process || code=$?
+    exec 3>&-
     is "$code" 130 "exit code"
     says err interrupted
     is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
+}
+
+# A height map of 150 by 150 points with normals, as XYZ.
+height_map() {
+    awk 'BEGIN { for (x = 0; x < 150; ++x) for (y = 0; y < 150; ++y)
+        print x, y, 0.3 * sin(x / 9) * cos(y / 7), 0, 0, 1 }'
+}
+
+# user_ticks PROCESS: hundredths of a second that it has computed, in `ticks`; empty once it ended.
+user_ticks() {
+    local words=()
+    { read -ra words <"/proc/$1/stat"; } 2>/dev/null || true
+    ticks=${words[13]:-}
+}
+
+# interrupted_after TICKS SIGNAL_ACTION ARGUMENTS...: runs the program, and sends SIGINT once it has
+# computed so long. Its exit code is in `code`, the seconds that it computed after the signal in
+# `late`. The input of a verb that reads none is a pipe that stays open.
+interrupted_after() {
+    local wanted=$1 action=$2 process ticks before=() after=()
+    shift 2
+    times >before
+    env "--$action-signal=INT" "$program" "$@" <&"$never" >out 2>err &
+    process=$!
+    while user_ticks $process; [ -n "$ticks" ] && [ "$ticks" -lt "$wanted" ]; do
+        read -rt 0.005 -u "$never"
+    done
+    kill -STOP $process && user_ticks $process && kill -INT $process
+    kill -CONT $process || fail "\`spiraling-edge $*\` ended before it was interrupted"
+    code=0
+    wait $process || code=$?
+    times >after
+    late=$(cat before after | awk -v ticks="${ticks:-0}" '
+        NR % 2 == 0 { split($1, part, /[ms]/); user[NR] = 60 * part[1] + part[2] }
+        END { printf "%.2f", user[4] - user[2] - ticks / 100 }')
+    rm before after
+}
+
+interrupts_end_every_verb_at_once() {
+    mkfifo silence
+    exec {never}<>silence
+    height_map >big.xyz
+    expect 0 run big.xyz -q -o mesh.ply --trace run.setrace
+    local files now code late
+    files=$(ls | sort | tr '\n' ' ')
+    while read -r ticks arguments; do
+        # shellcheck disable=SC2086
+        interrupted_after "$ticks" default $arguments
+        is "$code" 130 "$arguments after $ticks ticks: exit code"
+        says err interrupted
+        echo "$late s after the signal: $arguments"
+        awk "BEGIN { exit !($late < 0.06) }" || fail "$arguments: computed for $late s after it"
+        now=$(ls | sort | tr '\n' ' ')
+        is "$now" "$files" "$arguments: files"
+    done <<'VERBS'
+1 run big.xyz -o new.ply --report new.json
+4 run big.xyz -o new.ply --report new.json
+9 run big.xyz -o new.ply --report new.json
+14 run big.xyz -o new.ply --check --report new.json
+60 run big.xyz --best -o new.ply
+1 info big.xyz
+1 doctor big.xyz --fix new.ply
+6 doctor big.xyz --fix new.ply
+1 check mesh.ply
+4 check mesh.ply
+9 check mesh.ply --points big.xyz
+20 sample sphere -n 100000 -o new.ply
+3 why big.xyz --failures
+20 why big.xyz --failures
+9 compare big.xyz --with --rules robust
+3 diff run.setrace big.xyz --rules robust
+12 reduce scene:torus --failure openings -o new.ply
+5 table1 --save new
+20 figures --check
+20 lesson check tour
+0 practice --answer -
+0 info -
+VERBS
+    exec {never}>&-
+}
+
+budgets_end_reading() {
+    local arguments
+    icosahedron >points.xyz
+    {
+        printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 200 200 200\nencoding: gzip\n\n'
+        head -c 8000000 /dev/zero | gzip
+    } >bomb.nrrd
+    [ "$(wc -c <bomb.nrrd)" -lt 20000 ] || fail "the volume is not packed"
+    mkdir folder
+    printf '# T\n\n```se lesson\nversion = 1\ninput = "zero"\n```\n## S\n' >folder/a.lesson.md
+    head -c 200000 /dev/zero >folder/zero
+    while read -r arguments; do
+        # shellcheck disable=SC2086
+        expect 3 $arguments --most-bytes 100000
+        says err "holds more than 100000 bytes, read or unpacked; --most-bytes N raises this limit"
+    done <<'READERS'
+run /dev/zero -o new.ply
+run /dev/zero --best -o new.ply
+info /dev/zero
+doctor /dev/zero
+check /dev/zero
+check points.xyz --points /dev/zero
+why /dev/zero --failures
+compare /dev/zero --with --rules robust
+compare points.xyz --mesh /dev/zero
+reduce /dev/zero --failure holes -o new.ply
+sample bomb.nrrd -n 10 --iso 0.5 -o new.ply
+lesson new folder/zero -o folder/new.lesson.md
+READERS
+    expect 1 lesson check folder/a.lesson.md --most-bytes 100000
+    says out "holds more than 100000 bytes"
+    absent new.ply
+    yes 1 2 3 | "$program" info - --most-bytes 100000 >out 2>err && fail "endless input was read"
+    says err "standard input: holds more than 100000 bytes"
+    expect 0 info points.xyz --most-bytes "$(wc -c <points.xyz)"
+    expect 2 info points.xyz --most-bytes 0
+    # What has a limit of its own has no option.
+    expect 3 diff /dev/zero points.xyz
+    says err "/dev/zero: holds more than 268435456 bytes"
+    expect 3 run points.xyz --start /dev/zero
+    says err "/dev/zero: holds more than 67108864 bytes"
+    expect 3 lesson results /dev/zero
+    says err "/dev/zero: holds more than 67108864 bytes"
+}
+
+promises_of_headers_take_no_memory() {
+    # Programs that take the memory that a header promises end at this limit.
+    ulimit -v 2000000
+    printf 'ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' >a.ply
+    sed 's/ascii/binary_little_endian/' a.ply >b.ply
+    sed 's/element vertex 4000000000/element vertex 1\nproperty float w\nelement foo 4000000000/' a.ply >c.ply
+    printf 'OFF\n4000000000 4000000000 0\n0 0 0\n' >a.off
+    printf 'VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 4000000000\nHEIGHT 1\nPOINTS 4000000000\nDATA ascii\n0 0 0\n' >a.pcd
+    sed 's/ascii/binary/' a.pcd >b.pcd
+    printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1000000 1000000 1000000\nencoding: raw\n\nabc' >a.nrrd
+    sed 's/raw/gzip/' a.nrrd >b.nrrd
+    truncate -s 1T huge.xyz
+    truncate -s 1T huge.nrrd
+    local file
+    for file in a.ply b.ply c.ply a.off a.pcd b.pcd huge.xyz; do
+        expect 3 info $file
+        says err "$file"
+    done
+    for file in a.nrrd b.nrrd huge.nrrd; do
+        expect 3 sample $file -n 10 --iso 0.5 -o new.ply
+        says err "$file"
+    done
+    says err "2147483648 bytes"
+    absent new.ply
+}
+
+an_ignored_interrupt_stays_ignored() {
+    mkfifo silence
+    exec {never}<>silence
+    height_map >big.xyz
+    local code late
+    interrupted_after 4 ignore run big.xyz -q -o mesh.ply
+    exec {never}>&-
+    is "$code" 0 "exit code"
+    empty err
+    expect 0 info mesh.ply
 }
 
 used_points_alone_are_written() {

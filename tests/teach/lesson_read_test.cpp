@@ -1,6 +1,7 @@
 #include "teach/lesson_read.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -177,9 +178,46 @@ TEST_CASE("a file that is none, or too long, is refused") {
     const auto path = std::filesystem::temp_directory_path() / "se-long.lesson.md";
     REQUIRE(writeFileAtomically(path, std::string(kLongestLesson + 1, 'a')));
     const Result<LessonReading> reading = readLessonFile(path);
-    REQUIRE(reading.ok());
-    CHECK(contains(reading.value().faults.front().message, "over 1 MB"));
+    REQUIRE_FALSE(reading.ok());
+    CHECK(contains(reading.error().message, "holds more than 1000000 bytes"));
     std::filesystem::remove(path);
+}
+
+TEST_CASE("a pipe, a device and a link out of the folder are neither image nor input of a lesson") {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "se-lesson-links";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "mine");
+    for (const char* name : {"outside.png", "mine/good.png"})
+        REQUIRE(writeFileAtomically(folder / name, "x"));
+    REQUIRE(::mkfifo((folder / "mine/pipe").c_str(), 0600) == 0);
+    fs::create_symlink("/dev/zero", folder / "mine/zero");
+    fs::create_symlink("../outside.png", folder / "mine/out.png");
+    fs::create_directory_symlink("..", folder / "mine/up");
+    fs::create_symlink("good.png", folder / "mine/link.png");
+    const auto faultOf = [&](const std::string& input, const std::string& image) {
+        const fs::path path = folder / "mine/a.lesson.md";
+        const std::string text = "# T\n\n" +
+                                 fenced("lesson", "version = 1\ninput = \"" + input + "\"") +
+                                 "## S\n\n![so](" + image + ")\n";
+        REQUIRE(writeFileAtomically(path, text));
+        const Result<LessonReading> reading = readLessonFile(path);
+        REQUIRE(reading.ok());
+        const auto& faults = reading.value().faults;
+        return faults.empty() ? std::string() : faults.front().message;
+    };
+    for (const char* name : {"pipe", "zero", "out.png", "up/outside.png"}) {
+        CAPTURE(name);
+        CHECK(contains(faultOf("scene:grid", name), "is not a file in the folder of the lesson"));
+        CHECK(contains(faultOf(name, "good.png"), "is not a file in the folder of the lesson"));
+    }
+    // A missing file is reported when it is opened.
+    for (const char* name : {"good.png", "link.png", "missing.png"}) {
+        CAPTURE(name);
+        CHECK(faultOf("scene:grid", name).empty());
+        CHECK(faultOf(name, "good.png").empty());
+    }
+    fs::remove_all(folder);
 }
 
 TEST_CASE("each key of the table is in docs/lessons.md") {

@@ -162,13 +162,18 @@ many_frames_cost_less_than_many_processes() {
 an_interrupted_export_leaves_the_old_file() {
     expect 0 scene:figure-8 --goto 9 -o a.gif --size 320x240
     echo old >a.gif
-    "$program" export scene:torus --from 1 --to 60 -o a.gif >/dev/null 2>&1 &
-    local work=$!
-    sleep 1.5
-    kill -TERM $work 2>/dev/null || fail "it ended before"
-    wait $work && fail "it ended well"
-    is "$(cat a.gif)" old "the old file"
-    is "$(find . -name '.*' -type f | wc -l)" 0 "parts of files"
+    local signal work code
+    for signal in TERM INT; do
+        env --default-signal=INT "$program" export scene:torus --from 1 --to 60 -o a.gif >/dev/null 2>&1 &
+        work=$!
+        while [ -d /proc/$work ] && [ -z "$(find . -name '.*' -type f)" ]; do sleep 0.05; done
+        kill -$signal $work 2>/dev/null || fail "it ended before"
+        code=0
+        wait $work || code=$?
+        is "$code" "$([ $signal = INT ] && echo 130 || echo 143)" "exit code after SIG$signal"
+        is "$(cat a.gif)" old "the old file"
+        is "$(find . -name '.*' -type f | wc -l)" 0 "parts of files"
+    done
 }
 
 # dom FILE: the page once its scripts have run.

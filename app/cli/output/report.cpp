@@ -30,8 +30,6 @@ std::string_view endingName(Ending ending) {
             return "capped";
         case Ending::MaxPivots:
             return "max_pivots";
-        case Ending::Interrupted:
-            return "interrupted";
     }
     return "";
 }
@@ -265,8 +263,6 @@ std::string endingSentence(const RunOutcome& outcome) {
         case Ending::MaxPivots:
             return fmt::format("stopped after {} pivots, as requested",
                                outcome.state.counters.pivots);
-        case Ending::Interrupted:
-            return "interrupted";
     }
     return "";
 }

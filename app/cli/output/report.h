@@ -17,7 +17,7 @@
 namespace se::cli {
 
 /// Why the run ended.
-enum class Ending { Finished, Capped, MaxPivots, Interrupted };
+enum class Ending { Finished, Capped, MaxPivots };
 
 /// Wall clock of the parts of a run.
 struct Seconds {

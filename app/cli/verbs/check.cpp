@@ -32,6 +32,7 @@ struct CheckArguments {
     NeighborArguments neighbors;
     DerivedArguments derived;
     std::vector<const CLI::Option*> preparing;  ///< Those of the four.
+    ByteLimit limit;
     std::vector<std::string> allowed;
     bool json = false;
     bool quiet = false;
@@ -56,6 +57,7 @@ struct CheckArguments {
         derived.addTo(app);
         const std::vector<CLI::Option*> options = app.get_options();
         preparing.assign(options.begin() + static_cast<std::ptrdiff_t>(before), options.end());
+        addByteLimit(app, limit);
         app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
             ->type_name("CLASS")
             ->allow_extra_args(false);
@@ -257,7 +259,7 @@ ExitCode checkVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     const Piece piece = arguments.piece.piece();
-    const PointFile mesh = readInput(arguments.mesh);
+    const PointFile mesh = readInput(arguments.mesh, arguments.limit);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
         throw Failure(
@@ -267,7 +269,8 @@ ExitCode checkVerb(const Arguments& words) {
                         "goes wrong in the run",
                         arguments.mesh));
     const bool alone = arguments.cloud.empty();
-    const PointFile cloud = alone ? PointFile{} : readPiece(arguments.cloud, piece).file;
+    const PointFile cloud =
+        alone ? PointFile{} : readPiece(arguments.cloud, piece, arguments.limit).file;
     const PointFile& file = alone ? mesh : cloud;
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);

@@ -68,7 +68,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& 
 /// A as a run, B as the finished mesh of a file.
 Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const PointFile file = readInput(arguments.mesh);
+    const PointFile file = readInput(arguments.mesh, arguments.input.limit());
     if (file.faces.empty())
         throw Failure(ExitCode::Input, arguments.mesh + ": has no triangles to compare with");
     const PreparedInput a = arguments.input.prepare(line);
@@ -107,7 +107,6 @@ ExitCode compareVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
     const ParsedInput other(optionsOfB(arguments.input, split.with));
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const Comparison found =
         split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);

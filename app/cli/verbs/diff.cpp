@@ -124,7 +124,6 @@ ExitCode diffVerb(const Arguments& words) {
     if (arguments.trace == kStandardInput && input == kStandardInput)
         throw Failure(ExitCode::Usage, "-: standard input is TRACE already; name a file");
     const Trace trace = readTraceArgument(arguments.trace, upto);
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     PreparedInput prepared = arguments.input.prepare(line);
     const Status same = teach::requireTraceOf(trace, prepared.points, arguments.trace);

@@ -24,6 +24,7 @@ using Json = nlohmann::ordered_json;
 struct DoctorArguments {
     std::string input;
     PieceArguments piece;
+    ByteLimit limit;
     std::string fixed;
     std::vector<std::string> drop;
     bool json = false;
@@ -33,6 +34,7 @@ struct DoctorArguments {
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
         piece.addTo(app);
+        addByteLimit(app, limit);
         auto* fix =
             addOutputOption(
                 app, "--fix", fixed,
@@ -211,9 +213,8 @@ ExitCode doctorVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     const Piece piece = arguments.piece.piece();
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
-    const InputPiece read = readPiece(arguments.input, piece);
+    const InputPiece read = readPiece(arguments.input, piece, arguments.limit);
     const PointFile& file = read.file;
     Visit visit{arguments.input,
                 arguments.input + pieceOptions(piece),

@@ -26,6 +26,7 @@ struct FigureArguments {
     std::string volumes;
     std::string conformance;
     bool check = false;
+    ByteLimit limit;
 
     void addTo(CLI::App& app) {
         app.add_option("N", numbers, "Numbers of figures (default: all)")
@@ -37,6 +38,7 @@ struct FigureArguments {
                "--volumes", volumes,
                "With --check: folder with the volumes of Figures 22 and 25 (docs/table1.md)")
             ->type_name("DIR");
+        addByteLimit(app, limit);
         app.add_option("--conformance", conformance,
                        "Write inputs that show all of the paper's rules, the figures among them, "
                        "to this folder: points with lists, starts and traces")
@@ -131,14 +133,15 @@ std::string surfaceOf(const Figure& figure, const std::string& volumes) {
 }
 
 /// A figure of the results: as many points as in the paper, and within 2 % as many triangles.
-FigureText checkedResult(const Figure& figure, const std::string& volumes, ProgressLine& line) {
+FigureText checkedResult(const Figure& figure, const FigureArguments& arguments,
+                         ProgressLine& line) {
     constexpr std::size_t kPercent = 2;
-    const std::string surface = surfaceOf(figure, volumes);
+    const std::string surface = surfaceOf(figure, arguments.volumes);
     if (surface.empty()) return {"  skipped  give its volume with --volumes\n", true};
     SamplerOptions sampling;
     sampling.count = figure.counts.points;
     const PointFile file =
-        samplePoints(readSurface(surface, std::nullopt), sampling, surface, line);
+        samplePoints(readSurface(surface, std::nullopt, arguments.limit), sampling, surface, line);
     PrepareOptions options;
     options.neighbors.reach = WithinSpacings{};
     const Result<Prepared> prepared = prepare(file, options);
@@ -192,15 +195,14 @@ ExitCode figuresVerb(const Arguments& words) {
             throw Failure(ExitCode::Usage, "--conformance: takes neither numbers nor --check");
         return writeConformance(arguments.conformance);
     }
-    catchInterrupts();
     ProgressLine line(arguments.check);
     std::size_t failed = 0;
     for (const Figure& figure : figures()) {
         if (!arguments.isWanted(figure)) continue;
         FigureText checked;
         if (arguments.check) {
-            checked = figure.hasScene() ? checkedScene(figure)
-                                        : checkedResult(figure, arguments.volumes, line);
+            checked =
+                figure.hasScene() ? checkedScene(figure) : checkedResult(figure, arguments, line);
         }
         writeOutput("-", headText(figure) + checked.text);
         failed += checked.holds ? 0 : 1;

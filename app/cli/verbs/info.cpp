@@ -67,9 +67,9 @@ PointSet withSomeNormals(const PointFile& file) {
     return points;
 }
 
-Facts gather(const std::string& input, const Piece& piece) {
+Facts gather(const std::string& input, const Piece& piece, const ByteLimit& limit) {
     Facts facts;
-    InputPiece read = readPiece(input, piece);
+    InputPiece read = readPiece(input, piece, limit);
     facts.file = std::move(read.file);
     facts.points = read.points;
     facts.box = boxAround(facts.file.position);
@@ -213,12 +213,14 @@ ExitCode infoVerb(const Arguments& words) {
     CLI::App app("Prints the content of a file.", "spiraling-edge info");
     std::string input;
     PieceArguments piece;
+    ByteLimit limit;
     bool json = false;
     app.add_option("IN", input, "File with points, - or scene:ID")->required();
     piece.addTo(app);
+    addByteLimit(app, limit);
     app.add_flag("--json", json, "As JSON");
     if (const auto code = parseArguments(app, words)) return *code;
-    const Facts facts = gather(input, piece.piece());
+    const Facts facts = gather(input, piece.piece(), limit);
     writeOutput("-", json ? factsJson(input, facts) : factsText(input, facts));
     return ExitCode::Good;
 }

@@ -34,6 +34,7 @@ struct LessonArguments {
     bool answers = false;
     bool json = false;
     ForceOption force;
+    ByteLimit limit;
 };
 
 /// A lesson, its faults by reading, and the folder of its inputs.
@@ -91,7 +92,7 @@ ExitCode showLesson(const LessonArguments& arguments) {
         writeOutput("-", lessonPage(reading.lesson));
         return ExitCode::Good;
     }
-    LessonRuns runs(opened.folder);
+    LessonRuns runs(opened.folder, arguments.limit);
     const Result<std::string> page = lessonPageWithAnswers(reading.lesson, runs);
     if (!page) throw Failure(ExitCode::Input, page.error().message);
     writeOutput("-", page.value());
@@ -116,7 +117,7 @@ ExitCode checkLessons(const LessonArguments& arguments) {
     for (const std::string& name : arguments.names) {
         const OpenedLesson opened = openLesson(name);
         std::vector<LessonFault> faults = opened.reading.faults;
-        LessonRuns runs(opened.folder);
+        LessonRuns runs(opened.folder, arguments.limit);
         if (faults.empty()) faults = teach::checkLesson(opened.reading.lesson, runs);
         for (const LessonFault& fault : faults) {
             text += teach::faultText(fault, name) + "\n";
@@ -153,7 +154,8 @@ ExitCode newLesson(const LessonArguments& arguments) {
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
     arguments.force.require({{"", input}}, {{"-o", output}});
     const std::string written = inputForLesson(input, output);
-    const Result<teach::PreparedRun> run = teach::prepareRun(readInput(input), input, {});
+    const Result<teach::PreparedRun> run =
+        teach::prepareRun(readInput(input, arguments.limit), input, {});
     if (!run) throw Failure(ExitCode::Input, run.error().message);
     const Result<std::string> text = teach::lessonSkeleton(written, run.value());
     if (!text) throw Failure(ExitCode::Input, text.error().message);
@@ -169,7 +171,7 @@ ExitCode sumUpResults(const LessonArguments& arguments) {
     arguments.force.require(std::move(inputs), {{"-o", arguments.output}});
     std::vector<teach::LessonResult> results;
     for (const std::string& name : arguments.names) {
-        const Result<std::string> bytes = readBytes(name);
+        const Result<std::string> bytes = readBytes(name, kTextLimit);
         if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
         Result<teach::LessonResult> result = teach::resultFromJson(bytes.value(), name);
         if (!result) throw Failure(ExitCode::Input, result.error().message);
@@ -198,6 +200,7 @@ void addLessonOptions(CLI::App& app, LessonArguments& arguments) {
                    "Ids of lessons, files .lesson.md or .result.json; of new: an input");
     app.add_flag("--answers", arguments.answers, "With show: the answers too, found by running it");
     app.add_flag("--json", arguments.json, "With list and check: as JSON");
+    addByteLimit(app, arguments.limit);
     addOutputOption(app, "-o,--output", arguments.output,
                     "With new: write the lesson to this file; with results: the table as CSV");
     arguments.force.addTo(app);

@@ -125,7 +125,7 @@ std::string solutionText(const PracticeTask& task) {
 
 std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& task) {
     const bool piped = path == kStandardInput;
-    const Result<std::string> bytes = readBytes(piped ? "/dev/stdin" : path);
+    const Result<std::string> bytes = readBytes(piped ? "/dev/stdin" : path, kTextLimit);
     if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
     Result<std::vector<PlayMove>> moves =
         teach::readMoves(bytes.value(), piped ? "standard input" : path, task);

@@ -237,7 +237,6 @@ ExitCode reduceVerb(const Arguments& words) {
                             {{"-o", arguments.output},
                              {"-o (session)", arguments.beside(".sesession")},
                              {"-o (test)", arguments.beside(".sh")}});
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
     if (!run.params.whatIf.empty())

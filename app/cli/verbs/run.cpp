@@ -53,6 +53,7 @@ struct RunArguments {
     StartArguments start;
     NeighborArguments neighbors;
     DerivedArguments derived;
+    ByteLimit limit;
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
@@ -83,6 +84,7 @@ struct RunArguments {
         start.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
+        addByteLimit(app, limit);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
                      "the doctor would drop) and keep the best mesh: the fewest faults, at most "
@@ -181,23 +183,22 @@ double shareDone(const State& state) {
                : static_cast<double>(done) / static_cast<double>(state.status.size());
 }
 
-/// Called between pivots: updates the progress line now and then; true if the run should end.
-bool reportProgress(const State& state, ProgressLine& line) {
+/// Called between pivots: updates the progress line now and then.
+void reportProgress(const State& state, ProgressLine& line) {
     constexpr std::uint32_t kAskEvery = 64;
-    if (state.counters.pivots % kAskEvery != 0) return false;
-    if (line.due()) line.write("points done", shareDone(state));
-    return interrupted();
+    if (state.counters.pivots % kAskEvery == 0 && line.due())
+        line.write("points done", shareDone(state));
 }
 
 /// The whole run without events, the fastest way.
 Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
                          State& state) {
-    Reconstruction made =
-        reconstruct(points, params, [&](const State& s) { return reportProgress(s, line); });
+    Reconstruction made = reconstruct(points, params, [&](const State& s) {
+        reportProgress(s, line);
+        return false;
+    });
     state = std::move(made.state);
     line.clear();
-    // A run that ended just before Ctrl+C writes nothing either.
-    if (interrupted()) return Ending::Interrupted;
     return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
 }
 
@@ -211,11 +212,9 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     while (ending == Ending::Finished &&
            (trace.active() ? trace.step(stepper) : stepper.stepPivot())) {
         if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
-        if (reportProgress(state, line)) ending = Ending::Interrupted;
+        reportProgress(state, line);
     }
     line.clear();
-    // A run that ended just before Ctrl+C writes nothing either.
-    if (interrupted()) return Ending::Interrupted;
     return ending == Ending::Finished && state.capped() ? Ending::Capped : ending;
 }
 
@@ -295,8 +294,6 @@ RunSettings chooseSettings(const RunArguments& arguments, RunSettings settings,
 /// Prints the summary and determines the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
-    if (outcome.ending == Ending::Interrupted)
-        throw Failure(ExitCode::Interrupted, "interrupted; no mesh was written");
     if (arguments.report.empty() && !arguments.quiet)
         fmt::print(stderr, "{}", summaryText(outcome));
     if (!arguments.quiet) fmt::print(stderr, "{}", shiftText(outcome));
@@ -333,12 +330,11 @@ ExitCode runVerb(const Arguments& words) {
     static_cast<void>(arguments.rules.params());
     const Piece piece = arguments.piece.piece();
 
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     TraceWriter trace(arguments.trace,
                       arguments.stages ? teach::TraceDetail::Stages : teach::TraceDetail::Fans);
     StopWatch watch;
-    InputPiece read = readPiece(arguments.input, piece);
+    InputPiece read = readPiece(arguments.input, piece, arguments.limit);
     PointFile& file = read.file;
     outcome.points = read.points;
     outcome.seconds.read = watch.lap();
@@ -379,18 +375,13 @@ ExitCode runVerb(const Arguments& words) {
     prepared.points.neighbors = {};
     outcome.state.edges = {};
     outcome.state.repair.near = nullptr;
-    const bool writes = outcome.ending != Ending::Interrupted;
-    // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
-    if (writes) releaseInterrupts();
     inspect(arguments, prepared.points, outcome);
     if (arguments.faultFields)
         setFaultFields(file, prepared.points, outcome.state.mesh(), outcome.inspection->failures);
     watch.lap();
-    if (writes) {
-        writeResult(arguments, file, outcome);
-        trace.commit();
-        outcome.seconds.write = watch.lap();
-    }
+    writeResult(arguments, file, outcome);
+    trace.commit();
+    outcome.seconds.write = watch.lap();
     return conclude(arguments, outcome);
 }
 

@@ -28,6 +28,7 @@ struct SampleArguments {
     std::size_t neighbors = 0;
     SamplerOptions sampler;
     ForceOption force;
+    ByteLimit limit;
     bool list = false;
     bool json = false;
     bool quiet = false;
@@ -66,6 +67,7 @@ struct SampleArguments {
             ->type_name("K")
             ->check(CLI::Range(1LL, kMaxNeighbors));
         force.addTo(app);
+        addByteLimit(app, limit);
         app.add_flag("--list", list, "List the shapes");
         app.add_flag("--json", json, "With --list: as JSON");
         app.add_flag("-q,--quiet", quiet, "Print errors only");
@@ -161,10 +163,9 @@ ExitCode sampleVerb(const Arguments& words) {
         return ExitCode::Good;
     }
     arguments.validate();
-    Field field = readSurface(arguments.input, arguments.isovalue);
+    Field field = readSurface(arguments.input, arguments.isovalue, arguments.limit);
     if (!arguments.box.empty()) cutBy(boxFromText(arguments.box), arguments.input, field);
 
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     StopWatch watch;
     PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);

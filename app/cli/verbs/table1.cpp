@@ -55,6 +55,7 @@ struct TableArguments {
     double reach = 1.6;
     std::uint64_t seed = 1;
     double curvature = 0.0;
+    ByteLimit limit;
     bool json = false;
     bool quiet = false;
     ForceOption force;
@@ -86,6 +87,7 @@ struct TableArguments {
         app.add_option("--save", save, "Write the five sets of points into this folder, as PLY")
             ->type_name("DIR");
         force.addTo(app);
+        addByteLimit(app, limit);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
     }
@@ -184,8 +186,8 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     options.count = row.points;
     options.seed = arguments.seed;
     options.curvature = arguments.curvature;
-    const PointFile file =
-        samplePoints(readSurface(made.source, std::nullopt), options, made.source, line);
+    const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
+                                        options, made.source, line);
     if (!arguments.save.empty())
         writeOutput(arguments.savedPath(row).string(), meshPlyBytes(file, {}));
     made.points = file.position.size();
@@ -282,7 +284,6 @@ ExitCode table1Verb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     const Params params = arguments.rules.params();
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     std::vector<Made> all;
     all.reserve(kRows.size());

@@ -254,7 +254,6 @@ ExitCode whyVerb(const Arguments& words) {
         if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
         ring = place.value();
     }
-    catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);

@@ -271,15 +271,9 @@ Result<Trace> readTrace(std::string_view text, const std::string& name, TraceSta
 }
 
 Result<Trace> readTraceFile(const std::string& path, TraceStage upto) {
-    std::error_code problem;
-    const auto size = std::filesystem::file_size(path, problem);
-    const bool huge = !problem && size > kMaxTraceBytes;
-    const Result<std::string> bytes = huge ? Result<std::string>(std::string()) : readBytes(path);
+    const Result<std::string> bytes =
+        readBytes(path, {kMaxTraceBytes, "write the traces of fewer pivots, without `ring`"});
     if (!bytes) return bytes.error();
-    if (huge || bytes.value().size() > kMaxTraceBytes) {
-        return Error{path + ": over " + std::to_string(kMaxTraceBytes >> 20U) +
-                     " MiB; write the traces of fewer pivots, without `ring`"};
-    }
     return readTrace(bytes.value(), path, upto);
 }
 

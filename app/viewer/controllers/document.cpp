@@ -132,6 +132,7 @@ void DocumentController::expectArrival(const std::string& file) {
 /// The page with new points is closed for the input that is opened.
 void DocumentController::openInput(InputSpec spec) {
     if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
+    spec.maxBytes = std::max(spec.maxBytes, c_.session.input().opening().maxBytes);
     c_.session.open(std::move(spec));
 }
 

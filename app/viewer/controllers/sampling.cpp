@@ -84,7 +84,8 @@ GrowthNumbers numbersOf(const GrowthPicture& picture) {
 
 }  // namespace
 
-void SamplingController::begin(const SampleSpec& spec) {
+void SamplingController::begin(SampleSpec spec) {
+    spec.maxBytes = usual_.maxBytes;
     GrowthPage& page = c_.ui.growth;
     page.form.take(spec);
     page.open = true;
@@ -96,9 +97,11 @@ void SamplingController::begin(const SampleSpec& spec) {
 void SamplingController::start() {
     GrowthPage& page = c_.ui.growth;
     page.message.clear();
-    const Result<SampleSpec> spec = page.form.spec();
+    Result<SampleSpec> spec = page.form.spec();
     page.complaint = spec ? std::string{} : spec.error().message;
-    if (spec) growth_.start(spec.value());
+    if (!spec) return;
+    spec.value().maxBytes = usual_.maxBytes;
+    growth_.start(spec.value());
 }
 
 bool SamplingController::poll() {

@@ -19,7 +19,7 @@ class SamplingController {
     explicit SamplingController(CommandContext& context) : c_(context) {}
 
     /// Opens the page with these particles; `usual` has the options for opening the points later.
-    void begin(const SampleSpec& spec);
+    void begin(SampleSpec spec);
     void setUsual(const InputSpec& usual) { usual_ = usual; }
     /// Takes the results of the thread. True if there is something new to draw.
     bool poll();

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -33,38 +32,28 @@ constexpr double kReadShare = 0.1;
 constexpr double kParsedShare = 0.25;
 constexpr double kPreparedShare = 0.9;
 
-/// The bytes of a file, hashed while reading. Empty if cancelled or unreadable.
-std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
-                                     LoadProgress& progress) {
+/// The bytes of a file, and their hash.
+Result<std::string> readHashed(const fs::path& path, const ByteLimit& limit, std::string& hash,
+                               LoadProgress& progress) {
+    Result<std::string> bytes = readBytes(path, limit, [&](double share) {
+        progress.share = kReadShare * share;
+        return !progress.cancelled.load();
+    });
+    if (!bytes) return bytes;
     constexpr std::size_t kPiece = std::size_t{1} << 20U;
-    std::error_code error;
-    if (fs::is_directory(path, error)) return std::nullopt;
-    std::ifstream file(path, std::ios::binary);
-    const auto size = fs::file_size(path, error);
-    const double whole = error || size == 0 ? 0.0 : static_cast<double>(size);
-    std::string bytes;
-    if (whole > 0.0) bytes.reserve(static_cast<std::size_t>(size));
     InputHash sum;
-    std::vector<char> piece(kPiece);
-    while (file) {
-        if (progress.cancelled) return std::nullopt;
-        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-        const std::string_view fresh(piece.data(), static_cast<std::size_t>(file.gcount()));
-        bytes += fresh;
-        sum.add(fresh);
-        if (whole > 0.0) {
-            progress.share = kReadShare * std::min(1.0, static_cast<double>(bytes.size()) / whole);
-        }
-    }
-    if (file.bad() || bytes.empty()) return std::nullopt;
+    for (std::string_view rest = bytes.value(); !rest.empty() && !progress.cancelled;
+         rest.remove_prefix(std::min(kPiece, rest.size())))
+        sum.add(rest.substr(0, kPiece));
     hash = sum.text();
     return bytes;
 }
 
 /// Sampled points, unless they are in memory.
 Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& progress) {
-    const Result<SampleSpec> sample = sampleFromSource(spec.source);
+    Result<SampleSpec> sample = sampleFromSource(spec.source);
     if (!sample) return sample.error();
+    sample.value().maxBytes = spec.maxBytes;
     progress.part = LoadPart::Sampling;
     Result<PointFile> points =
         spec.points ? *spec.points : samplePoints(sample.value(), [&](double share) {
@@ -125,10 +114,11 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
         return points;
     }
     model.name = fs::path(source).filename().string();
-    const std::optional<std::string> bytes = readBytes(source, model.hash, progress);
+    const Result<std::string> bytes =
+        readHashed(source, ByteLimit{spec.maxBytes}, model.hash, progress);
     if (progress.cancelled) return openingCancelled();
-    // Read errors are reported in the words of the library.
-    return bytes ? readPoints(*bytes, source) : readPoints(fs::path(source));
+    if (!bytes) return bytes.error();
+    return readPoints(bytes.value(), source);
 }
 
 float medianSpacing(const Model& model) {

@@ -89,6 +89,7 @@ struct InputSpec {
     IndexRanges leftOut = {};          ///< Points of the piece to run without, by their indices.
     GivenStart start =
         {};  ///< Triangles and rings that the run begins with; empty: those of a scene.
+    std::uint64_t maxBytes = ByteLimit{}.bytes;  ///< Limit of reading; no part of a session.
     friend bool operator==(const InputSpec&, const InputSpec&) = default;
 };
 /// `spec` with the options that its fixes choose, besides those that change the file.

@@ -53,7 +53,7 @@ std::optional<bool> takePart(std::string_view key, std::string_view value, Sampl
 }
 
 Result<Field> volumeField(const SampleSpec& spec) {
-    Result<Volume> read = readVolume(std::filesystem::path(spec.surface));
+    Result<Volume> read = readVolume(std::filesystem::path(spec.surface), ByteLimit{spec.maxBytes});
     if (!read) return read.error();
     const auto volume = std::make_shared<const Volume>(std::move(read.value()));
     const std::optional<double> iso = spec.isovalue ? spec.isovalue : volume->isovalue;

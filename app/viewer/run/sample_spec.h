@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -35,6 +36,7 @@ struct SampleSpec {
     std::uint64_t seed = 1;
     double curvature = 0.0;
     int steps = 0;  ///< The particles after that number of steps; 0: after all.
+    std::uint64_t maxBytes = ByteLimit{}.bytes;  ///< Limit of reading a volume; not in the line.
 
     SamplerOptions sampler() const;
     friend bool operator==(const SampleSpec& a, const SampleSpec& b);

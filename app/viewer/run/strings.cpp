@@ -1,8 +1,9 @@
 #include "strings.h"
 
 #include <cstdio>
-#include <fstream>
-#include <sstream>
+#include <utility>
+
+#include "spiraling_edge/base/files.h"
 
 namespace se::view {
 
@@ -47,11 +48,8 @@ std::string grouped(std::size_t number) {
 }
 
 std::optional<std::string> readText(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file) text << file.rdbuf();
-    if (!file || file.bad()) return std::nullopt;
-    return text.str();
+    Result<std::string> bytes = readBytes(path, kTextLimit);
+    return bytes ? std::optional(std::move(bytes.value())) : std::nullopt;
 }
 
 }  // namespace se::view

@@ -9,6 +9,7 @@
 #include "run/strings.h"
 #include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
@@ -49,14 +50,6 @@ std::string movedSource(const std::string& source, const Move& move) {
     if (!sample || !isVolumePath(sample.value().surface)) return source;
     sample.value().surface = move(sample.value().surface);
     return sampleSource(sample.value());
-}
-
-/// A device or a pipe has no end, or blocks the program: a session from elsewhere must not open
-/// one. A missing file is reported when it is opened.
-bool isUnfit(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    return fs::exists(status) && !fs::is_regular_file(status);
 }
 
 Complaint unfit(const std::string& field, const fs::path& path) {
@@ -321,9 +314,9 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
 
 Result<SessionFile> readSessionFile(const fs::path& path) {
     if (isUnfit(path)) return Error{path.string() + ": expected a regular file."};
-    const std::optional<std::string> text = readText(path);
-    if (!text) return Error{path.string() + ": cannot be read."};
-    return sessionFromJson(*text, path.string(), path.parent_path());
+    const Result<std::string> text = readBytes(path, kTextLimit);
+    if (!text) return Error{text.error().message + "."};
+    return sessionFromJson(text.value(), path.string(), path.parent_path());
 }
 
 Status writeSessionFile(const fs::path& path, const SessionFile& session) {

@@ -57,8 +57,28 @@ void unlistUnfinished(std::size_t slot) {
     if (slot > 0) unfinishedFiles[slot - 1].use = UnfinishedFile::Free;
 }
 
+bool writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+/// The text for an interrupted user. Set before the handler is.
+std::string_view interruptFarewell;
+
 extern "C" void removeAndEnd(int signal) {
-    removeUnfinishedFiles();
+    for (UnfinishedFile& file : unfinishedFiles) {
+        if (file.use == UnfinishedFile::Listed) ::unlink(file.path.data());
+    }
+    if (signal == SIGINT) {
+        writeAll(STDERR_FILENO, interruptFarewell);
+        // No phase of the work can delay this; a flag would have to be polled by all of them.
+        ::_exit(128 + SIGINT);
+    }
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -110,16 +130,6 @@ class OpenFolder {
   private:
     int descriptor_;
 };
-
-bool writeAll(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-}
 
 }  // namespace
 
@@ -331,15 +341,8 @@ Status requireKept(std::span<const NamedFile> inputs, std::span<const NamedFile>
     return success();
 }
 
-void removeUnfinishedFiles() noexcept {
-    const int reason = errno;
-    for (UnfinishedFile& file : unfinishedFiles) {
-        if (file.use == UnfinishedFile::Listed) ::unlink(file.path.data());
-    }
-    errno = reason;
-}
-
-void removeUnfinishedFilesAtSignals() noexcept {
+void removeUnfinishedFilesAtSignals(std::string_view farewell) noexcept {
+    interruptFarewell = farewell;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU}) {
         // A signal ignored by the caller, as by nohup, stays ignored.
         if (std::signal(signal, removeAndEnd) == SIG_IGN) std::signal(signal, SIG_IGN);

@@ -91,11 +91,10 @@ Status requireApart(std::span<const NamedFile> outputs);
 /// if the user gave kForceOption. Call it before long work.
 Status requireKept(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
 
-/// Removes the temporary files of this process. May be called from a signal handler.
-void removeUnfinishedFiles() noexcept;
-
 /// Makes SIGINT, SIGTERM, SIGHUP and the other signals that end a program while it writes remove
-/// unfinished files first, unless they are ignored. For programs, once, at the start of main().
-void removeUnfinishedFilesAtSignals() noexcept;
+/// unfinished files first, unless they are ignored. SIGINT then ends the program within the signal
+/// handler, with exit code 130, whatever its threads are doing; `farewell` is written to stderr and
+/// must outlive the program. For programs, once, at the start of main().
+void removeUnfinishedFilesAtSignals(std::string_view farewell) noexcept;
 
 }  // namespace se

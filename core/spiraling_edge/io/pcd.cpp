@@ -154,9 +154,13 @@ class PcdReader : LineByLine {
             }
         }
         rowSize_ = 0;
-        for (const PcdField& field : fields_) rowSize_ += field.size * field.count;
-        // Checked before allocation: a row has at least two bytes in text, and its size in binary.
-        const std::uint64_t least = binary_ ? rowSize_ : 2;
+        std::uint64_t numbers = 0;
+        for (const PcdField& field : fields_) {
+            rowSize_ += field.size * field.count;
+            numbers += field.count;
+        }
+        // Checked before allocation: a number has at least two bytes in text, with its separator.
+        const std::uint64_t least = binary_ ? rowSize_ : 2 * numbers;
         if (*points_ > (lines_.rest().size() + 1) / least) return failCut(0);
         return true;
     }

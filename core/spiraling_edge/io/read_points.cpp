@@ -2,12 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <fstream>
-#include <system_error>
 
-#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
@@ -67,35 +62,8 @@ const PointFormat* pointFormatOf(const fs::path& path) {
     return found == kPointFormats.end() ? nullptr : &*found;
 }
 
-Result<std::string> readBytes(const fs::path& path) {
-    const std::string name = path.string();
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (!fs::exists(status)) return Error{name + ": there is no such file"};
-    if (fs::is_directory(status)) return Error{name + ": is a folder; name a file in it"};
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return Error{name + ": cannot be opened: " + systemReason()};
-    std::string bytes;
-    if (fs::is_regular_file(status)) {
-        const std::uintmax_t size = fs::file_size(path, ignored);
-        // One byte more than expected, to detect the end without another round.
-        if (!ignored) bytes.resize(static_cast<std::size_t>(size) + 1);
-    }
-    std::size_t filled = 0;
-    while (stream) {
-        constexpr std::size_t kLeastRoom = 1U << 16U;
-        if (filled == bytes.size()) bytes.resize(std::max(kLeastRoom, 2 * bytes.size()));
-        stream.read(bytes.data() + filled, static_cast<std::streamsize>(bytes.size() - filled));
-        filled += static_cast<std::size_t>(stream.gcount());
-    }
-    if (stream.bad()) return Error{name + ": cannot be read: " + systemReason()};
-    bytes.resize(filled);
-    return bytes;
-}
-
-Result<PointFile> readPoints(const fs::path& path) {
-    const Result<std::string> bytes = readBytes(path);
+Result<PointFile> readPoints(const fs::path& path, const ByteLimit& limit) {
+    const Result<std::string> bytes = readBytes(path, limit);
     if (!bytes) return bytes.error();
     return readPoints(bytes.value(), path.string());
 }
@@ -111,15 +79,10 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
     return Error{name + ": is of no known kind. " + readableText()};
 }
 
-Result<PointFile> readStandardInput() {
-    const std::string name = "standard input";
-    std::string bytes;
-    std::array<char, 1U << 16U> block{};
-    std::size_t count = 0;
-    while ((count = std::fread(block.data(), 1, block.size(), stdin)) > 0)
-        bytes.append(block.data(), count);
-    if (std::ferror(stdin) != 0) return Error{name + ": cannot be read"};
-    return readPoints(bytes, name);
+Result<PointFile> readStandardInput(const ByteLimit& limit) {
+    const Result<std::string> bytes = readBytes("/dev/stdin", limit);
+    if (!bytes) return bytes.error();
+    return readPoints(bytes.value(), "standard input");
 }
 
 }  // namespace se

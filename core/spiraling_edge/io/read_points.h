@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"
 
@@ -38,12 +39,12 @@ const PointFormat* pointFormatOf(const std::filesystem::path& path);
 
 /// Reads a file in one of the pointFormats(). Errors name the file and the line or byte, what was
 /// expected and what to do.
-Result<PointFile> readPoints(const std::filesystem::path& path);
+Result<PointFile> readPoints(const std::filesystem::path& path, const ByteLimit& limit = {});
 /// Reads points from memory; `name` is the name in errors, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
 
 /// Points from standard input, read to its end; a second call finds nothing. Errors begin with
 /// "standard input".
-Result<PointFile> readStandardInput();
+Result<PointFile> readStandardInput(const ByteLimit& limit = {});
 
 }  // namespace se

@@ -1,15 +1,19 @@
 #include "spiraling_edge/base/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <new>
+#include <thread>
 
 #include "support/io_support.h"
 
@@ -30,9 +34,9 @@ struct Syncs {
 
 fs::perms modeOf(const fs::path& path) { return fs::status(path).permissions(); }
 
-/// Runs `work` in a process of its own, which must end by `signal`.
+/// Runs `work` in a process of its own; its status as by waitpid().
 template <typename Work>
-void checkEndsBy(int signal, Work&& work) {
+int statusOf(Work&& work) {
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
@@ -41,8 +45,7 @@ void checkEndsBy(int signal, Work&& work) {
     }
     int status = 0;
     REQUIRE(::waitpid(child, &status, 0) == child);
-    CHECK(WIFSIGNALED(status));
-    CHECK(WTERMSIG(status) == signal);
+    return status;
 }
 
 NamedFile named(const char* role, const fs::path& path) { return {role, path}; }
@@ -280,11 +283,43 @@ TEST_CASE("Write: checking a path creates nothing") {
 TEST_CASE("Write: signals that end the program leave no part of a file") {
     const TemporaryFolder folder;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ}) {
-        checkEndsBy(signal, [&] {
-            removeUnfinishedFilesAtSignals();
+        const int status = statusOf([&] {
+            removeUnfinishedFilesAtSignals("");
             const Result<AtomicFile> file = AtomicFile::create(folder / "a");
             std::raise(signal);
         });
+        if (signal == SIGINT) {
+            CHECK(WIFEXITED(status));
+            CHECK(WEXITSTATUS(status) == 130);
+        } else {
+            CHECK(WIFSIGNALED(status));
+            CHECK(WTERMSIG(status) == signal);
+        }
         CHECK(folder.fileCount() == 0);
     }
+}
+
+TEST_CASE("Write: nothing runs after an interrupt, in no thread, unless it is ignored") {
+    // Shared with the process that is interrupted.
+    void* const memory = ::mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE,
+                                MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    REQUIRE(memory != MAP_FAILED);
+    auto& worked = *new (memory) std::atomic<int>(0);
+    for (const bool ignored : {false, true}) {
+        worked = 0;
+        const int status = statusOf([&] {
+            if (ignored) std::signal(SIGINT, SIG_IGN);
+            removeUnfinishedFilesAtSignals("");
+            std::thread other([&] {
+                std::raise(SIGINT);
+                ++worked;
+            });
+            other.join();
+            ++worked;
+        });
+        CHECK(worked == (ignored ? 2 : 0));
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == (ignored ? 0 : 130));
+    }
+    ::munmap(memory, sizeof(std::atomic<int>));
 }

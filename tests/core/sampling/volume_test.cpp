@@ -9,9 +9,13 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <new>
+#include <thread>
+#include <vector>
 
 #include "spiraling_edge/sampling/sampler.h"
 #include "support/oracles.h"
+#include "support/scarce_memory.h"
 #include "support/shared_data.h"
 
 using namespace se;
@@ -230,6 +234,41 @@ TEST_CASE("NRRD: a file that is cut anywhere is an error, never a volume") {
     CHECK(problem(kHeader + data + "x").find("found 25") != std::string::npos);
     CHECK(problem(replaced(kHeader, "raw", "gzip") + gzipped(data + "x")).find("more than") !=
           std::string::npos);
+}
+
+TEST_CASE("NRRD: what unpacks to more than the limit is refused before memory is taken") {
+    const ByteLimit limit{1'000'000};
+    // Eight million bytes, in less than ten thousand.
+    const std::string bomb = replaced(replaced(kHeader, "2 3 4", "200 200 200"), "raw", "gzip") +
+                             gzipped(std::string(8'000'000, '\0'));
+    // A header that promises much, and more bytes to pass over than the limit.
+    const std::string promise = replaced(kHeader, "2 3 4", "1000000 1000000 1000");
+    const std::string skip =
+        replaced(replaced(kHeader, "raw", "gzip"), "isovalue", "byte skip: 1000001\nisovalue") +
+        gzipped(std::string(1'000'025, '\0'));
+    // The bytes are within the limit, their values as numbers are not.
+    const std::string wide = replaced(kHeader, "2 3 4", "100 100 60") + std::string(600'000, '\0');
+    std::vector<std::string> messages;
+    const ScarceMemory scarce(1'100'000);
+    std::thread reader([&] {
+        for (const std::string* each : {&bomb, &promise, &skip, &wide}) {
+            try {
+                const Result<Volume> volume = readVolume(*each, "test.nrrd", limit);
+                messages.push_back(volume.ok() ? "read" : volume.error().message);
+            } catch (const std::bad_alloc&) {
+                messages.push_back("took memory");
+            }
+        }
+    });
+    reader.join();
+    const std::string over =
+        "test.nrrd: holds more than 1000000 bytes, read or unpacked; --most-bytes N raises this "
+        "limit";
+    REQUIRE(messages.size() == 4);
+    CHECK(messages[0] == over);
+    CHECK(messages[1].find("found 0") != std::string::npos);
+    CHECK(messages[2] == over);
+    CHECK(messages[3] == over);
 }
 
 TEST_CASE("NRRD: data beside the header are found, and missed by name") {

@@ -158,7 +158,7 @@ TEST_CASE("a huge trace is refused before it is read") {
     const Result<Trace> trace = readTraceFile(path.string());
     std::filesystem::remove(path);
     REQUIRE_FALSE(trace.ok());
-    CHECK(trace.error().message.find(": over 256 MiB") != std::string::npos);
+    CHECK(trace.error().message.find(": holds more than 268435456 bytes") != std::string::npos);
 }
 
 }  // namespace se::teach

@@ -75,8 +75,9 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
 }
 
 /// The run, and a mesh that is finished already.
-std::string compareMesh(Compared& found, const std::string& path, const Progress& progress) {
-    const Result<PointFile> file = readPoints(std::filesystem::path(path));
+std::string compareMesh(Compared& found, const std::string& path, const ByteLimit& limit,
+                        const Progress& progress) {
+    const Result<PointFile> file = readPoints(std::filesystem::path(path), limit);
     if (!file) return file.error().message;
     if (file.value().faces.empty()) return path + " has no triangles to compare with.";
     MatchedMesh matched = matchMesh(found.a->points.position, file.value());
@@ -132,11 +133,13 @@ void compareTriangles(Compared& found) {
 /// Of a mesh from a file if `b` is null.
 Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Model>& a,
                                                 const std::shared_ptr<const Model>& b,
-                                                const std::string& mesh, const Progress& progress) {
+                                                const std::string& mesh, const ByteLimit& limit,
+                                                const Progress& progress) {
     auto found = std::make_shared<Compared>();
     found->a = a;
     found->b = b;
-    std::string complaint = b ? compareTwo(*found, progress) : compareMesh(*found, mesh, progress);
+    std::string complaint =
+        b ? compareTwo(*found, progress) : compareMesh(*found, mesh, limit, progress);
     if (!complaint.empty()) return Error{std::move(complaint)};
     compareTriangles(*found);
     return std::shared_ptr<const Compared>(std::move(found));
@@ -263,9 +266,9 @@ void Comparison::startJob(const Session& run) {
     ++revision_;
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
-    query_.start([a = comparedA_, b = comparedB_, mesh = with_.path](const Progress& progress) {
-        return compare(a, b, mesh, progress);
-    });
+    const ByteLimit limit{run.input().spec().maxBytes};
+    query_.start([a = comparedA_, b = comparedB_, mesh = with_.path, limit](
+                     const Progress& progress) { return compare(a, b, mesh, limit, progress); });
 }
 
 bool Comparison::takeResult() {

@@ -321,8 +321,8 @@ Result<std::string_view> rawBytes(const NrrdHeader& header, std::string_view dat
 
 }  // namespace
 
-Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data,
-                          const std::string& name) {
+Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const std::string& name,
+                          const ByteLimit& limit) {
     const std::size_t expected = header.samples() * sizeOf(header.type);
     const Result<std::string_view> body = skipLines(data, header.lineSkip, name);
     if (!body) return body.error();
@@ -333,6 +333,7 @@ Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data,
         const auto skip = static_cast<std::size_t>(header.byteSkip);
         if (skip > std::numeric_limits<std::size_t>::max() - expected)
             return Error{name + ": `byte skip` passes over more than any file holds"};
+        if (skip + expected > limit.bytes) return limit.exceededBy(name);
         Result<std::string> inflated = inflateExactly(body.value(), skip + expected);
         if (!inflated) return Error{name + ": " + inflated.error().message};
         unpacked = std::move(inflated.value());
@@ -341,6 +342,7 @@ Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data,
         bytes = rawBytes(header, body.value(), expected, name);
     }
     if (!bytes) return bytes.error();
+    if (sizeof(float) * header.samples() > limit.bytes) return limit.exceededBy(name);
     Volume volume = header.volume;
     volume.value.resize(header.samples());
     const bool swapped = header.bigEndian == (std::endian::native == std::endian::little);

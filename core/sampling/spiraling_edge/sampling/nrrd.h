@@ -28,8 +28,9 @@ struct NrrdHeader {
 Result<NrrdHeader> parseNrrdHeader(std::string_view bytes, const std::string& name);
 
 /// The values, from the bytes that follow the header or those of the data file. `name` is the file
-/// that holds them.
-Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const std::string& name);
+/// that holds them. Fails before it allocates more than `limit`.
+Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const std::string& name,
+                          const ByteLimit& limit);
 
 /// The `expected` bytes that a gzip (or zlib) stream holds. Fails, with a reason to append to the
 /// name of a file, if it is damaged or holds fewer or more. Allocates nothing that the stream could

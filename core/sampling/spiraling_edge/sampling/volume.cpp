@@ -83,25 +83,22 @@ Vec3 Volume::gradientAt(const Vec3& x) const {
     return gradient;
 }
 
-Result<Volume> readVolume(const fs::path& path) {
+Result<Volume> readVolume(const fs::path& path, const ByteLimit& limit) {
     const std::string name = path.string();
-    const Result<std::string> bytes = readBytes(path);
+    const Result<std::string> bytes = readBytes(path, limit);
     if (!bytes) return bytes.error();
     const Result<io::NrrdHeader> parsed = io::parseNrrdHeader(bytes.value(), name);
     if (!parsed) return parsed.error();
     const io::NrrdHeader& header = parsed.value();
-    if (header.dataFile.empty()) return readVolume(bytes.value(), name);
+    if (header.dataFile.empty()) return readVolume(bytes.value(), name, limit);
     const fs::path dataPath = path.parent_path() / header.dataFile;
-    // A device or a pipe has no end, so the size must be checked.
-    std::error_code ignored;
-    const fs::file_status status = fs::status(dataPath, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    if (isUnfit(dataPath)) {
         return io::errorAt(name, io::lineText(header.dataFileLine),
                            dataPath.string() + ": expected a regular file");
     }
-    const Result<std::string> data = readBytes(dataPath);
+    const Result<std::string> data = readBytes(dataPath, limit);
     if (!data) return io::errorAt(name, io::lineText(header.dataFileLine), data.error().message);
-    return io::decodeNrrd(header, data.value(), dataPath.string());
+    return io::decodeNrrd(header, data.value(), dataPath.string(), limit);
 }
 
 fs::path dataFileOf(const fs::path& path) {
@@ -117,14 +114,14 @@ fs::path dataFileOf(const fs::path& path) {
     return path.parent_path() / header.value().dataFile;
 }
 
-Result<Volume> readVolume(std::string_view bytes, const std::string& name) {
+Result<Volume> readVolume(std::string_view bytes, const std::string& name, const ByteLimit& limit) {
     const Result<io::NrrdHeader> header = io::parseNrrdHeader(bytes, name);
     if (!header) return header.error();
     if (!header.value().dataFile.empty()) {
         return io::errorAt(name, io::lineText(header.value().dataFileLine),
                            "the data are in another file, which cannot be reached from here");
     }
-    return io::decodeNrrd(header.value(), bytes.substr(header.value().dataOffset), name);
+    return io::decodeNrrd(header.value(), bytes.substr(header.value().dataOffset), name, limit);
 }
 
 Field fieldOf(const std::shared_ptr<const Volume>& volume, double isovalue) {

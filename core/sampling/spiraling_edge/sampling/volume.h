@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/sampling/field.h"
 
@@ -45,12 +46,14 @@ bool isVolumePath(const std::filesystem::path& path);
 /// Reads NRRD (http://teem.sourceforge.net/nrrd/format.html), attached (.nrrd) or with its data in
 /// a file beside it (.nhdr): three dimensions, integers of 8 to 32 bits, float or double in either
 /// byte order, raw or gzip, axis-aligned spacings or space directions. Errors name the file and
-/// the line, what was expected and what to do. Nothing is allocated that the file cannot fill.
-Result<Volume> readVolume(const std::filesystem::path& path);
+/// the line, what was expected and what to do. Nothing is allocated that the file cannot fill, or
+/// that is over `limit`: for each of the files, their unpacked bytes, and the values of the volume.
+Result<Volume> readVolume(const std::filesystem::path& path, const ByteLimit& limit = {});
 /// The file that holds the values of a volume; empty if the volume itself does, or cannot be read.
 std::filesystem::path dataFileOf(const std::filesystem::path& path);
 /// Reads a volume from memory, attached data only; `name` is its name in errors.
-Result<Volume> readVolume(std::string_view bytes, const std::string& name);
+Result<Volume> readVolume(std::string_view bytes, const std::string& name,
+                          const ByteLimit& limit = {});
 
 /// The field of a volume in the box of its samples: higher values are inside. Requires 2 samples
 /// along each axis.
