@@ -91,7 +91,8 @@ Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context
         context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
     const auto isThat = [&](const std::string& words) { return isOutcome(words, value.outcome); };
     if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
-        return Error{"the outcome is \"" + value.outcome + "\", which is not one of the options"};
+        return Error{"the outcome is " + inQuotes(value.outcome) +
+                     ", which is not one of the options"};
     Answer answer;
     const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
     answer.choice = static_cast<std::size_t>(found - verdicts.begin());

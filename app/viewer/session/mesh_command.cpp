@@ -77,7 +77,7 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
 }
 
 /// The input and its piece as words.
-std::string inputOf(const Steps& steps) { return shellQuoted(steps.input) + steps.piece; }
+std::string inputOf(const Steps& steps) { return shellPath(steps.input) + steps.piece; }
 
 /// The doctor's commands for the fixes that repair or drop points. Exit code 1 only means that
 /// findings are left; the next command must not run after any other failure.
@@ -96,8 +96,8 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         if (files > 1) file.append("-").append(std::to_string(files));
         std::string repaired = besideMesh(target, file.append(".ply"));
         steps.before.append("{ ").append(kProgram);
-        for (const std::string& word : {std::string("doctor"), inputOf(steps),
-                                        std::string("-q --fix"), shellQuoted(repaired)})
+        for (const std::string& word :
+             {std::string("doctor"), inputOf(steps), std::string("-q --fix"), shellPath(repaired)})
             steps.before.append(" ").append(word);
         if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; [ $? -le 1 ]; } && ";
@@ -117,10 +117,10 @@ std::string addStart(const InputSpec& spec, const MeshTarget& target, Steps& ste
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     const std::string file = besideMesh(target, stem + ".start.json");
     steps.before += "printf '%s\\n' " + shellQuoted(teach::startText(spec.start)) + " > " +
-                    shellQuoted(file) + " && ";
+                    shellPath(file) + " && ";
     steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
                   file + ".";
-    return " --start " + shellQuoted(file);
+    return " --start " + shellPath(file);
 }
 
 std::string reachOption(const NeighborOptions& lists) {
@@ -150,7 +150,7 @@ std::string runOptions(const InputSpec& spec) {
         if (on) text += std::string(" ") + name;
     };
     if (spec.rules != "paper") text += " --rules " + spec.rules;
-    for (const RuleValue& each : spec.choices) text += " --rule " + lineOf(each);
+    for (const RuleValue& each : spec.choices) text += " --rule " + shellQuoted(lineOf(each));
     for (const WhatIf& each : spec.whatIf) text += " --what-if " + shellQuoted(lineOf(each));
     text += reachOption(spec.neighbors);
     flag(spec.neighbors.symmetric, "--symmetric");
@@ -173,7 +173,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
                 "keeps them, or bring them back in the panel Doctor."};
     }
     if (isPractice(spec.source)) {
-        return {"spiraling-edge-viewer " + spec.source,
+        return {"spiraling-edge-viewer " + shellQuoted(spec.source),
                 "It opens the pivot to practice, whose points have no file."};
     }
     Steps steps = stepsToSource(spec.source, target);
@@ -185,7 +185,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     command.text += start + runOptions(withFixOptions(spec));
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
-    command.text += " -o " + shellQuoted(target.path);
+    command.text += " -o " + shellPath(target.path);
     return command;
 }
 
