@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
 
@@ -54,7 +55,7 @@ bool ProgressLine::due() {
 }
 
 void ProgressLine::write(const std::string& what, double share) {
-    fmt::print(stderr, "\r{} {:3.0f} %", what, 100.0 * share);
+    fmt::print(stderr, "\r{} {:3.0f} %", printable(what), 100.0 * share);
     std::fflush(stderr);
     dirty_ = true;
 }

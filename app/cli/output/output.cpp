@@ -7,6 +7,7 @@
 
 #include "exit_code.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
 namespace {
@@ -73,5 +74,9 @@ void writeOutput(const std::string& path, std::string_view bytes) {
         throw Failure(ExitCode::Internal, "standard output: cannot be written");
     }
 }
+
+void printText(std::string_view text) { writeOutput("-", printableLines(text)); }
+
+void printNote(std::string_view text) { std::fputs(printableLines(text).c_str(), stderr); }
 
 }  // namespace se::cli

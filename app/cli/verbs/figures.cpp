@@ -158,8 +158,8 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         if (!made.start.empty())
             writeOutput(path + ".start.json", teach::startText(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
-        writeOutput("-", fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
-                                     input.shows));
+        printText(fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
+                              input.shows));
     }
     return ExitCode::Good;
 }
@@ -192,7 +192,7 @@ ExitCode figuresVerb(const Arguments& words) {
             checked = figure.hasScene() ? checkedScene(figure)
                                         : checkedResult(figure, arguments.volumes, line);
         }
-        writeOutput("-", headText(figure) + checked.text);
+        printText(headText(figure) + checked.text);
         failed += checked.holds ? 0 : 1;
     }
     if (failed > 0) {

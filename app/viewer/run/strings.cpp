@@ -1,6 +1,5 @@
 #include "strings.h"
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -44,6 +43,10 @@ std::string grouped(std::size_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\xE2\x80\x89");
     return text;
+}
+
+void printLines(std::FILE* stream, std::string_view text) {
+    std::fputs(printableLines(text).c_str(), stream);
 }
 
 std::optional<std::string> readText(const std::filesystem::path& path) {
