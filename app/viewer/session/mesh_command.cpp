@@ -150,7 +150,7 @@ std::string runOptions(const InputSpec& spec) {
         if (on) text += std::string(" ") + name;
     };
     if (spec.rules != "paper") text += " --rules " + spec.rules;
-    for (const RuleValue& each : spec.choices) text += " --rule " + shellQuoted(lineOf(each));
+    for (const RuleValue& each : spec.choices) text += " --rule " + lineOf(each);
     for (const WhatIf& each : spec.whatIf) text += " --what-if " + shellQuoted(lineOf(each));
     text += reachOption(spec.neighbors);
     flag(spec.neighbors.symmetric, "--symmetric");
