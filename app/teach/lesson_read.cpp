@@ -12,6 +12,7 @@
 #include "lesson_syntax.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::teach {
 namespace {
@@ -170,15 +171,14 @@ class LessonReader {
             if (type != CMARK_NODE_IMAGE) continue;
             if (urlOf(node).find(':') != std::string_view::npos || leavesFolder(urlOf(node)))
                 add(line, "",
-                    "the image " + std::string(urlOf(node)) +
-                        " is not in the folder of the lesson");
+                    "the image " + excerpt(urlOf(node)) + " is not in the folder of the lesson");
         }
         cmark_iter_free(iterator);
     }
 
     void requireInside(const std::string& input, std::size_t line) {
         if (input.starts_with("scene:") || input.empty() || !leavesFolder(input)) return;
-        add(line, "input", input + " is not in the folder of the lesson: copy it there");
+        add(line, "input", excerpt(input) + " is not in the folder of the lesson: copy it there");
     }
 
     void finish() {

@@ -114,8 +114,9 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     }
     for (const LessonLink& link : step.links) {
         if (!isPlaceText(link.address)) {
-            all.push_back({FaultSort::Malformed, link.line, "",
-                           "se:" + link.address + ": expected an address, such as se:9.sphere.2"});
+            all.push_back(
+                {FaultSort::Malformed, link.line, "",
+                 "se:" + excerpt(link.address) + ": expected an address, such as se:9.sphere.2"});
         }
     }
     if (step.question) checkQuestion(*step.question, all);
