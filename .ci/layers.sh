@@ -106,6 +106,12 @@ mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" 
 no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
     "only atomic_file.cpp may write files" "${not_writers[@]}"
 
+# Text goes to the terminal in few places, which let nothing through that a terminal would obey.
+mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"} |
+    grep -vE '^app/(cli/(output/output|progress)|viewer/(main|options|application|run/strings)|teach/share/.*)\.(h|cpp)$')
+no '\b(f?printf|f?puts|fwrite|perror)\(|fmt::print\(|std::(cout|cerr|clog)\b' \
+    "print by printText(), printNote() or printLines()" "${not_printers[@]}"
+
 # The root.
 allowed='app core shaders assets tests docs .ci CMakeLists.txt CMakePresets.json README.md CHANGELOG.md
     CONTRIBUTING.md LICENSE CITATION.cff run.sh test.sh .clang-format .clang-tidy .editorconfig

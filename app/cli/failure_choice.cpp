@@ -5,6 +5,7 @@
 #include "exit_code.h"
 #include "output/sentences.h"
 #include "progress.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::cli {
@@ -54,7 +55,7 @@ namespace {
     throw Failure(ExitCode::CheckFailed,
                   fmt::format("{}: the run has {} of class {}; spiraling-edge why {} --failures "
                               "lists those it has",
-                              input, has, wanted.kind->name, input));
+                              input, has, wanted.kind->name, shellPath(input)));
 }
 
 }  // namespace

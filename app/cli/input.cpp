@@ -1,6 +1,7 @@
 #include "input.h"
 
 #include "exit_code.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -22,7 +23,7 @@ PointFile buildScene(const std::string& id) {
 void refuseOtherThings(const std::string& input) {
     if (isVolumePath(input)) {
         throw Failure(ExitCode::Input,
-                      input + ": is a volume; `spiraling-edge sample " + input +
+                      input + ": is a volume; `spiraling-edge sample " + shellPath(input) +
                           " -n N -o POINTS.ply` samples points on a surface in it");
     }
     if (input.starts_with("sample:")) {

@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string_view>
 
+#include "output/output.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/freed_memory.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
@@ -50,24 +51,24 @@ const Verb* findVerb(std::string_view name) {
     return nullptr;
 }
 
-void printHelp(std::FILE* stream) {
-    fmt::print(stream,
-               "Spiraling Edge surface reconstruction.\n\n"
-               "Usage: spiraling-edge VERB [OPTIONS]\n"
-               "       spiraling-edge FILE          the same as spiraling-edge view FILE\n\n"
-               "Verbs:\n");
-    for (const Verb& verb : kVerbs) fmt::print(stream, "  {:<8} {}\n", verb.name, verb.summary);
-    fmt::print(
-        stream,
-        "\n`spiraling-edge VERB --help` lists the options of a verb.\n"
-        "An input is a {} file, `-` for standard input, or scene:ID.\n"
-        "\n"
-        "  -h, --help     print this and exit\n"
-        "  --version      print the version and exit\n"
-        "\n"
-        "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
-        "malformed, 4 no display, 5 internal error, 130 interrupted.\n",
-        listText(pointFormats(), &PointFormat::name, "or"));
+std::string helpText() {
+    std::string text =
+        "Spiraling Edge surface reconstruction.\n\n"
+        "Usage: spiraling-edge VERB [OPTIONS]\n"
+        "       spiraling-edge FILE          the same as spiraling-edge view FILE\n\n"
+        "Verbs:\n";
+    for (const Verb& verb : kVerbs) text += fmt::format("  {:<8} {}\n", verb.name, verb.summary);
+    return text + fmt::format(
+                      "\n`spiraling-edge VERB --help` lists the options of a verb.\n"
+                      "An input is a {} file, `-` for standard input, or scene:ID.\n"
+                      "\n"
+                      "  -h, --help     print this and exit\n"
+                      "  --version      print the version and exit\n"
+                      "\n"
+                      "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input "
+                      "missing or\n"
+                      "malformed, 4 no display, 5 internal error, 130 interrupted.\n",
+                      listText(pointFormats(), &PointFormat::name, "or"));
 }
 
 /// Handles a first word that is no verb: an input for the viewer, or a mistake.
@@ -88,18 +89,18 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
 
 ExitCode dispatch(const Arguments& arguments) {
     if (arguments.empty()) {
-        printHelp(stderr);
+        printNote(helpText());
         return ExitCode::Usage;
     }
     const std::string& word = arguments.front();
     const Verb* second = arguments.size() > 1 ? findVerb(arguments[1]) : nullptr;
     if (word == "help" && second != nullptr) return second->run({"--help"});
     if (word == "-h" || word == "--help" || word == "help") {
-        printHelp(stdout);
+        printText(helpText());
         return ExitCode::Good;
     }
     if (word == "--version") {
-        fmt::print("spiraling-edge {}\n", SPIRALING_EDGE_VERSION);
+        printText(fmt::format("spiraling-edge {}\n", SPIRALING_EDGE_VERSION));
         return ExitCode::Good;
     }
     if (const Verb* verb = findVerb(word))
@@ -113,7 +114,7 @@ ExitCode dispatch(const Arguments& arguments) {
 int main(int argc, char** argv) {
     using se::cli::ExitCode;
     const auto say = [](const char* message) {
-        std::fprintf(stderr, "spiraling-edge: %s\n", message);
+        se::cli::printNote(fmt::format("spiraling-edge: {}\n", se::printable(message)));
     };
     se::returnFreedMemory();
     se::removeUnfinishedFilesAtSignals(

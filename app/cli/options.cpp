@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "output/output.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/prepare/facing.h"
@@ -34,7 +35,7 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
+        printText(app.help());
         return ExitCode::Good;
     } catch (const CLI::ParseError& problem) {
         throw Failure(ExitCode::Usage,

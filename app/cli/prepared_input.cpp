@@ -4,8 +4,10 @@
 
 #include <utility>
 
+#include "output/output.h"
 #include "output/piece_text.h"
 #include "progress.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/doctor/doctor.h"
 
 namespace se::cli {
@@ -65,7 +67,8 @@ PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
 PointFile InputArguments::read(const ProgressLine& line) const {
     InputPiece read = readPiece(input_, piece_.piece(), limit_);
     const std::string kept = keptSentence(read.points);
-    if (line.isWanted() && !kept.empty()) fmt::print(stderr, "{}: kept {}\n", input_, kept);
+    if (line.isWanted() && !kept.empty())
+        printNote(fmt::format("{}: kept {}\n", printable(input_), kept));
     return std::move(read.file);
 }
 

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "spiraling_edge/base/outside_text.h"
+
 namespace se::cli {
 
 namespace {
@@ -29,7 +31,7 @@ bool ProgressLine::due() {
 }
 
 void ProgressLine::write(const std::string& what, double share) {
-    fmt::print(stderr, "\r{} {:3.0f} %", what, 100.0 * share);
+    fmt::print(stderr, "\r{} {:3.0f} %", printable(what), 100.0 * share);
     std::fflush(stderr);
     dirty_ = true;
 }

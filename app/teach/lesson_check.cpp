@@ -11,6 +11,7 @@
 
 #include "lesson_keys.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/explain/run_compare.h"
@@ -247,7 +248,7 @@ class StepCheck {
         if (words.empty() || isPossibleOutcome(words)) return true;
         const std::vector<std::string_view> known = outcomeWords();
         return malformed(lines, key,
-                         "\"" + words + "\" is no outcome of a decision; the nearest is \"" +
+                         inQuotes(words) + " is no outcome of a decision; the nearest is \"" +
                              std::string(nearestWord(known, words)) +
                              "\"; docs/lessons.md lists them");
     }
@@ -261,7 +262,7 @@ class StepCheck {
         if (isOutcome(step_.expect, found)) return true;
         return disagrees(step_.lines, "expect",
                          found.empty() ? "the decision there has no outcome"
-                                       : "the outcome there is \"" + found + "\"");
+                                       : "the outcome there is " + inQuotes(found));
     }
 
     /// Finds the run that the step compares.

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "toml_brackets.h"
 
 namespace se::teach {
@@ -296,7 +297,7 @@ void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, T
         });
         if (row == rows.end()) {
             faults.push_back(
-                {FaultSort::Malformed, line, name,
+                {FaultSort::Malformed, line, excerpt(name),
                  "no such key; the nearest is " + std::string(nearestKey(rows, name))});
             continue;
         }

@@ -13,6 +13,7 @@
 #include "lesson_syntax.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::teach {
 namespace {
@@ -177,7 +178,7 @@ class LessonReader {
             if (urlOf(node).find(':') != std::string_view::npos ||
                 leavesFolder(urlOf(node), folder_))
                 add(line, "",
-                    "the image " + std::string(urlOf(node)) +
+                    "the image " + excerpt(urlOf(node)) +
                         " is not a file in the folder of the lesson");
         }
         cmark_iter_free(iterator);
@@ -185,7 +186,8 @@ class LessonReader {
 
     void requireInside(const std::string& input, std::size_t line) {
         if (input.starts_with("scene:") || input.empty() || !leavesFolder(input, folder_)) return;
-        add(line, "input", input + " is not a file in the folder of the lesson: copy it there");
+        add(line, "input",
+            excerpt(input) + " is not a file in the folder of the lesson: copy it there");
     }
 
     void finish() {

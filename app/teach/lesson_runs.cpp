@@ -24,7 +24,7 @@ constexpr std::string_view kScene = "scene:";
 Result<PointFile> buildSceneOf(const std::string& source) {
     const Scene* scene = findScene(source.substr(kScene.size()));
     if (scene == nullptr)
-        return Error{source + ": no such scene; spiraling-edge scenes lists them"};
+        return Error{excerpt(source) + ": no such scene; spiraling-edge scenes lists them"};
     return scene->build();
 }
 
@@ -140,10 +140,10 @@ Status goToPlace(RunCursor& cursor, std::string_view place) {
     if (place.ends_with('%')) {
         const auto share = numberIn<double>(place.substr(0, place.size() - 1));
         return share ? goToShare(cursor, *share / 100.0)
-                     : Status(Error{std::string(place) + ": expected a share such as 50%"});
+                     : Status(Error{excerpt(place) + ": expected a share such as 50%"});
     }
     const auto address = addressFromString(place);
-    if (!address) return Error{std::string(place) + ": expected an address such as 9.sphere.2"};
+    if (!address) return Error{excerpt(place) + ": expected an address such as 9.sphere.2"};
     if (cursor.goTo(*address)) return success();
     return Error{absenceText(cursor, *address)};
 }
@@ -203,7 +203,7 @@ Result<RightAnswer> rightAnswer(const Lesson& lesson, std::size_t step, LessonRu
     const StepSetting setting = settingOf(lesson, step);
     const QuestionContext context{question, setting.names};
     const QuestionKind* kind = findQuestionKind(question.kind);
-    if (kind == nullptr) return Error{question.kind + ": no such kind of question"};
+    if (kind == nullptr) return Error{excerpt(question.kind) + ": no such kind of question"};
     Result<RunCursor*> cursor = runs.cursorOf(setting);
     if (!cursor) return cursor.error();
     Result<RunRange> range = rangeOf(*cursor.value(), setting, question);

@@ -53,14 +53,14 @@ LessonRules added(LessonRules rules, const LessonRules& step) {
 // ---- words of another run ----
 
 Status setRules(RunSettings& settings, const std::string& value) {
-    if (!paramsByName(value)) return Error{"--rules " + value + ": no such set of rules"};
+    if (!paramsByName(value)) return Error{"--rules " + excerpt(value) + ": no such set of rules"};
     settings.rules = value;
     settings.choices.clear();
     return success();
 }
 Status setRule(RunSettings& settings, const std::string& value) {
     const Result<RuleValue> rule = ruleValueFromText(value);
-    if (!rule) return Error{"--rule " + value + ": " + rule.error().message};
+    if (!rule) return Error{"--rule " + excerpt(value) + ": " + rule.error().message};
     settings.choices.push_back(rule.value());
     return success();
 }
@@ -153,9 +153,9 @@ Result<RunSettings> comparedSettings(RunSettings settings, const std::vector<std
             std::find_if(kComparedOptions.begin(), kComparedOptions.end(),
                          [&](const ComparedOption& each) { return each.word == words[i]; });
         if (option == kComparedOptions.end())
-            return Error{words[i] +
+            return Error{excerpt(words[i]) +
                          ": expected --rules, --rule, --what-if, --neighbors or --reach"};
-        if (i + 1 == words.size()) return Error{words[i] + ": its value is missing"};
+        if (i + 1 == words.size()) return Error{excerpt(words[i]) + ": its value is missing"};
         const Status set = option->set(settings, words[i + 1]);
         if (!set) return set.error();
     }

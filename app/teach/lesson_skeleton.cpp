@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/explain/figure_check.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
@@ -62,9 +63,9 @@ std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
-        out += c;
+        out += c == '\n' ? std::string("\\n") : std::string(1, c);
     }
-    return out;
+    return printableJson(out);
 }
 
 void addStep(std::string& text, const SkeletonStep& step, const Event& event) {
@@ -162,7 +163,7 @@ std::string lessonOfNotes(const std::string& input, const LessonOptions& options
                           const LessonRules& rules, const std::string& intro,
                           const std::vector<NotedPosition>& notes) {
     assert(!notes.empty());
-    std::string text = "# A lesson on " + input + "\n\n";
+    std::string text = "# A lesson on " + printable(input) + "\n\n";
     addFence(text, "se lesson");
     text += "version = 1\n";
     addKey(text, "input", escaped(input));
@@ -190,7 +191,7 @@ Result<std::string> lessonSkeleton(const std::string& input, const PreparedRun& 
         if (i == 0 && finds.lastTest) addQuestion(steps, finds.lastTest->pivot, *finds.lastTest);
     }
     if (steps.empty()) return Error{input + ": the run has no decision to show"};
-    std::string text = "# A lesson on " + input + "\n\n";
+    std::string text = "# A lesson on " + printable(input) + "\n\n";
     addFence(text, "se lesson");
     text += "version = 1\n";
     addKey(text, "input", escaped(input));

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "json_text.h"
 #include "lesson_setting.h"
 #include "question.h"
 #include "run_answers.h"
@@ -45,7 +45,7 @@ class BlockFaults {
         for (const NamedPoint& each : names) {
             const bool isWord = !each.name.empty() && each.name.size() <= 16 &&
                                 each.name.find_first_of(" ,\t\n") == std::string::npos;
-            if (!isWord) add("names", "a name is a short word, not \"" + each.name + "\"");
+            if (!isWord) add("names", "a name is a short word, not " + inQuotes(each.name));
         }
     }
 
@@ -104,8 +104,9 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     faults.names(step.names);
     faults.oneOf("frame", step.frame, kFrames);
     if (step.select.size() > 3) faults.add("select", "expected one to three points");
-    if (!step.camera.empty() && !nlohmann::json::accept(step.camera))
-        faults.add("camera", "expected JSON, as Ctrl+C copies it in the viewer");
+    const auto camera =
+        jsonFromText<nlohmann::json>(step.camera, "a camera is JSON, as Ctrl+C copies it");
+    if (!step.camera.empty() && !camera) faults.add("camera", camera.error().message);
     if (step.play && step.until.empty()) faults.add("play", "needs until, where it ends");
     if (!step.compare.empty()) {
         const Result<RunSettings> other = comparedSettings({}, step.compare);
@@ -113,8 +114,9 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     }
     for (const LessonLink& link : step.links) {
         if (!isPlaceText(link.address)) {
-            all.push_back({FaultSort::Malformed, link.line, "",
-                           "se:" + link.address + ": expected an address, such as se:9.sphere.2"});
+            all.push_back(
+                {FaultSort::Malformed, link.line, "",
+                 "se:" + excerpt(link.address) + ": expected an address, such as se:9.sphere.2"});
         }
     }
     if (step.question) checkQuestion(*step.question, all);

@@ -163,7 +163,7 @@ Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoin
     const auto row = std::find_if(kMoveTable.begin(), kMoveTable.end(),
                                   [&](const MoveRow& each) { return each.name == name; });
     if (row == kMoveTable.end()) {
-        return Error{io::inQuotes(name) +
+        return Error{inQuotes(name) +
                      ": expected start, end, keep, remove, fan or next, "
                      "then points"};
     }
@@ -174,7 +174,7 @@ Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoin
         if (word == kNoPoint) continue;
         move.points.push_back(pointOf(word, names));
         if (move.points.back() == kNone)
-            return Error{std::string(name) + ": " + io::inQuotes(word) +
+            return Error{std::string(name) + ": " + inQuotes(word) +
                          " is no name and no number of a point"};
     }
     const bool mayBeNone = row->id == MoveKind::Fan || row->id == MoveKind::NextPivot;

@@ -27,7 +27,7 @@ Result<Answer> readPoints(const Words& words, const QuestionContext& context) {
     Answer answer;
     for (const std::string& word : words) {
         const Index point = pointOf(word, context.names);
-        if (point == kNone) return Error{word + ": no name and no number of a point"};
+        if (point == kNone) return Error{excerpt(word) + ": no name and no number of a point"};
         answer.points.push_back(point);
     }
     answer.points = sortedSet(std::move(answer.points));
@@ -82,7 +82,8 @@ Result<Answer> readChoice(const Words& words, const QuestionContext& context) {
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (words.front() == optionLetter(i) || words.front() == options[i]) answer.choice = i;
     }
-    if (!answer.choice) return Error{words.front() + ": expected the letter of one of the options"};
+    if (!answer.choice)
+        return Error{excerpt(words.front()) + ": expected the letter of one of the options"};
     return answer;
 }
 
@@ -91,7 +92,8 @@ Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context
         context.question.verdicts.empty() ? context.question.options : context.question.verdicts;
     const auto isThat = [&](const std::string& words) { return isOutcome(words, value.outcome); };
     if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
-        return Error{"the outcome is \"" + value.outcome + "\", which is not one of the options"};
+        return Error{"the outcome is " + inQuotes(value.outcome) +
+                     ", which is not one of the options"};
     Answer answer;
     const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
     answer.choice = static_cast<std::size_t>(found - verdicts.begin());
@@ -117,7 +119,7 @@ Result<Answer> readNumberAnswer(const Words& words, const QuestionContext&) {
     Answer answer;
     answer.number = numberIn<double>(words.front());
     if (!answer.number || !std::isfinite(*answer.number))
-        return Error{words.front() + ": expected a number"};
+        return Error{excerpt(words.front()) + ": expected a number"};
     return answer;
 }
 

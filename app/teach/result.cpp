@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "json_text.h"
 #include "spiraling_edge/base/number_text.h"
 
 namespace se::teach {
@@ -228,11 +228,13 @@ std::string resultJson(const LessonResult& result) {
     if (!result.person.empty()) root["person"] = result.person;
     root["answers"] = Json::array();
     for (const GivenAnswer& each : result.answers) root["answers"].push_back(jsonOfAnswer(each));
-    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(root);
 }
 
 Result<LessonResult> resultFromJson(std::string_view text, const std::string& name) {
-    const Json root = Json::parse(text, nullptr, false);
+    const Result<Json> parsed = jsonFromText<Json>(text, name);
+    if (!parsed) return parsed.error();
+    const Json& root = parsed.value();
     if (!root.is_object() || root.value("format", Json()) != kResultFormat)
         return Error{name + ": no result of a lesson: \"format\": \"" + std::string(kResultFormat) +
                      "\" is missing"};

@@ -2,10 +2,10 @@
 #include "start_file.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "spiraling_edge/base/files.h"
+#include "teach/json_text.h"
 
 namespace se::teach {
 namespace {
@@ -24,7 +24,7 @@ struct StartEntry {
 
     [[noreturn]] void fail(std::string_view expected) const {
         throw StartFault{name + ": expected " + std::string(expected) + ", got " +
-                         json.dump(-1, ' ', false, StartJson::error_handler_t::replace)};
+                         jsonExcerpt(json)};
     }
     std::vector<StartEntry> items(std::string_view expected) const {
         if (!json.is_array()) fail(expected);
@@ -85,20 +85,20 @@ void readStartKey(const std::string& file, const std::string& name, const StartJ
         key.read({value, where}, start);
         return;
     }
-    throw StartFault{file + ": \"" + name +
-                     "\": no such entry; expected triangles, rings, done or open"};
+    throw StartFault{file + ": " + inQuotes(name) +
+                     ": no such entry; expected triangles, rings, done or open"};
 }
 
 }  // namespace
 
 Result<GivenStart> startFromText(std::string_view text, const std::string& name) {
+    const Result<StartJson> read = jsonFromText<StartJson>(text, name);
+    if (!read) return read.error();
     GivenStart start;
     try {
-        const StartJson json = StartJson::parse(text);
+        const StartJson& json = read.value();
         if (!json.is_object()) StartEntry{json, name}.fail("an object with triangles and rings");
         for (const auto& [key, value] : json.items()) readStartKey(name, key, value, start);
-    } catch (const StartJson::parse_error& problem) {
-        return Error{name + ": expected JSON, " + problem.what()};
     } catch (const StartFault& fault) {
         return Error{fault.text};
     }

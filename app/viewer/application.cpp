@@ -14,6 +14,7 @@
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
+#include "run/strings.h"
 #include "scene/decision_view.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "window_export.h"
@@ -61,6 +62,7 @@ Status Application::start(float contentScale) {
     if (options_.grow) sampling_.begin(*options_.grow);
     std::string complaints;
     for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
+        printLines(stderr, "spiraling-edge-viewer: warning: " + printable(each) + "\n");
         complaints += (complaints.empty() ? "" : " ") + each;
     }
     if (!complaints.empty()) session_.messages().say(std::move(complaints));
@@ -401,8 +403,9 @@ void Application::narrate() {
     const std::string address = toString(session_.address());
     if (address == narrated_) return;
     narrated_ = address;
-    std::printf("%s\t%s\n", address.c_str(),
-                (describe(*session_.event(), session_.names()) + session_.noticedText()).c_str());
+    std::printf(
+        "%s\t%s\n", address.c_str(),
+        printable(describe(*session_.event(), session_.names()) + session_.noticedText()).c_str());
     std::fflush(stdout);
 }
 

@@ -17,6 +17,7 @@
 #include "panel_state/settings.h"
 #include "picture_frames.h"
 #include "render/context.h"
+#include "run/strings.h"
 #include "scene/picking.h"
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
@@ -28,16 +29,17 @@ namespace {
 using namespace se::view;
 
 int fail(int code, const std::string& message) {
-    std::fprintf(stderr, "spiraling-edge-viewer: %s\n", message.c_str());
+    printLines(stderr, "spiraling-edge-viewer: " + se::printable(message) + "\n");
     return code;
 }
 
-ViewSettings settingsFor(const Options& options) {
-    ViewSettings settings;
-    if (!options.noConfig && !options.onPaper() && options.benchFrames == 0) {
-        const se::Result<ViewSettings> read = readSettings(settingsPath());
-        if (read) settings = read.value();
-    }
+/// Pictures and measurements are equal for everybody.
+ViewSettings keptSettings(const Options& options) {
+    const bool reads = !options.noConfig && !options.onPaper() && options.benchFrames == 0;
+    return reads ? readSettings(settingsPath()) : ViewSettings{};
+}
+
+ViewSettings settingsFor(const Options& options, ViewSettings settings) {
     if (options.size) {
         settings.width = options.size->x;
         settings.height = options.size->y;
@@ -50,10 +52,9 @@ ViewSettings settingsFor(const Options& options) {
 }
 
 /// Options of the command line apply to this run only, not to the settings.
-ViewSettings settingsToKeep(const Options& options, const Application& application) {
+ViewSettings settingsToKeep(const Options& options, const Application& application,
+                            const ViewSettings& before) {
     ViewSettings keep = application.settings();
-    const se::Result<ViewSettings> read = readSettings(settingsPath());
-    const ViewSettings before = read ? read.value() : ViewSettings{};
     if (options.theme) keep.theme = before.theme;
     if (options.meshStyle) keep.meshStyle = before.meshStyle;
     if (options.pointTint) keep.pointTint = before.pointTint;
@@ -85,7 +86,7 @@ int dumpState(Application& application) {
 }
 
 int runPicture(const Options& options) {
-    ViewSettings settings = settingsFor(options);
+    ViewSettings settings = settingsFor(options, keptSettings(options));
     const glm::ivec2 size = drawnSize(settings, options.picture);
     const auto offscreen = Offscreen::create(size);
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
@@ -108,7 +109,7 @@ void showProgress(const ExportRun& run) {
 }
 
 int runExport(const Options& options) {
-    const ViewSettings settings = settingsFor(options);
+    const ViewSettings settings = settingsFor(options, keptSettings(options));
     const auto offscreen = Offscreen::create({settings.width, settings.height});
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
     ExportRun run(options, settings);
@@ -201,7 +202,7 @@ void benchBesideTrials(const Options& options, Offscreen& target, Application& a
 /// Steps through the run and prints the cost of a frame: the move, user interface and scene, and
 /// separately that of OpenGL.
 int runBench(const Options& options) {
-    const ViewSettings settings = settingsFor(options);
+    const ViewSettings settings = settingsFor(options, keptSettings(options));
     const glm::ivec2 size(settings.width, settings.height);
     const auto offscreen = Offscreen::create(size);
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
@@ -260,7 +261,8 @@ void drawFrames(Window& window, Application& application, int frames) {
 }
 
 int runWindow(const Options& options) {
-    ViewSettings settings = settingsFor(options);
+    const ViewSettings kept = keptSettings(options);
+    const ViewSettings settings = settingsFor(options, kept);
     const auto window = Window::create({settings.width, settings.height});
     if (!window) return fail(kExitNoDisplay, window.error().message);
     Application application(options, settings);
@@ -270,7 +272,8 @@ int runWindow(const Options& options) {
     }
     drawFrames(*window.value(), application, options.frames);
     if (!options.noConfig) {
-        const auto written = writeSettings(settingsPath(), settingsToKeep(options, application));
+        const auto written =
+            writeSettings(settingsPath(), kept, settingsToKeep(options, application, kept));
         if (!written) fail(kExitGood, written.error().message);
     }
     return dumpState(application);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
 #include "commands/commands.h"
@@ -427,7 +428,12 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         if (!o.startFile.empty() && (o.input.source.empty() || isLesson(o.input.source)))
             throw CLI::ValidationError("--start", "needs points as FILE");
     } catch (const CLI::ParseError& e) {
-        return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
+        std::ostringstream out;
+        std::ostringstream err;
+        const int code = app.exit(e, out, err);
+        printLines(stdout, out.str());
+        printLines(stderr, err.str());
+        return {std::nullopt, code == 0 ? kExitGood : kExitUsage};
     }
     if (raw.actions) {
         std::fputs(listActions().c_str(), stdout);

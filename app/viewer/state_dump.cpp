@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "application.h"
 #include "commands/alert_actions.h"
@@ -15,6 +14,7 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "teach/json_text.h"
 
 namespace se::view {
 
@@ -378,12 +378,12 @@ std::string Application::stateDump(const InputProgress& input) const {
     out.update(json::parse(toText(place)));
     if (session_.ready()) {
         dumpRun(out, session_);
-        if (hides) return out.dump(2) + "\n";
+        if (hides) return teach::jsonText(out);
         dumpFindings(out, session_);
         dumpNavigation(out, ui_.navigation, session_);
         dumpQuestions(out, session_);
     }
-    return out.dump(2) + "\n";
+    return teach::jsonText(out);
 }
 
 }  // namespace se::view

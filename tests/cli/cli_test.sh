@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result refuses sphere_points square user_ticks | sort >helpers
+    printf '%s\n' ball clean expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result refuses sphere_points square user_ticks | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -2235,6 +2235,125 @@ starts_are_given_as_json() {
     says report.json '"start": null'
 }
 
+json_files_have_limits() {
+    local each
+    head -c 100000 /dev/zero | tr '\0' '[' >deep
+    { printf '{"triangles":'; cat deep; } >deep.json
+    expect 3 run scene:figure-3 --start deep.json
+    says err "deep.json: line 1, column 77: expected at most 64 levels of lists and objects"
+    { printf '{"triangles":'; cat deep; tr '[' ']' <deep; printf '}'; } >deep.json
+    expect 3 run scene:figure-3 --start deep.json
+    { printf '{"setrace":1,"points":50}\n{"p":'; cat deep; } >deep.setrace
+    expect 3 diff deep.setrace scene:figure-8
+    says err "deep.setrace: line 2, column 69: expected at most 64 levels"
+    expect 3 lesson results deep.json
+    says err "deep.json: line 1, column 77: "
+    echo '{"rings": [[0, 1e400]]}' >huge.json
+    for each in "run scene:figure-3 --start huge.json" "lesson results huge.json"; do
+        # shellcheck disable=SC2086
+        expect 3 $each
+        says err 'huge.json: line 1, column 16: "rings": expected a number within the range of double'
+    done
+    printf '{"setrace":1,"points":50}\n{"p":1e400}\n' >huge.setrace
+    expect 3 diff huge.setrace scene:figure-8
+    says err 'huge.setrace: line 2, column 6: "p": expected a number within the range of double'
+    { printf '{"'; tr '[' 'k' <deep; printf '":1}'; } >long.json
+    expect 3 run scene:figure-3 --start long.json
+    [ "$(wc -c <err)" -lt 300 ] || fail "long.json is quoted with $(wc -c <err) bytes"
+}
+
+# As a user does who copies a line that the program printed.
+printed_commands_run_in_a_shell() {
+    local name command
+    sphere_points good.xyz
+    awk '{ print $1, $2, $3 }' good.xyz >bare
+    mkdir bin
+    ln -s "$program" bin/spiraling-edge
+    PATH=$PWD/bin:$PATH
+    for name in 'a b.xyz' 'x;touch H;.xyz' '-n.xyz' "it's.xyz" '$(touch H).xyz' '`touch H`.xyz' '"q".xyz' \
+        '*&.xyz' '!!.xyz' $'a\nb.xyz' $'\e[31m.xyz' $'\xff.xyz' $'\u202e.xyz'; do
+        cp bare "./$name"
+        expect 1 doctor -- "$name"
+        command=$(sed -n 's/^ *try: //p' out | head -1)
+        sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
+        expect 0 doctor OUT.ply
+        rm OUT.ply
+        expect 1 doctor --json -- "$name"
+        if command -v python3 >/dev/null; then
+            command=$(python3 -c 'import json; print(json.load(open("out"))["findings"][0]["remedy"])')
+            sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
+            rm OUT.ply
+        fi
+        expect 3 check -- "$name"
+        command=$(sed -n 's/.*check reads meshes: \(.*\) makes one, .*/\1/p' err)
+        sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
+        rm mesh.ply
+        command=$(sed -n 's/.* makes one, \(.*\) explains .*/\1/p' err)
+        sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
+        expect 1 why --failure unused_points:999 -- "$name"
+        command=$(sed -n 's/.*; \(spiraling-edge why .*\) lists those it has$/\1/p' err)
+        sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
+    done
+    absent H
+    expect 3 run 'a b.nhdr'
+    says err "\`spiraling-edge sample 'a b.nhdr' -n N"
+}
+
+# clean FILE: it has no byte that a terminal would obey, nor marks that turn text around.
+clean() {
+    ! LC_ALL=C grep -qaP '[\x00-\x09\x0b-\x1f\x7f\xff]|\xc2[\x80-\x9f]|\xe2\x80[\x8e\x8f\xa8-\xae]|\xe2\x81[\xa6-\xa9]' "$1" ||
+        fail "$2: raw characters in $1: $(head -c 500 "$1" | od -c | head -20)"
+}
+
+texts_from_outside_are_shown_not_obeyed() {
+    # Escape sequences of 7 and 8 bits, a bell, DEL, a mark that turns text around, no UTF-8.
+    local bad=$'\e[31m\a\x7f\xc2\x9b1m\xe2\x80\xae\xe2\x81\xa6' each
+    local name=$bad$'\n\t\xff.ply'
+    printf 'ply\nformat ascii 1.0\ncomment %s\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float %s\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n' \
+        "$bad" "$bad" >"$name"
+    printf '%s\n' "x y z $bad" "0 0 0 1" "1 0 0 1" "0 1 0 1" >columns.xyz
+    printf '{"%s": 1}' "$bad" >key.json
+    printf '{"rings": [["%s"]]}' "\\u001b\\u009b\\u202e" >value.json
+    printf '{"setrace":1,"points":50}\n{"p":"%s"}\n' "\\u001b\\u009b\\u202e" >field.setrace
+    printf '# %s\n\n```se lesson\nversion = 1\ninput = "scene:figure-8"\n```\n\n## %s\n\n%s\n' "$bad" "$bad" "$bad" >text.lesson.md
+    lesson_result text.result.json '"A"' '' true
+    sed -i "s/\"L\"/\"\\\\u001b\\\\u009b\\\\u202e\"/" text.result.json
+    run_clean() {
+        "$program" "$@" >out 2>err </dev/null
+        [ $? -le 3 ] || fail "$* ended with an internal error: $(cat err)"
+        clean out "$*"
+        clean err "$*"
+    }
+    for each in info doctor run check "run -o x.ply --report -" "reduce --failure holes -o $bad.ply" "why --failures" \
+        "why --point 99 --json" "run --start key.json" "lesson check"; do
+        # shellcheck disable=SC2086
+        run_clean $each -- "$name"
+        # shellcheck disable=SC2086
+        run_clean $each --json -- "$name"
+    done
+    for each in "info columns.xyz" "run columns.xyz" "run scene:figure-3 --start key.json" \
+        "run scene:figure-3 --start value.json" "diff field.setrace scene:figure-8" "lesson check text.lesson.md" \
+        "lesson show text.lesson.md" "lesson show text.lesson.md --answers" "lesson results text.result.json" \
+        "lesson results text.result.json -o -" "lesson show $bad" "$bad" "--$bad" "run scene:$bad" "run scene:figure-3 --rule $bad" \
+        "run scene:figure-3 --box $bad" "why scene:figure-3 --find $bad" "run scene:figure-3 -o $bad/x.ply" "sample $bad -n 9 -o x.ply"; do
+        # shellcheck disable=SC2086
+        run_clean $each
+    done
+    says err "\\x1b[31m\\x07\\x7f"
+    # Data keeps its bytes.
+    expect 0 sample sphere -n 200 -q -o "$bad.ply"
+    expect 0 sample sphere -n 200 -q -o -
+    cmp out "$bad.ply" || fail "data on standard output is not that of the file"
+    command -v python3 >/dev/null || return 0
+    "$program" info --json -- "$name" >out
+    python3 - "$bad" <<'PYTHON' || fail "JSON: $(cat out)"
+import json, sys
+facts = json.load(open("out"))
+assert sys.argv[1] in facts["attributes"], facts["attributes"]
+assert facts["input"] == sys.argv[1] + "\n\t\ufffd.ply", facts["input"]
+PYTHON
+}
+
 bad_starts_are_malformed_input() {
     expect 0 run scene:figure-3 -q --with-lists -o points.ply
     local text says
@@ -2249,7 +2368,7 @@ bad_starts_are_malformed_input() {
 {"rings": 4}|rings: expected a list of rings, got 4
 {"ring": []}|"ring": no such entry; expected triangles, rings, done or open
 []|expected an object with triangles and rings, got []
-{"rings":|expected JSON, 
+{"rings":|line 2, column 1: expected JSON, found the end
 {}|expected triangles, rings or done points, there are none
 {"triangles": [[0, 1]]}|triangles[0]: expected a triangle, such as [0, 1, 2], got [0,1]
 {"rings": [[0, 2]], "open": [[0]]}|open[0]: expected a step of a ring, such as [0, 1], got [0]

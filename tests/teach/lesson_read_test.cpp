@@ -162,6 +162,23 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
     }
 }
 
+TEST_CASE("a fault of a lesson quotes at most 80 characters of it") {
+    const std::string word = "\\u001b" + std::string(5000, 'w');
+    for (const std::string& text :
+         {lessonWith(stepWith("step", word.substr(6) + " = 1")),
+          lessonWith(stepWith("step", "compare = \"" + word + "\"")),
+          lessonWith(stepWith("step", "compare = \"--rules " + word + "\"")),
+          lessonWith(stepWith("step", "names = { \"" + word + "\" = 1 }")),
+          lessonWith("## S\n\n![a](../" + word + ".png)\n"),
+          lessonWith("## S\n\nSee [this](se:" + word + ").\n"),
+          "# T\n\n" + fenced("lesson", "version = 1\ninput = \"../" + word + "\"") + "## S\n"}) {
+        const std::string fault = faultOf(text);
+        CAPTURE(fault);
+        CHECK(fault != "");
+        CHECK(fault.size() < 300);
+    }
+}
+
 TEST_CASE("all faults of a lesson are found, in the order of the file") {
     const LessonReading reading =
         readLesson(lessonWith(stepWith("step", "untill = \"1\"\nframe = \"far\"") +

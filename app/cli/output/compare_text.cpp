@@ -6,7 +6,10 @@
 
 #include "ledger_text.h"
 #include "sentences.h"
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "teach/json_text.h"
 
 namespace se::cli {
 namespace {
@@ -83,7 +86,7 @@ std::string nextQuestion(const Comparison& c) {
         return fmt::format(
             "\nspiraling-edge why {} --triangle {},{},{} explains why the run lacks this triangle "
             "of B.\n",
-            c.input, t.a, t.b, t.c);
+            shellPath(c.input), t.a, t.b, t.c);
     }
     return "";
 }
@@ -133,14 +136,14 @@ Json regionJson(const Comparison& c, const DifferenceRegion& r) {
 
 std::string comparisonText(const Comparison& c, std::size_t limit) {
     const auto side = [](char name, const ComparedSide& s) {
-        return fmt::format("{}  {}: {}\n", name, s.title,
+        return fmt::format("{}  {}: {}\n", name, printable(s.title),
                            counted(s.mesh.triangles.size(), "triangle"));
     };
     std::string text = side('A', c.a) + side('B', c.b) + countsText(c);
     if (!c.unmatchedVertices.empty()) {
         text += fmt::format("{} of B on no point of {}, the first {}\n",
-                            counted(c.unmatchedVertices.size(), "vertex", "vertices"), c.input,
-                            c.unmatchedVertices.front());
+                            counted(c.unmatchedVertices.size(), "vertex", "vertices"),
+                            printable(c.input), c.unmatchedVertices.front());
     }
     if (c.runs) text += runsText(*c.runs);
     return text + regionsText(c, limit) + nextQuestion(c);
@@ -169,7 +172,7 @@ std::string comparisonJson(const Comparison& c) {
     json["regions"] = Json::array();
     for (const DifferenceRegion& region : c.meshes.regions)
         json["regions"].push_back(regionJson(c, region));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 }  // namespace se::cli

@@ -7,6 +7,7 @@
 
 #include "ledger_text.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "teach/json_text.h"
 
 namespace se::cli {
 namespace {
@@ -77,7 +78,7 @@ std::string inversionsJson(const std::string& input, const std::vector<InvertedF
         if (!each.inversion.reason.empty()) row["reason"] = each.inversion.reason;
         json["proofs"].push_back(row);
     }
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 }  // namespace se::cli

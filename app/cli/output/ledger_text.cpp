@@ -7,6 +7,7 @@
 #include "failure_totals.h"
 #include "sentences.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "teach/json_text.h"
 
 namespace se::cli {
 namespace {
@@ -26,9 +27,7 @@ std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) 
     return text;
 }
 
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string dumped(const Json& json) { return teach::jsonText(json); }
 
 }  // namespace
 

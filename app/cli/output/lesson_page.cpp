@@ -1,10 +1,10 @@
 #include "lesson_page.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 
+#include "spiraling_edge/base/shell_word.h"
 #include "teach/lesson_text.h"
 
 namespace se::cli {
@@ -43,8 +43,10 @@ std::string minutesText(double minutes) {
 std::string placeLine(const Lesson& lesson, std::size_t number) {
     const teach::StepSetting setting = teach::settingOf(lesson, number);
     const LessonStep& step = lesson.steps[number];
-    std::string line = fmt::format("   {} --goto {}", setting.input, setting.at);
-    if (!step.compare.empty()) line += fmt::format(" --with {}", fmt::join(step.compare, " "));
+    std::string line =
+        fmt::format("   {} --goto {}", shellPath(setting.input), shellQuoted(setting.at));
+    if (!step.compare.empty()) line += " --with";
+    for (const std::string& word : step.compare) line += " " + shellQuoted(word);
     return line + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "exit_code.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
 CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
@@ -44,5 +45,9 @@ void writeOutput(const std::string& path, std::string_view bytes) {
         throw Failure(ExitCode::Internal, "standard output: cannot be written");
     }
 }
+
+void printText(std::string_view text) { writeOutput("-", printableLines(text)); }
+
+void printNote(std::string_view text) { std::fputs(printableLines(text).c_str(), stderr); }
 
 }  // namespace se::cli

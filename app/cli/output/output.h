@@ -33,7 +33,13 @@ class ForceOption {
     bool given_ = false;
 };
 
-/// Writes all of `bytes`, to a file through a temporary one. Throws Failure(Internal).
+/// Writes all of `bytes` as they are, to a file through a temporary one. Throws Failure(Internal).
 void writeOutput(const std::string& path, std::string_view bytes);
+
+/// Prints text on standard output as printableLines(), which leaves JSON of jsonText() as it is.
+/// Names in it that may hold newlines need printable(). Throws Failure(Internal).
+void printText(std::string_view text);
+/// Prints text on standard error as printableLines().
+void printNote(std::string_view text);
 
 }  // namespace se::cli

@@ -9,9 +9,11 @@
 #include "piece_text.h"
 #include "rule_json.h"
 #include "sentences.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "teach/json_text.h"
 #include "trials_text.h"
 
 namespace se::cli {
@@ -328,7 +330,7 @@ std::string reportJson(const RunOutcome& outcome) {
                        {"triangulate", outcome.seconds.triangulate},
                        {"write", outcome.seconds.write}};
     // File names need not be UTF-8; other bytes are replaced.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 std::string shiftText(const RunOutcome& outcome) {
@@ -336,12 +338,12 @@ std::string shiftText(const RunOutcome& outcome) {
     return fmt::format(
         "{}: positions are relative to {}, since STL keeps 7 digits; add this offset to get the "
         "input coordinates\n",
-        outcome.output, se::shiftText(*outcome.shift));
+        printable(outcome.output), se::shiftText(*outcome.shift));
 }
 
 std::string summaryText(const RunOutcome& outcome) {
     std::string text =
-        fmt::format("{}: {}, {}\n", outcome.input, counted(outcome.mesh.points, "point"),
+        fmt::format("{}: {}, {}\n", printable(outcome.input), counted(outcome.mesh.points, "point"),
                     meshSentence(outcome.mesh));
     const auto addLine = [&](const char* label, const std::string& sentence) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
@@ -361,8 +363,8 @@ std::string summaryText(const RunOutcome& outcome) {
     addLine("time", fmt::format("read {:.3f} s, prepare {:.3f} s, triangulate {:.3f} s",
                                 outcome.seconds.read, outcome.seconds.prepare,
                                 outcome.seconds.triangulate));
-    addLine("written",
-            outcome.output.empty() ? "nothing; name a file with -o OUT.ply" : outcome.output);
+    addLine("written", outcome.output.empty() ? "nothing; name a file with -o OUT.ply"
+                                              : printable(outcome.output));
     return text;
 }
 

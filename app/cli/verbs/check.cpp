@@ -14,9 +14,12 @@
 #include "output/output.h"
 #include "output/sentences.h"
 #include "piece_input.h"
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_places.h"
 #include "spiraling_edge/prepare/judge.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -188,7 +191,7 @@ std::string reportText(const CheckArguments& arguments, const MeshJudge& judge,
     const std::size_t triangles = found.report.triangles;
     const bool allowed = good && !isSound(found.totals, triangles);
     std::string text =
-        fmt::format("{}: {}, {}{}\n", arguments.mesh, counted(triangles, "triangle"),
+        fmt::format("{}: {}, {}{}\n", printable(arguments.mesh), counted(triangles, "triangle"),
                     verdictText(found.totals, triangles, found.failures.size(), places.size()),
                     allowed ? ", allowed" : "");
     if (const std::string by = departureText(judge); !by.empty())
@@ -232,7 +235,7 @@ std::string reportJson(const CheckArguments& arguments, const MeshJudge& judge,
     json["failures"] = Json::array();
     for (const MeshFailure& failure : found.failures)
         json["failures"].push_back(failureRow(failure));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles,
@@ -264,10 +267,10 @@ ExitCode checkVerb(const Arguments& words) {
     if (mesh.faces.empty() && arguments.cloud.empty())
         throw Failure(
             ExitCode::Input,
-            fmt::format("{0}: has no triangles; check reads meshes: spiraling-edge run {0} -o "
-                        "mesh.ply makes one, spiraling-edge why {0} --failures explains what "
+            fmt::format("{0}: has no triangles; check reads meshes: spiraling-edge run {1} -o "
+                        "mesh.ply makes one, spiraling-edge why {1} --failures explains what "
                         "goes wrong in the run",
-                        arguments.mesh));
+                        arguments.mesh, shellPath(arguments.mesh)));
     const bool alone = arguments.cloud.empty();
     const PointFile cloud =
         alone ? PointFile{} : readPiece(arguments.cloud, piece, arguments.limit).file;
@@ -281,8 +284,8 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
     const bool good = isGood(arguments, found);
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json ? reportJson(arguments, judge, found, places, good)
-                                        : reportText(arguments, judge, found, places, good));
+        printText(arguments.json ? reportJson(arguments, judge, found, places, good)
+                                 : reportText(arguments, judge, found, places, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

@@ -111,8 +111,7 @@ ExitCode compareVerb(const Arguments& words) {
     const Comparison found =
         split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
     if (!arguments.quiet) {
-        writeOutput(
-            "-", arguments.json ? comparisonJson(found) : comparisonText(found, arguments.limit));
+        printText(arguments.json ? comparisonJson(found) : comparisonText(found, arguments.limit));
     }
     return found.meshes.same() ? ExitCode::Good : ExitCode::CheckFailed;
 }

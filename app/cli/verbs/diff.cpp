@@ -8,6 +8,7 @@
 #include "prepared_input.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "teach/json_text.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
 
@@ -90,7 +91,7 @@ std::string diffJson(const TraceComparison& comparison, const teach::RuleGuess& 
         json["rules"] = DiffJson::array();
         for (const RuleValue& each : guess.whole) json["rules"].push_back(lineOf(each));
     }
-    return json.dump(2) + "\n";
+    return teach::jsonText(json);
 }
 
 /// The other value of `opposing`, if it gives the whole trace. It has a part in the lists only, so
@@ -145,7 +146,7 @@ ExitCode diffVerb(const Arguments& words) {
     }
     std::string text = teach::differenceText(found);
     if (found.difference && !endsEarly) text += teach::guessText(guess, trace);
-    if (!arguments.quiet) writeOutput("-", arguments.json ? diffJson(found, guess) : text);
+    if (!arguments.quiet) printText(arguments.json ? diffJson(found, guess) : text);
     return found.difference ? ExitCode::CheckFailed : ExitCode::Good;
 }
 

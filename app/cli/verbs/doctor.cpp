@@ -13,7 +13,10 @@
 #include "output/sentences.h"
 #include "piece_input.h"
 #include "progress.h"
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -77,7 +80,7 @@ struct DoctorArguments {
 /// Result of the examination and of the fixes.
 struct Visit {
     std::string input;
-    std::string inputWords;  ///< The input in commands: with the options of a piece.
+    std::string inputWords;  ///< The input in commands: quoted, with the options of a piece.
     KeptPoints points;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
@@ -117,14 +120,14 @@ std::string visitText(const Visit& visit) {
     const std::vector<Finding>& findings = visit.findings.findings;
     const std::string size = sizeText(visit.findings);
     std::string text =
-        fmt::format("{}: {}{}{}, {}\n", visit.input, counted(visit.points.kept, "point"),
+        fmt::format("{}: {}{}{}, {}\n", printable(visit.input), counted(visit.points.kept, "point"),
                     size.empty() ? "" : ", ", size,
                     findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
     const std::string kept = keptSentence(visit.points);
     if (!kept.empty()) text += "  kept     " + kept + "\n";
     for (const Finding& finding : findings) text += findingText(finding, visit.inputWords);
     if (visit.output.empty()) return text;
-    text += fmt::format("{}: written, {}\n", visit.output,
+    text += fmt::format("{}: written, {}\n", printable(visit.output),
                         counted(visit.fixed.file.position.size(), "point"));
     for (const AppliedFix& fix : visit.fixed.fixes) text += "  fixed    " + fix.text + "\n";
     for (const Finding& finding : visit.left.findings) {
@@ -176,9 +179,9 @@ std::string visitJson(const Visit& visit) {
         json["fixed"] = {{"output", visit.output},
                          {"points", visit.fixed.file.position.size()},
                          {"repairs", fixes},
-                         {"findings", findingsJson(visit.left, visit.output)}};
+                         {"findings", findingsJson(visit.left, shellPath(visit.output))}};
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 /// Throws Failure(CheckFailed) if the fixes took most points, unless that is permitted.
@@ -217,7 +220,7 @@ ExitCode doctorVerb(const Arguments& words) {
     const InputPiece read = readPiece(arguments.input, piece, arguments.limit);
     const PointFile& file = read.file;
     Visit visit{arguments.input,
-                arguments.input + pieceOptions(piece),
+                shellPath(arguments.input) + pieceOptions(piece),
                 read.points,
                 examineInput(file, arguments.input, line),
                 arguments.fixed,
@@ -233,9 +236,9 @@ ExitCode doctorVerb(const Arguments& words) {
     }
     // The text goes to standard error if the points go to standard output.
     if (arguments.fixed == "-" && !arguments.quiet) {
-        fmt::print(stderr, "{}", visitText(visit));
+        printNote(visitText(visit));
     } else if (!arguments.quiet) {
-        writeOutput("-", arguments.json ? visitJson(visit) : visitText(visit));
+        printText(arguments.json ? visitJson(visit) : visitText(visit));
     }
     const bool problemFound = hasProblem(arguments.fixed.empty() ? visit.findings : visit.left);
     return problemFound ? ExitCode::CheckFailed : ExitCode::Good;

@@ -171,8 +171,8 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         if (!made.start.empty())
             writeOutput(path + ".start.json", teach::startText(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
-        writeOutput("-", fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
-                                     input.shows));
+        printText(fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
+                              input.shows));
     }
     return ExitCode::Good;
 }
@@ -204,7 +204,7 @@ ExitCode figuresVerb(const Arguments& words) {
             checked =
                 figure.hasScene() ? checkedScene(figure) : checkedResult(figure, arguments, line);
         }
-        writeOutput("-", headText(figure) + checked.text);
+        printText(headText(figure) + checked.text);
         failed += checked.holds ? 0 : 1;
     }
     if (failed > 0) {

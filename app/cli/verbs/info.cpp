@@ -13,8 +13,10 @@
 #include "output/piece_text.h"
 #include "output/sentences.h"
 #include "piece_input.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/points/wall_types.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -136,7 +138,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     json["inconsistent_edges"] = facts.mesh.inconsistentEdges;
     json["euler_characteristic"] = facts.mesh.eulerCharacteristic;
     json["closed_manifold"] = facts.mesh.closedManifold();
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 std::string normalsSentence(const Facts& facts) {
@@ -170,7 +172,8 @@ int boxDigits(const Facts& facts) {
 
 std::string factsText(const std::string& input, const Facts& facts) {
     const PointFile& file = facts.file;
-    std::string text = fmt::format("{}: {}\n", input, counted(file.position.size(), "point"));
+    std::string text =
+        fmt::format("{}: {}\n", printable(input), counted(file.position.size(), "point"));
     const auto addLine = [&](const char* label, const std::string& sentence) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
@@ -221,7 +224,7 @@ ExitCode infoVerb(const Arguments& words) {
     app.add_flag("--json", json, "As JSON");
     if (const auto code = parseArguments(app, words)) return *code;
     const Facts facts = gather(input, piece.piece(), limit);
-    writeOutput("-", json ? factsJson(input, facts) : factsText(input, facts));
+    printText(json ? factsJson(input, facts) : factsText(input, facts));
     return ExitCode::Good;
 }
 

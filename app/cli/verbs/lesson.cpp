@@ -11,7 +11,9 @@
 #include "output/lesson_page.h"
 #include "output/output.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "teach/embedded_lessons.h"
+#include "teach/json_text.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_skeleton.h"
@@ -77,7 +79,7 @@ ExitCode listLessons(const LessonArguments& arguments) {
         text += fmt::format("{:<17} {:>4} min  {:>2} questions  {}\n", each.id, lesson.minutes(),
                             lesson.questions(), lesson.title);
     }
-    writeOutput("-", arguments.json ? list.dump(2) + "\n" : text);
+    printText(arguments.json ? teach::jsonText(list) : text);
     return ExitCode::Good;
 }
 
@@ -89,13 +91,13 @@ ExitCode showLesson(const LessonArguments& arguments) {
                       teach::faultText(reading.faults.front(), reading.lesson.name));
     }
     if (!arguments.answers) {
-        writeOutput("-", lessonPage(reading.lesson));
+        printText(lessonPage(reading.lesson));
         return ExitCode::Good;
     }
     LessonRuns runs(opened.folder, arguments.limit);
     const Result<std::string> page = lessonPageWithAnswers(reading.lesson, runs);
     if (!page) throw Failure(ExitCode::Input, page.error().message);
-    writeOutput("-", page.value());
+    printText(page.value());
     return ExitCode::Good;
 }
 
@@ -120,17 +122,17 @@ ExitCode checkLessons(const LessonArguments& arguments) {
         LessonRuns runs(opened.folder, arguments.limit);
         if (faults.empty()) faults = teach::checkLesson(opened.reading.lesson, runs);
         for (const LessonFault& fault : faults) {
-            text += teach::faultText(fault, name) + "\n";
+            text += printable(teach::faultText(fault, name)) + "\n";
             list.push_back(faultJson(fault, name));
         }
         if (teach::isMalformed(faults)) code = ExitCode::Input;
         if (!faults.empty() && code == ExitCode::Good) code = ExitCode::CheckFailed;
         if (!faults.empty()) continue;
         const Lesson& lesson = opened.reading.lesson;
-        text += fmt::format("{}: good: {} steps, {} questions, {} minutes\n", name,
+        text += fmt::format("{}: good: {} steps, {} questions, {} minutes\n", printable(name),
                             lesson.steps.size(), lesson.questions(), lesson.minutes());
     }
-    writeOutput("-", arguments.json ? list.dump(2) + "\n" : text);
+    printText(arguments.json ? teach::jsonText(list) : text);
     return code;
 }
 
@@ -178,8 +180,9 @@ ExitCode sumUpResults(const LessonArguments& arguments) {
         results.push_back(std::move(result.value()));
     }
     const std::vector<teach::QuestionSummary> rows = teach::summarize(results);
-    if (arguments.output != "-") writeOutput("-", teach::summaryText(rows));
-    if (!arguments.output.empty()) writeOutput(arguments.output, teach::summaryCsv(rows));
+    if (arguments.output != "-") printText(teach::summaryText(rows));
+    if (!arguments.output.empty())
+        writeOutput(arguments.output, printableLines(teach::summaryCsv(rows)));
     return ExitCode::Good;
 }
 

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "output/output.h"
 #include "spiraling_edge/base/files.h"
+#include "teach/json_text.h"
 #include "teach/practice.h"
 #include "verbs.h"
 
@@ -152,7 +153,7 @@ std::string gradeJson(const PracticeGrade& grade) {
         json["address"] = grade.address;
         json["sentence"] = grade.sentence;
     }
-    return json.dump(2) + "\n";
+    return teach::jsonText(json);
 }
 
 ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask& task) {
@@ -162,7 +163,7 @@ ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask&
     if (!arguments.result.empty()) {
         writeOutput(arguments.result, teach::resultJson(teach::practiceResult(moves, grade, task)));
     }
-    writeOutput("-", arguments.json ? gradeJson(grade) : gradeText(grade, moves, task));
+    printText(arguments.json ? gradeJson(grade) : gradeText(grade, moves, task));
     return grade.right ? ExitCode::Good : ExitCode::CheckFailed;
 }
 
@@ -179,11 +180,11 @@ ExitCode practiceVerb(const Arguments& words) {
     const PracticeTask task = teach::practiceTask(arguments.seed);
     if (!arguments.answer.empty()) return gradeAnswerFile(arguments, task);
     if (!arguments.json) {
-        writeOutput("-", arguments.solution ? solutionText(task) : taskText(task));
+        printText(arguments.solution ? solutionText(task) : taskText(task));
         return ExitCode::Good;
     }
     const PracticeJson json = arguments.solution ? solutionJson(task) : taskJson(task);
-    writeOutput("-", json.dump() + "\n");
+    printText(json.dump() + "\n");
     return ExitCode::Good;
 }
 

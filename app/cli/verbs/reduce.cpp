@@ -17,8 +17,10 @@
 #include "output/sentences.h"
 #include "prepared_input.h"
 #include "progress.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -155,14 +157,14 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
     json["address"] = address;
     json["alert"] = std::string(wanted.kind->name) + ":1";
     json["notes"] = "Reduced from " + input.input() + ".";
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 /// Test script; file names and options are data in it: each is one quoted word.
 std::string testText(const std::string& points, const ReduceArguments& arguments,
                      const FailureChoice& wanted) {
     const auto nameOf = [](const std::filesystem::path& path) {
-        return shellQuoted(path.filename().string());
+        return shellPath(path.filename().string());
     };
     return fmt::format(
         "#!/bin/sh\n"
@@ -186,8 +188,8 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
         "    echo \"still fails: {1}\"\n"
         "    exit 1\n"
         "fi\n",
-        oneLine(arguments.input.input()), wanted.kind->name,
-        oneLine(nameOf(std::filesystem::path(points).replace_extension(".sh"))), nameOf(points),
+        printable(arguments.input.input()), wanted.kind->name,
+        nameOf(std::filesystem::path(points).replace_extension(".sh")), nameOf(points),
         optionText(arguments.input));
 }
 
@@ -203,16 +205,19 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
     writeOutput(session, sessionText(output, run, arguments.input, wanted, address));
     writeOutput(test, testText(output, arguments, wanted));
     if (arguments.quiet) return;
-    fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", output,
-               counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
-               session, test);
-    if (reduced.complete) return;
-    fmt::print(stderr, "stopped early, after {} million tests: fewer points may be possible",
-               arguments.effort);
-    if (arguments.effort < kMaxEffort)
-        fmt::print(stderr, "; use --effort {} to continue",
-                   std::min(10 * arguments.effort, kMaxEffort));
-    fmt::print(stderr, "\n");
+    std::string text =
+        fmt::format("{}: {} of {} still end in {}; session {}, test {}\n", printable(output),
+                    counted(reduced.kept.size(), "point"), run.file.position.size(),
+                    wanted.kind->name, printable(session), printable(test));
+    if (!reduced.complete) {
+        text += fmt::format("stopped early, after {} million tests: fewer points may be possible",
+                            arguments.effort);
+        if (arguments.effort < kMaxEffort)
+            text += fmt::format("; use --effort {} to continue",
+                                std::min(10 * arguments.effort, kMaxEffort));
+        text += '\n';
+    }
+    printNote(text);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "output/trace.h"
 #include "piece_input.h"
 #include "progress.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_fields.h"
@@ -294,9 +295,8 @@ RunSettings chooseSettings(const RunArguments& arguments, RunSettings settings,
 /// Prints the summary and determines the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
-    if (arguments.report.empty() && !arguments.quiet)
-        fmt::print(stderr, "{}", summaryText(outcome));
-    if (!arguments.quiet) fmt::print(stderr, "{}", shiftText(outcome));
+    if (arguments.report.empty() && !arguments.quiet) printNote(summaryText(outcome));
+    if (!arguments.quiet) printNote(shiftText(outcome));
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
@@ -309,10 +309,11 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!emptiness.empty() && (arguments.check || arguments.best))
         throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
     if (!emptiness.empty() && !arguments.quiet)
-        fmt::print(stderr, "{}: {}\n", outcome.input, emptiness);
+        printNote(fmt::format("{}: {}\n", printable(outcome.input), emptiness));
     if (arguments.check && !faults.empty())
         throw Failure(ExitCode::CheckFailed, outcome.input + ": " + faults);
-    if (!faults.empty() && !arguments.quiet) fmt::print(stderr, "{}: {}\n", outcome.input, faults);
+    if (!faults.empty() && !arguments.quiet)
+        printNote(fmt::format("{}: {}\n", printable(outcome.input), faults));
     return ExitCode::Good;
 }
 

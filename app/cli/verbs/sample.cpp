@@ -9,12 +9,14 @@
 #include "output/output.h"
 #include "output/sentences.h"
 #include "progress.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -116,7 +118,7 @@ std::string shapesJson() {
                         {"low", {shape.low.x, shape.low.y, shape.low.z}},
                         {"high", {shape.high.x, shape.high.y, shape.high.z}}});
     }
-    return list.dump(2) + "\n";
+    return teach::jsonText(list);
 }
 
 /// Lists of the k nearest points, as `run` would compute them.
@@ -141,7 +143,8 @@ std::string summary(const std::string& input, const PointFile& file, const Sampl
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
     const auto corners =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isCorner));
-    std::string text = fmt::format("{}: {}", input, counted(file.position.size(), "point"));
+    std::string text =
+        fmt::format("{}: {}", printable(input), counted(file.position.size(), "point"));
     if (walls > 0)
         text += fmt::format(", {} of them on walls, {}", walls, counted(corners, "corner"));
     text += fmt::format("\n  spacing    {:.4g}, varying by {:.1f} %\n", quality.spacing,
@@ -159,7 +162,7 @@ ExitCode sampleVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     if (arguments.list) {
-        writeOutput("-", arguments.json ? shapesJson() : shapesText());
+        printText(arguments.json ? shapesJson() : shapesText());
         return ExitCode::Good;
     }
     arguments.validate();
@@ -173,7 +176,7 @@ ExitCode sampleVerb(const Arguments& words) {
     if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
     writePoints(arguments.output, file);
     if (arguments.quiet) return ExitCode::Good;
-    fmt::print(stderr, "{}", summary(arguments.input, file, measureSample(field, file), seconds));
+    printNote(summary(arguments.input, file, measureSample(field, file), seconds));
     return ExitCode::Good;
 }
 

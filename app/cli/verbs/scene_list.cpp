@@ -7,6 +7,7 @@
 #include "options.h"
 #include "output/output.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -32,7 +33,7 @@ std::string scenesJson() {
                         {"sentence", each.sentence},
                         {"helps", each.helps}});
     }
-    return list.dump(2) + "\n";
+    return teach::jsonText(list);
 }
 
 std::string scenesText() {
@@ -59,7 +60,7 @@ ExitCode scenesVerb(const Arguments& words) {
     bool json = false;
     app.add_flag("--json", json, "As JSON, with the number of points and what to look at");
     if (const auto code = parseArguments(app, words)) return *code;
-    writeOutput("-", json ? scenesJson() : scenesText());
+    printText(json ? scenesJson() : scenesText());
     return ExitCode::Good;
 }
 

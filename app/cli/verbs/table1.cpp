@@ -19,6 +19,7 @@
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
+#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -269,7 +270,7 @@ std::string tableJson(const std::vector<Made>& all, const TableArguments& argume
                                 {"paper_triangles", row.triangles},
                                 {"paper_seconds", row.seconds}});
     }
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return teach::jsonText(json);
 }
 
 }  // namespace
@@ -288,7 +289,7 @@ ExitCode table1Verb(const Arguments& words) {
     std::vector<Made> all;
     all.reserve(kRows.size());
     for (const Row& row : kRows) all.push_back(make(row, arguments, params, line));
-    writeOutput("-", arguments.json ? tableJson(all, arguments) : tableText(all, arguments));
+    printText(arguments.json ? tableJson(all, arguments) : tableText(all, arguments));
     return ExitCode::Good;
 }
 

@@ -276,7 +276,7 @@ ExitCode whyVerb(const Arguments& words) {
                                : arguments.closest > 0
                                    ? askClosest(arguments, run, line)
                                    : askQuery(arguments, query.value(), run, line);
-    writeOutput("-", answer);
+    printText(answer);
     return ExitCode::Good;
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "teach/file_bytes.h"
+#include "teach/json_text.h"
 
 namespace se::teach {
 namespace {
@@ -135,9 +135,7 @@ class TraceLineReader {
             return "no point twice in a row";
         return {};
     }
-    static std::string shortText(const TraceJson& value) {
-        return io::inQuotes(value.dump(-1, ' ', true, TraceJson::error_handler_t::replace));
-    }
+    static std::string shortText(const TraceJson& value) { return '"' + jsonExcerpt(value) + '"'; }
 
     const TraceJson& json_;
     std::size_t points_;
@@ -151,11 +149,13 @@ Error traceError(const std::string& name, std::size_t line, const std::string& w
 
 /// The object of a line. Fails if it is none.
 Result<TraceJson> objectOfLine(const io::LineReader& lines, const std::string& name) {
+    if (const std::string fault = jsonLimitFault(lines.line(), lines.number()); !fault.empty())
+        return Error{name + ": " + fault};
     TraceJson json = TraceJson::parse(lines.line(), nullptr, false);
     if (json.is_object()) return json;
     const bool cut = json.is_discarded() && lines.rest().empty();
     return traceError(name, lines.number(),
-                      std::string("expected one JSON object, got ") + io::inQuotes(lines.line()) +
+                      std::string("expected one JSON object, got ") + inQuotes(lines.line()) +
                           (cut ? "; the last line may be cut off" : ""));
 }
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
 #include <utility>
 
 #include "commands/command_actions.h"
 #include "run/model.h"
+#include "run/strings.h"
 #include "session/playback.h"
 #include "spiraling_edge/sampling/volume.h"
 
@@ -103,6 +103,8 @@ void DocumentController::aimAtScene(const std::string& source) {
 
 void DocumentController::keepIn(const std::filesystem::path& path, bool resetLayout) {
     kept_.open(path);
+    const std::string complaint = kept_.complaint();
+    if (!complaint.empty()) c_.ui.settings.complaints.push_back(complaint);
     const KeptState state = kept_.read();
     c_.ui.recent = state.recent;
     keptLayout_ = state.layout;
@@ -285,7 +287,7 @@ void DocumentController::arrive() {
 }
 
 void DocumentController::warnLater(const std::string& warning) {
-    std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning.c_str());
+    printLines(stderr, "spiraling-edge-viewer: warning: " + printable(warning) + "\n");
     sayLater(warning);
 }
 

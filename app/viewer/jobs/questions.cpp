@@ -1,4 +1,5 @@
 #include "questions.h"
+#include "spiraling_edge/base/outside_text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -150,7 +151,7 @@ Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
         Index point = kNone;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), point);
         if (error == std::errc::invalid_argument || end != word.data() + word.size())
-            return Error{"\"" + word + "\" is no point. " + kExpected};
+            return Error{inQuotes(word) + " is no point. " + kExpected};
         if (error != std::errc() || point >= count)
             return Error{"There is no point " + word + ": the points are 0 to " +
                          std::to_string(count - 1) + "."};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "layer.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/word_list.h"
 
 namespace se::view {
@@ -139,17 +140,17 @@ std::string ReadLayers::complaint() const {
 ReadLayers layersFromJson(const json& object) {
     ReadLayers read;
     if (!object.is_object()) {
-        read.unknown.push_back("\"layers\": " + object.dump());
+        read.unknown.push_back("\"layers\": " + excerpt(object.dump()));
         return read;
     }
     for (const auto& [name, value] : object.items()) {
         const Layer* layer = findLayer(name);
         if (layer == nullptr) {
-            read.unknown.push_back("layer \"" + name + "\"");
+            read.unknown.push_back("layer " + inQuotes(name));
         } else if (const auto mode = modeFrom(value, *layer)) {
             modeOf(read.modes, layer->id) = *mode;
         } else {
-            read.unknown.push_back("mode " + value.dump() + " of layer \"" + name + "\"");
+            read.unknown.push_back("mode " + excerpt(value.dump()) + " of layer " + inQuotes(name));
         }
     }
     return read;

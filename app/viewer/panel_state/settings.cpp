@@ -1,15 +1,15 @@
 #include "settings.h"
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
+#include "kept_json.h"
 #include "run/model.h"
 #include "run/number_format.h"
 #include "run/sample_spec.h"
 #include "run/strings.h"
 #include "session/playback.h"
-#include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/sampling/volume.h"
+#include "teach/json_text.h"
 
 namespace se::view {
 
@@ -22,8 +22,8 @@ template <typename T>
 T fieldIn(const json& object, const char* name, T low, T high, T otherwise) {
     const auto found = object.find(name);
     if (found == object.end() || !found->is_number()) return otherwise;
-    const T value = found->template get<T>();
-    return value >= low && value <= high ? value : otherwise;
+    const auto value = found->template get<double>();
+    return value >= low && value <= high ? static_cast<T>(value) : otherwise;
 }
 
 /// Empty if there is no such text.
@@ -81,26 +81,7 @@ json toJson(const PanelSizes& sizes) {
     return object;
 }
 
-}  // namespace
-
-fs::path xdgFolder(const char* variable, const char* below) {
-    // The XDG standard: relative paths are ignored.
-    if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
-        return folder;
-    }
-    const char* home = std::getenv("HOME");
-    if (home == nullptr || home[0] != '/') return {};
-    return fs::path(home) / below;
-}
-
-fs::path settingsPath() {
-    const fs::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
-    return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
-}
-
-Result<ViewSettings> settingsFromJson(std::string_view text) {
-    const json object = json::parse(text, nullptr, false);
-    if (!object.is_object()) return Error{"The settings are not a JSON object."};
+ViewSettings settingsFrom(const json& object) {
     ViewSettings s;
     s.theme = themeFromName(wordIn(object, "theme")).value_or(s.theme);
     s.uiScale = fieldIn(object, "uiScale", 0.75, 3.0, s.uiScale);
@@ -130,7 +111,7 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     return s;
 }
 
-std::string settingsToJson(const ViewSettings& s) {
+json toJson(const ViewSettings& s) {
     json object = {{"version", 1},       {"theme", themeName(s.theme)},     {"width", s.width},
                    {"height", s.height}, {"playRate", s.playRate},          {"legend", s.legend},
                    {"names", s.names},   {"layers", layersToJson(s.layers)}};
@@ -141,24 +122,75 @@ std::string settingsToJson(const ViewSettings& s) {
     object["pointTint"] = rowOf(s.pointTint).name;
     if (s.up) object["up"] = upAxisName(*s.up);
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
-    return object.dump(2) + "\n";
+    return object;
 }
 
-Result<ViewSettings> readSettings(const fs::path& path) {
-    const std::optional<std::string> text = readText(path);
-    return text ? settingsFromJson(*text) : ViewSettings{};
+KeptState keptStateFrom(const json& object) {
+    KeptState state;
+    state.layout = layoutPresetFromName(wordIn(object, "layout")).value_or(state.layout);
+    if (const auto lessons = object.find("lessons");
+        lessons != object.end() && lessons->is_object()) {
+        for (const auto& [source, step] : lessons->items())
+            if (step.is_number_unsigned()) state.lessons[source] = step.get<std::size_t>();
+    }
+    const auto recent = object.find("recent");
+    if (recent == object.end() || !recent->is_array()) return state;
+    for (const json& each : *recent) {
+        if (each.is_string() && state.recent.size() < kMaxRecent) {
+            state.recent.push_back(each.get<std::string>());
+        }
+    }
+    return state;
 }
 
-Status writeKept(const fs::path& path, const std::string& text) {
-    if (path.empty()) return success();
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
-    return writeFileAtomically(path, text);
+json toJson(const KeptState& state) {
+    json object = {{"version", 1},
+                   {"layout", std::string(rowOf(state.layout).name)},
+                   {"recent", state.recent}};
+    if (!state.lessons.empty()) object["lessons"] = state.lessons;
+    return object;
 }
 
-Status writeSettings(const fs::path& path, const ViewSettings& settings) {
-    return writeKept(path, settingsToJson(settings));
+}  // namespace
+
+fs::path xdgFolder(const char* variable, const char* below) {
+    // The XDG standard: relative paths are ignored.
+    if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
+        return folder;
+    }
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || home[0] != '/') return {};
+    return fs::path(home) / below;
+}
+
+fs::path settingsPath() {
+    const fs::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
+}
+
+Result<ViewSettings> settingsFromJson(std::string_view text) {
+    const Result<json> object = teach::jsonFromText<json>(text, "The settings");
+    if (!object) return object.error();
+    if (!object.value().is_object()) return Error{"The settings are not a JSON object."};
+    return settingsFrom(object.value());
+}
+
+std::string settingsToJson(const ViewSettings& s) { return teach::jsonText(toJson(s)); }
+
+ViewSettings readSettings(const fs::path& path) {
+    ViewSettings settings = settingsFrom(readKept(path));
+    const std::string complaint = keptComplaint(path);
+    if (!complaint.empty()) settings.complaints.push_back(complaint);
+    return settings;
+}
+
+Status writeSettings(const fs::path& path, const ViewSettings& before,
+                     const ViewSettings& settings) {
+    json old = toJson(before);
+    const json now = toJson(settings);
+    // A style that is chosen is written with the default of this version (settingsFrom()).
+    if (old["meshStyle"] != now["meshStyle"]) old.erase("usualMeshStyle");
+    return writeKept(path, old, now);
 }
 
 void remember(KeptState& state, const std::string& path) {
@@ -187,47 +219,22 @@ fs::path statePath() {
 }
 
 KeptState keptStateFromJson(std::string_view text) {
-    KeptState state;
-    const json object = json::parse(text, nullptr, false);
-    if (!object.is_object()) return state;
-    state.layout = layoutPresetFromName(wordIn(object, "layout")).value_or(state.layout);
-    if (const auto lessons = object.find("lessons");
-        lessons != object.end() && lessons->is_object()) {
-        for (const auto& [source, step] : lessons->items())
-            if (step.is_number_unsigned()) state.lessons[source] = step.get<std::size_t>();
-    }
-    const auto recent = object.find("recent");
-    if (recent == object.end() || !recent->is_array()) return state;
-    for (const json& each : *recent) {
-        if (each.is_string() && state.recent.size() < kMaxRecent) {
-            state.recent.push_back(each.get<std::string>());
-        }
-    }
-    return state;
+    const Result<json> object = teach::jsonFromText<json>(text, "The state");
+    return object && object.value().is_object() ? keptStateFrom(object.value()) : KeptState{};
 }
 
-std::string keptStateToJson(const KeptState& state) {
-    json object = {{"version", 1},
-                   {"layout", std::string(rowOf(state.layout).name)},
-                   {"recent", state.recent}};
-    if (!state.lessons.empty()) object["lessons"] = state.lessons;
-    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-}
+std::string keptStateToJson(const KeptState& state) { return teach::jsonText(toJson(state)); }
 
-KeptState readKeptState(const fs::path& path) {
-    const std::optional<std::string> text = readText(path);
-    return text ? keptStateFromJson(*text) : KeptState{};
-}
+KeptState readKeptState(const fs::path& path) { return keptStateFrom(readKept(path)); }
 
-Status writeKeptState(const fs::path& path, const KeptState& state) {
-    return writeKept(path, keptStateToJson(state));
-}
+std::string KeptFile::complaint() const { return keptComplaint(path_); }
 
 Status KeptFile::change(const std::function<void(KeptState&)>& change) const {
     if (!isOpen()) return success();
-    KeptState state = read();
+    const KeptState before = read();
+    KeptState state = before;
     change(state);
-    return writeKeptState(path_, state);
+    return writeKept(path_, toJson(before), toJson(state));
 }
 
 }  // namespace se::view

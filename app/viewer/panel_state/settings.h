@@ -50,11 +50,11 @@ std::filesystem::path settingsPath();
 Result<ViewSettings> settingsFromJson(std::string_view text);
 std::string settingsToJson(const ViewSettings& settings);
 
-/// The settings of a file; the defaults if there is none.
-Result<ViewSettings> readSettings(const std::filesystem::path& path);
-/// Writes a file of the user's folders, which is made if necessary; an empty path has no effect.
-Status writeKept(const std::filesystem::path& path, const std::string& text);
-Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings);
+/// The settings of a file; the defaults if there is none, or with a complaint if it cannot be read.
+ViewSettings readSettings(const std::filesystem::path& path);
+/// Writes what differs from `before`, the settings as they were read (writeKept()).
+Status writeSettings(const std::filesystem::path& path, const ViewSettings& before,
+                     const ViewSettings& settings);
 
 inline constexpr std::size_t kMaxRecent = 10;
 
@@ -74,14 +74,12 @@ std::string recentName(const std::string& path);
 /// $XDG_STATE_HOME/spiraling-edge/state.json, or below ~/.local/state. Empty if there is no home.
 std::filesystem::path statePath();
 
-/// Anything that cannot be read is skipped silently: recent files are not worth a message.
+/// A value that cannot be read is skipped silently: recent files are not worth a message.
 KeptState keptStateFromJson(std::string_view text);
 std::string keptStateToJson(const KeptState& state);
 
 /// The defaults if there is no such file.
 KeptState readKeptState(const std::filesystem::path& path);
-/// Makes the folder if necessary; an empty path has no effect.
-Status writeKeptState(const std::filesystem::path& path, const KeptState& state);
 
 /// The state as a file; without a path nothing is kept.
 class KeptFile {
@@ -89,7 +87,10 @@ class KeptFile {
     void open(const std::filesystem::path& path) { path_ = path; }
     bool isOpen() const { return !path_.empty(); }
     KeptState read() const { return isOpen() ? readKeptState(path_) : KeptState{}; }
-    /// Changes the state as it is on disk, where another window may have stored something since.
+    /// keptComplaint() of the file.
+    std::string complaint() const;
+    /// Changes the state as it is on disk, where another window may have stored something since
+    /// (writeKept()).
     Status change(const std::function<void(KeptState&)>& change) const;
 
   private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
@@ -103,7 +104,7 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& 
     for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr || !canFix(*check))
-            return Error{"The doctor has no fix called \"" + name + "\"."};
+            return Error{"The doctor has no fix called " + inQuotes(name) + "."};
         if (check->fix == Fix::Repair) repair(name, {}, file, done);
         if (check->fix != Fix::Drop) continue;
         const Result<Diagnosis> found = examine(file, progress);

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "spiraling_edge/base/float_bits.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/explain/run_settings.h"
@@ -103,8 +104,8 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
         if (scene == nullptr) {
             std::vector<std::string_view> known;
             for (const Scene& each : scenes()) known.push_back(each.id);
-            return Error{"There is no scene \"" + id + "\". Scenes are: " + wordList(known, "") +
-                         "."};
+            return Error{"There is no scene " + inQuotes(id) +
+                         ". Scenes are: " + wordList(known, "") + "."};
         }
         model.name = sceneSource(scene->id);
         model.watch = std::string(scene->watch);

@@ -70,7 +70,7 @@ Result<Field> shapeField(const SampleSpec& spec) {
     if (shape == nullptr) {
         std::vector<std::string_view> known;
         for (const se::Shape& each : shapes()) known.push_back(each.id);
-        return Error{"\"" + spec.surface + "\" is neither a volume (" +
+        return Error{inQuotes(spec.surface) + " is neither a volume (" +
                      wordList(volumeExtensions(), "") +
                      ") nor a shape. Shapes are: " + wordList(known, "") + "."};
     }
@@ -116,8 +116,8 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
         const auto taken = takePart(part.substr(0, equals), part.substr(equals + 1), spec);
         if (!taken) {
             if (isVolumePath(part)) break;
-            return Error{name + ": \"" + std::string(part) +
-                         "\": expected n, spacing, iso, seed, curvature, box or steps."};
+            return Error{name + ": " + inQuotes(part) +
+                         ": expected n, spacing, iso, seed, curvature, box or steps."};
         }
         if (!*taken) {
             std::string text = name;
@@ -143,7 +143,7 @@ std::string sampleCommand(const SampleSpec& spec) {
 
 std::string sampleCommand(const SampleSpec& spec, std::string_view output) {
     if (spec.steps > 0) return {};
-    std::string text = "spiraling-edge sample " + shellQuoted(spec.surface);
+    std::string text = "spiraling-edge sample " + shellPath(spec.surface);
     text +=
         spec.count > 0 ? " -n " + std::to_string(spec.count) : " --spacing " + exact(spec.spacing);
     // Joined by =, since a value with a minus sign would be parsed as an option.
@@ -151,7 +151,7 @@ std::string sampleCommand(const SampleSpec& spec, std::string_view output) {
     if (spec.seed != 1) text += " --seed " + std::to_string(spec.seed);
     if (spec.curvature > 0.0) text += " --curvature " + exact(spec.curvature);
     if (spec.box) text += " --box=" + boxText(*spec.box, ',');
-    return text + " -o " + shellQuoted(output);
+    return text + " -o " + shellPath(output);
 }
 
 std::string sampleTitle(const SampleSpec& spec, std::size_t count) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::view {
 
@@ -45,6 +46,10 @@ std::string grouped(std::size_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\xE2\x80\x89");
     return text;
+}
+
+void printLines(std::FILE* stream, std::string_view text) {
+    std::fputs(printableLines(text).c_str(), stream);
 }
 
 std::optional<std::string> readText(const std::filesystem::path& path) {

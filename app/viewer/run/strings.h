@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/outside_text.h"
 
 namespace se::view {
 
@@ -24,6 +26,8 @@ std::string formatted(const char* format, double a, double b = 0.0, double c = 0
 std::string grouped(std::size_t number);
 /// "1 rim", "3 rims"; without a space among the digits.
 std::string counted(std::size_t count, const char* one, const char* many);
+/// Prints text as printableLines(). A message of one line is passed through printable() before.
+void printLines(std::FILE* stream, std::string_view text);
 /// All bytes of a file; empty if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 

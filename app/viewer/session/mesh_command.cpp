@@ -78,7 +78,7 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
 }
 
 /// The input and its piece as words.
-std::string inputOf(const Steps& steps) { return shellQuoted(steps.input) + steps.piece; }
+std::string inputOf(const Steps& steps) { return shellPath(steps.input) + steps.piece; }
 
 /// The doctor's commands for the fixes that repair or drop points. Exit code 1 only means that
 /// findings are left; the next command must not run after any other failure.
@@ -97,8 +97,8 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         if (files > 1) file.append("-").append(std::to_string(files));
         std::string repaired = besideMesh(target, file.append(".ply"));
         steps.before.append("{ ").append(kProgram);
-        for (const std::string& word : {std::string("doctor"), inputOf(steps),
-                                        std::string("-q --fix"), shellQuoted(repaired)})
+        for (const std::string& word :
+             {std::string("doctor"), inputOf(steps), std::string("-q --fix"), shellPath(repaired)})
             steps.before.append(" ").append(word);
         if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; [ $? -le 1 ]; } && ";
@@ -118,10 +118,10 @@ std::string addStart(const InputSpec& spec, const MeshTarget& target, Steps& ste
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     const std::string file = besideMesh(target, stem + ".start.json");
     steps.before += "printf '%s\\n' " + shellQuoted(teach::startText(spec.start)) + " > " +
-                    shellQuoted(file) + " && ";
+                    shellPath(file) + " && ";
     steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
                   file + ".";
-    return " --start " + shellQuoted(file);
+    return " --start " + shellPath(file);
 }
 
 std::string reachOption(const NeighborOptions& lists) {
@@ -174,7 +174,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
                 "keeps them, or bring them back in the panel Doctor."};
     }
     if (isPractice(spec.source)) {
-        return {"spiraling-edge-viewer " + spec.source,
+        return {"spiraling-edge-viewer " + shellQuoted(spec.source),
                 "It opens the pivot to practice, whose points have no file."};
     }
     Steps steps = stepsToSource(spec.source, target);
@@ -186,7 +186,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     command.text += start + runOptions(withFixOptions(spec));
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
-    command.text += " -o " + shellQuoted(target.path);
+    command.text += " -o " + shellPath(target.path);
     const NamedFile input{"", steps.input};
     const NamedFile output{"-o", target.path};
     if (!requireKept({&input, 1}, {&output, 1})) command.text += " " + std::string(kForceOption);

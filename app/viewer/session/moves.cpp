@@ -366,8 +366,8 @@ void Moves::playToStop(const Stop& stop) {
 
 Status Moves::goToText(const std::string& given) {
     const std::string text = trimmed(given);
-    const Error unknown{"\"" + text +
-                        "\" is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
+    const Error unknown{inQuotes(text) +
+                        " is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
     if (!session_.ready() || text.empty()) return unknown;
     if (text.front() == '+' || text.front() == '-') {
         const auto number =

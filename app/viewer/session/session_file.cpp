@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/sampling/volume.h"
+#include "teach/json_text.h"
 
 namespace se::view {
 
@@ -181,52 +181,6 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
     return readNotes(object, out);
 }
 
-/// Follows the parser through the keys of a file, to name the field at which it fails.
-class KeyTrail {
-  public:
-    /// Greater depth than a session has; writing such a file again would overflow the stack.
-    static constexpr int kDeepest = 64;
-
-    bool see(int depth, json::parse_event_t event, const json& parsed) {
-        deepest_ = std::max(deepest_, depth);
-        if (event == json::parse_event_t::key) {
-            keys_.resize(static_cast<std::size_t>(std::max(depth, 1)) - 1);
-            keys_.push_back(parsed.get<std::string>());
-        }
-        return true;
-    }
-    /// "options.reach".
-    std::string field() const {
-        std::string text;
-        for (const std::string& key : keys_) {
-            if (!key.empty()) text += (text.empty() ? "" : ".") + key;
-        }
-        return text;
-    }
-    bool tooDeep() const { return deepest_ > kDeepest; }
-
-  private:
-    std::vector<std::string> keys_;
-    int deepest_ = 0;
-};
-
-Result<json> parseJson(std::string_view text, const std::string& name) {
-    KeyTrail trail;
-    try {
-        json parsed = json::parse(text, [&](int depth, json::parse_event_t event, json& value) {
-            return trail.see(depth, event, value);
-        });
-        if (!trail.tooDeep()) return parsed;
-        return Error{name + ": expected at most " + std::to_string(KeyTrail::kDeepest) +
-                     " levels of lists and objects."};
-    } catch (const json::parse_error& error) {
-        return Error{name + ": byte " + std::to_string(error.byte) +
-                     ": expected JSON as written by Ctrl+S."};
-    } catch (const json::out_of_range&) {
-        return Error{name + ": " + *expected(trail.field(), "a number below 1e308") + "."};
-    }
-}
-
 /// An object at `name`, with its previous fields.
 json& objectAt(json& object, const char* name) {
     json& part = object[name];
@@ -266,7 +220,7 @@ bool looksLikeSession(const fs::path& path) {
 
 Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
                                     const fs::path& folder) {
-    const Result<json> parsed = parseJson(text, name);
+    const Result<json> parsed = teach::jsonFromText<json>(text, name);
     if (!parsed) return parsed.error();
     const json& object = parsed.value();
     SessionFile session;
@@ -309,7 +263,7 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     object["notes"] = session.annotations.notes;
     writeField(object, "query", !session.query.empty(), session.query);
     stopsToJson(session.annotations, object);
-    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+    return teach::jsonText(object);
 }
 
 Result<SessionFile> readSessionFile(const fs::path& path) {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "spiraling_edge/stepper/event.h"
+#include "teach/json_text.h"
 
 namespace se::view {
 
@@ -63,8 +63,9 @@ Result<ViewPosition> viewPositionFromText(std::string_view text) {
     const Error unknown{
         "Not a position. Expected an address such as 137.sphere.3, or a position copied by "
         "Ctrl+C."};
-    const json object = json::parse(text, nullptr, false);
-    if (!object.is_object()) {
+    const Result<json> read = teach::jsonFromText<json>(text, "The position");
+    if (!read && text.find('{') != std::string_view::npos) return read.error();
+    if (!read || !read.value().is_object()) {
         const auto first = text.find_first_not_of(" \t\r\n");
         const auto last = text.find_last_not_of(" \t\r\n");
         if (first == std::string_view::npos) return unknown;
@@ -72,6 +73,7 @@ Result<ViewPosition> viewPositionFromText(std::string_view text) {
         if (!addressFromString(text)) return unknown;
         return ViewPosition{std::string(text), std::nullopt};
     }
+    const json& object = read.value();
     const auto address = object.find("address");
     if (address == object.end() || !address->is_string()) return unknown;
     ViewPosition place{address->get<std::string>(), std::nullopt};

@@ -1,44 +1,53 @@
 #include "spiraling_edge/base/shell_word.h"
 
+#include "spiraling_edge/base/outside_text.h"
+
 namespace se {
 namespace {
 
-std::string hexEscape(unsigned char byte) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    return {'\\', 'x', kDigits[byte / 16U], kDigits[byte % 16U]};
+bool isPlain(char c) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+-@%,";
+    return kPlain.find(c) != std::string_view::npos;
+}
+
+/// A sign of the format of printf.
+std::string formatSign(char c, bool isFirst) {
+    if (isPlain(c) && c != '%' && !(c == '-' && isFirst)) return {c};
+    const auto byte = static_cast<unsigned char>(c);
+    const auto digit = [byte](unsigned shift) {
+        return static_cast<char>('0' + (byte >> shift & 7U));
+    };
+    return {'\\', digit(6), digit(3), digit(0)};
+}
+
+/// "$(printf 'a\012b')": single quotes would have to hold the bytes themselves, and $'...' is not
+/// known to every shell.
+std::string printedWord(std::string_view word) {
+    const std::size_t end = word.find_last_not_of('\n') + 1;
+    std::string text = "\"$(printf '";
+    for (std::size_t i = 0; i < end; ++i) text += formatSign(word[i], i == 0);
+    text += "')";
+    // Newlines at the end are not substituted; IFS is a blank, a tab and a newline.
+    for (std::size_t i = end; i < word.size(); ++i) text += "${IFS#??}";
+    return text + "\"";
 }
 
 }  // namespace
 
 std::string shellQuoted(std::string_view word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+-@%,";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos)
-        return std::string(word);
+    bool plain = !word.empty();
+    for (const char c : word) plain = plain && isPlain(c);
+    if (plain) return std::string(word);
+    if (printable(word) != word) return printedWord(word);
     std::string quoted = "'";
     for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
     return quoted + "'";
 }
 
-std::string oneLine(std::string_view text) {
-    std::string line;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-        // U+0080 to U+009F: some terminals treat these as control characters, too.
-        const bool late = byte == 0xc2U && next >= 0x80U && next < 0xa0U;
-        if (byte == '\\') {
-            line += "\\\\";
-        } else if (byte == '\n') {
-            line += "\\n";
-        } else if (byte < 0x20U || byte == 0x7fU || late) {
-            line += hexEscape(byte);
-            if (late) line += hexEscape(static_cast<unsigned char>(text[++i]));
-        } else {
-            line += text[i];
-        }
-    }
-    return line;
+std::string shellPath(std::string_view path) {
+    const bool isOption = path.starts_with('-') && path != "-";
+    return shellQuoted((isOption ? "./" : "") + std::string(path));
 }
 
 }  // namespace se

@@ -6,12 +6,13 @@
 
 namespace se {
 
-/// `word` as one word of a POSIX shell, in single quotes where a shell would read it differently.
-/// Nothing in it is expanded or run, line breaks included.
+/// `word` as one word of a POSIX shell, on one line that printable() leaves as it is: in single
+/// quotes where a shell would read it differently, by printf where it has signs that cannot be
+/// shown. Nothing in it is expanded or run.
 std::string shellQuoted(std::string_view word);
 
-/// `text` on one line, for display or a comment: control characters as "\n" or "\x1b", and the
-/// backslash doubled. Other bytes stay as they are.
-std::string oneLine(std::string_view text);
+/// The path of a file as shellQuoted(), so that no program takes it for an option: -a.ply as
+/// ./-a.ply. A lone - stays: standard input or output.
+std::string shellPath(std::string_view path);
 
 }  // namespace se

@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::io {
@@ -27,14 +28,6 @@ inline Error errorAt(const std::string& name, const std::string& place, const st
 
 /// A line number as a place: "line 12".
 inline std::string lineText(std::size_t number) { return "line " + std::to_string(number); }
-
-/// `field` in quotes for an error message: shortened, and without control characters.
-inline std::string inQuotes(std::string_view field) {
-    constexpr std::size_t kLongest = 24;
-    std::string text = "\"";
-    for (const char c : field.substr(0, kLongest)) text += (c >= ' ' && c <= '~') ? c : '?';
-    return text + (field.size() > kLongest ? "...\"" : "\"");
-}
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 

@@ -79,7 +79,7 @@ struct Finding {
 };
 
 /// The command that helps, with the input in place of IN and the file that it writes in place of
-/// OUT.ply; empty if there is none.
+/// OUT.ply, both as words of a shell (shellPath()); empty if there is none.
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 

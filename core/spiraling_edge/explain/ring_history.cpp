@@ -32,8 +32,8 @@ std::string nameOf(const RingAddress& ring) {
 }
 
 Result<RingAddress> ringAddressFromString(std::string_view text) {
-    const Error expected{"\"" + std::string(text) +
-                         "\": expected an address, such as 137 for the active ring there, or "
+    const Error expected{inQuotes(text) +
+                         ": expected an address, such as 137 for the active ring there, or "
                          "137#2 for the second on the stack."};
     const std::size_t sign = text.find('#');
     const auto at = addressFromString(text.substr(0, sign));

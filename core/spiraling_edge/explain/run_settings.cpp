@@ -1,4 +1,5 @@
 #include "spiraling_edge/explain/run_settings.h"
+#include "spiraling_edge/base/outside_text.h"
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ bool merge(const Value& a, const Value& b, Value& merged) {
 
 Result<Params> paramsOf(const RunSettings& settings) {
     std::optional<Params> params = paramsByName(settings.rules);
-    if (!params) return Error{"There is no rule set \"" + settings.rules + "\"."};
+    if (!params) return Error{"There is no rule set " + inQuotes(settings.rules) + "."};
     if (const Status known = applyRuleValues(settings.choices, *params); !known)
         return known.error();
     if (settings.keepOpposing) params->dropOpposingNormals = false;

@@ -121,8 +121,7 @@ std::optional<QueryMistake> mistakeIn(std::string_view line) {
         const Result<WordMeaning> meaning = meaningOf(word);
         if (!meaning) return QueryMistake{std::string(word), meaning.error().message, false};
         if (!meaning.value().condition)
-            return QueryMistake{std::string(word),
-                                "\"" + std::string(word) + "\" is not understood.", true};
+            return QueryMistake{std::string(word), inQuotes(word) + " is not understood.", true};
     }
     return {};
 }
@@ -144,7 +143,7 @@ Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
         std::string forms;
         for (const QueryTerm& term : queryTerms())
             forms += (forms.empty() ? "" : ", ") + std::string(term.form);
-        return Error{"\"" + mistake->word + "\" is not understood; there are " + forms + "."};
+        return Error{inQuotes(mistake->word) + " is not understood; there are " + forms + "."};
     }
     DecisionQuery query;
     for (const std::string_view word : wordsOf(line)) {

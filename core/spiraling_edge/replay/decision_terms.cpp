@@ -17,7 +17,7 @@ using Condition = DecisionCondition;
 using Read = Result<Condition>;
 
 Error notA(std::string_view word, std::string_view what) {
-    return Error{"\"" + std::string(word) + "\": expected " + std::string(what) + "."};
+    return Error{inQuotes(word) + ": expected " + std::string(what) + "."};
 }
 
 /// A term of a prefix and a value, such as point=812: `valueIn` reads the value, if it is one, and
@@ -225,8 +225,8 @@ Read readFailure(std::string_view word) {
         if (appearsInRun(each)) names += (names.empty() ? "" : ", ") + std::string(each.name);
     if (kind == nullptr)
         return notA(word, "a class of failures that appears during a run: " + names);
-    return Error{"\"" + std::string(word) +
-                 "\": that is known only when the run has ended; during a run there are " + names +
+    return Error{inQuotes(word) +
+                 ": that is known only when the run has ended; during a run there are " + names +
                  "."};
 }
 

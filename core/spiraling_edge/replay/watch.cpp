@@ -119,11 +119,11 @@ Result<WatchExpression> WatchExpression::parse(std::string_view text) {
         if (!ofPoint || !text.starts_with(head)) continue;
         const Index point = numberIn<Index>(text.substr(head.size())).value_or(kNone);
         if (point == kNone)
-            return Error{"\"" + std::string(text) + "\": expected the number of a point, such as " +
+            return Error{inQuotes(text) + ": expected the number of a point, such as " +
                          std::string(head) + "812."};
         return WatchExpression(term, point);
     }
-    return Error{"\"" + std::string(text) + "\" cannot be watched; there are " + allForms() + "."};
+    return Error{inQuotes(text) + " cannot be watched; there are " + allForms() + "."};
 }
 
 bool scanWatches(

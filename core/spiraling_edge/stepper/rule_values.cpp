@@ -21,7 +21,7 @@ std::string noSuchRule(std::string_view name) {
     for (const RuleSetting& each : ruleSettings()) {
         known += (known.empty() ? "" : ", ") + std::string(each.name);
     }
-    return "There is no rule \"" + std::string(name) + "\"; there are " + known + ".";
+    return "There is no rule " + inQuotes(name) + "; there are " + known + ".";
 }
 
 }  // namespace

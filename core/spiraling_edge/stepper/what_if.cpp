@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 5> kVerbs{"keep", "drop", "pivot", "move"
 static_assert(kVerbs.size() == static_cast<std::size_t>(WhatIfKind::List) + 1);
 
 Error expected(std::string_view text) {
-    return Error{"\"" + std::string(text) +
-                 "\" is no what-if. Write 137.sphere keep 812, 137.sphere drop 812, 137.advance "
+    return Error{inQuotes(text) +
+                 " is no what-if. Write 137.sphere keep 812, 137.sphere drop 812, 137.advance "
                  "pivot 640, 137 move 812 X Y Z, or 137 list 812 5 7 9."};
 }
 

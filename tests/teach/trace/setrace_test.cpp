@@ -74,8 +74,8 @@ TEST_CASE("a malformed trace is refused with line and field") {
           "x.setrace: line 2: \"fan\": expected no p, which every triangle has anyway, got "
           "\"[1,0,2]\" at pivot 1 (point 0)");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3") ==
-          "x.setrace: line 2: expected one JSON object, got \"{\"p\":0,\"first\":1,\"last\":...\"; "
-          "the last line may be cut off");
+          "x.setrace: line 2: expected one JSON object, got "
+          "\"{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3\"; the last line may be cut off");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,2],\"x\":\"\xff\"}\n") ==
           "x.setrace: line 2: not UTF-8; a trace is a text file");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2}\n{\"p\":0,\"first\":1,\"last\":2}\n") ==

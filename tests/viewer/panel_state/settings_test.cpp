@@ -6,8 +6,12 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "spiraling_edge/base/atomic_file.h"
 
 using namespace se::view;
+using nlohmann::json;
 
 TEST_CASE("Settings are read back as written") {
     ViewSettings settings;
@@ -94,15 +98,195 @@ TEST_CASE("Files go to the XDG folders, without a file there are defaults") {
     std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
     CHECK(settingsPath() == folder / "spiraling-edge" / "settings.json");
-    CHECK(readSettings(settingsPath()).ok());
+    CHECK(readSettings(settingsPath()).complaints.empty());
     ViewSettings settings;
     settings.width = 999;
-    REQUIRE(writeSettings(settingsPath(), settings).ok());
-    CHECK(readSettings(settingsPath()).value().width == 999);
+    REQUIRE(writeSettings(settingsPath(), {}, settings).ok());
+    CHECK(readSettings(settingsPath()).width == 999);
     std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", "relative", 1);
     CHECK(settingsPath() != std::filesystem::path("relative") / "spiraling-edge" / "settings.json");
     unsetenv("XDG_CONFIG_HOME");
+}
+
+namespace {
+
+/// A folder with one file of the program's own, removed at the end.
+class KeptFolder {
+  public:
+    KeptFolder() {
+        remove_all(folder_);
+        create_directories(folder_);
+    }
+    ~KeptFolder() { remove_all(folder_); }
+    KeptFolder(const KeptFolder&) = delete;
+    KeptFolder& operator=(const KeptFolder&) = delete;
+    std::filesystem::path file(const std::string& name = "settings.json") const {
+        return folder_ / name;
+    }
+    void put(const std::string& text, const std::string& name = "settings.json") const {
+        REQUIRE(se::writeFileAtomically(file(name), text).ok());
+    }
+    std::string text(const std::string& name = "settings.json") const {
+        return readText(file(name)).value_or("none");
+    }
+    json content() const { return json::parse(text()); }
+    /// As a run of the window does that changes the width.
+    std::string runWindow(int width) const {
+        const ViewSettings before = readSettings(file());
+        ViewSettings settings = before;
+        settings.width = width;
+        REQUIRE(writeSettings(file(), before, settings).ok());
+        return before.complaints.empty() ? "" : before.complaints.front();
+    }
+
+  private:
+    std::filesystem::path folder_ = test::ownPlace("kept-test");
+};
+
+bool keptSays(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("Damaged settings are kept beside the file, reported once, and never lost") {
+    const KeptFolder folder;
+    const std::string deep = "{\"keys\": " + std::string(100000, '[');
+    for (const std::string& damaged :
+         {std::string("{\"theme\": \"light\",\n\"keys\" {\"edit.undo\": \"F7\"}}"),
+          std::string("[1]"), std::string("\x1b[31m\xff"), std::string(R"({"version": "one"})"),
+          std::string(R"({"version": 0})"), std::string(R"({"uiScale": 1e400})"), deep}) {
+        std::filesystem::remove(folder.file("settings.json.bad"));
+        folder.put(damaged);
+        const std::string complaint = folder.runWindow(1000);
+        CHECK(complaint.starts_with("settings.json: "));
+        CHECK(keptSays(complaint, "settings.json.bad"));
+        CHECK(complaint.size() < 400);
+        CHECK(folder.text("settings.json.bad") == damaged);
+        CHECK(folder.content()["width"] == 1000);
+        CHECK(folder.runWindow(1001) == "");
+    }
+    CHECK(folder.text("settings.json.2.bad") == "none");
+}
+
+TEST_CASE("Another damaged file does not replace the one that was kept, an equal one needs none") {
+    const KeptFolder folder;
+    for (const char* damaged : {"{first", "{first", "{second", "{first"}) {
+        folder.put(damaged);
+        folder.runWindow(1000);
+    }
+    CHECK(folder.text("settings.json.bad") == "{first");
+    CHECK(folder.text("settings.json.2.bad") == "{second");
+    CHECK(folder.text("settings.json.3.bad") == "none");
+}
+
+TEST_CASE("Settings of a newer version are left as they are, and reported") {
+    const KeptFolder folder;
+    for (const std::string newer :
+         {R"({"version": 2, "theme": {"name": "light"}})", R"({"version": 1e30})"}) {
+        folder.put(newer);
+        const std::string complaint = folder.runWindow(1000);
+        CHECK(keptSays(complaint, "settings.json was written by a newer version"));
+        CHECK(folder.text() == newer);
+        CHECK(folder.text("settings.json.bad") == "none");
+    }
+}
+
+TEST_CASE("Fields of others and values that are not understood stay in the settings") {
+    const KeptFolder folder;
+    folder.put(R"({"version": 1, "theme": "sepia", "color": [1, 2], "width": 900,
+        "keys": {"edit.later": "F7", "step.pivot.next": "F99"}, "panels": {"attic": 3},
+        "layers": {"fog": "on"}, "meshStyle": "flat"})");
+    const json before = folder.content();
+    folder.runWindow(900);
+    CHECK(folder.content() == before);
+    const ViewSettings read = readSettings(folder.file());
+    ViewSettings settings = read;
+    settings.width = 1000;
+    settings.theme = Theme::Light;
+    settings.meshStyle = MeshStyle::Flat;
+    modeOf(settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
+    settings.panels.folded = true;
+    REQUIRE(writeSettings(folder.file(), read, settings).ok());
+    json expected = before;
+    expected["width"] = 1000;
+    expected["theme"] = "light";
+    expected["usualMeshStyle"] = "faults";
+    expected["layers"]["normals"] = layerModeName(LayerMode::PinnedOn);
+    expected["panels"]["folded"] = true;
+    CHECK(folder.content() == expected);
+    CHECK(readSettings(folder.file()).meshStyle == MeshStyle::Flat);
+}
+
+TEST_CASE("Keys that are reset leave those of others in the settings") {
+    const KeptFolder folder;
+    folder.put(R"({"keys": {"edit.later": "F7", "step.pivot.next": "F8"}})");
+    const ViewSettings read = readSettings(folder.file());
+    ViewSettings settings = read;
+    settings.keys.resetAll();
+    REQUIRE(writeSettings(folder.file(), read, settings).ok());
+    CHECK(folder.content()["keys"] == json{{"edit.later", "F7"}});
+}
+
+TEST_CASE("What another window has kept meanwhile stays, unless it was changed here too") {
+    const KeptFolder folder;
+    folder.put(R"({"theme": "dark", "width": 900})");
+    const ViewSettings read = readSettings(folder.file());
+    folder.put(R"({"theme": "light", "width": 901})");
+    ViewSettings settings = read;
+    settings.width = 1000;
+    REQUIRE(writeSettings(folder.file(), read, settings).ok());
+    CHECK(folder.content()["theme"] == "light");
+    CHECK(folder.content()["width"] == 1000);
+}
+
+TEST_CASE("Settings that are no file are left alone, empty ones are as none") {
+    const KeptFolder folder;
+    for (const char* empty : {"", " \n"}) {
+        folder.put(empty);
+        CHECK(folder.runWindow(1000) == "");
+        CHECK(folder.content()["width"] == 1000);
+        CHECK(folder.text("settings.json.bad") == "none");
+    }
+    std::filesystem::remove(folder.file());
+    create_directories(folder.file() / "inside");
+    CHECK(keptSays(folder.runWindow(1000), "settings.json is no regular file"));
+    CHECK(exists(folder.file() / "inside"));
+    remove_all(folder.file());
+    std::filesystem::create_symlink("/dev/zero", folder.file());
+    CHECK(keptSays(folder.runWindow(1000), "settings.json is no regular file"));
+    CHECK(is_symlink(folder.file()));
+    // A link to a file stays one.
+    std::filesystem::remove(folder.file());
+    folder.put("{broken", "elsewhere.json");
+    std::filesystem::create_symlink("elsewhere.json", folder.file());
+    folder.runWindow(1000);
+    CHECK(is_symlink(folder.file()));
+    CHECK(folder.text("settings.json.bad") == "{broken");
+    CHECK(json::parse(folder.text("elsewhere.json"))["width"] == 1000);
+}
+
+TEST_CASE("The state of the program is kept by the rules of the settings") {
+    const KeptFolder folder;
+    KeptFile file;
+    file.open(folder.file());
+    const auto addFile = [](KeptState& state) { remember(state, "/a.ply"); };
+    CHECK(file.complaint() == "");
+    folder.put(R"({"recent": ["/b.ply"], "lessons": {"x": "soon", "y": 2}, "tabs": [1]})");
+    REQUIRE(file.change(addFile).ok());
+    CHECK(folder.content() == json::parse(R"({"version": 1, "recent": ["/a.ply", "/b.ply"],
+        "lessons": {"x": "soon", "y": 2}, "tabs": [1]})"));
+    const std::string newer = R"({"version": 2, "recent": {}})";
+    folder.put(newer);
+    CHECK(keptSays(file.complaint(), "newer version"));
+    REQUIRE(file.change(addFile).ok());
+    CHECK(folder.text() == newer);
+    folder.put("{broken");
+    CHECK(keptSays(file.complaint(), "settings.json.bad"));
+    REQUIRE(file.change(addFile).ok());
+    CHECK(folder.text("settings.json.bad") == "{broken");
+    CHECK(file.read().recent == std::vector<std::string>{"/a.ply"});
 }
 
 TEST_CASE("The chosen up axis is kept, without one it is guessed") {
@@ -170,9 +354,12 @@ TEST_CASE("The state file is in the XDG folder, which is made with it") {
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");
     CHECK(readKeptState(statePath()) == KeptState{});
     const KeptState state{LayoutPreset::Learn, {"/a.ply"}, {}};
-    REQUIRE(writeKeptState(statePath(), state).ok());
+    KeptFile file;
+    const auto setState = [&](KeptState& kept) { kept = state; };
+    CHECK(file.change(setState).ok());
+    file.open(statePath());
+    REQUIRE(file.change(setState).ok());
     CHECK(readKeptState(statePath()) == state);
-    CHECK(writeKeptState({}, state).ok());
     std::filesystem::remove_all(folder);
     unsetenv("XDG_STATE_HOME");
 }

@@ -42,6 +42,10 @@ TEST_CASE("The command names the input and the mesh, each as one word of a shell
           "spiraling-edge run scene:sphere --used-points -o '/a b/it'\\''s.obj'");
     CHECK(textOf(specOf(kSphere), {"m.ply", true, true}) ==
           "spiraling-edge run scene:sphere --used-points --fault-fields -o m.ply");
+    CHECK(textOf(specOf(kSphere), {"-m.ply", false}) ==
+          "spiraling-edge run scene:sphere -o ./-m.ply");
+    CHECK(textOf(specOf("/a\n\x1b.ply")) ==
+          "spiraling-edge run \"$(printf '/a\\012\\033.ply')\" -o m.ply");
     // Only PLY holds columns.
     CHECK(textOf(specOf(kSphere), {"m.stl", false, true}) ==
           "spiraling-edge run scene:sphere -o m.stl");

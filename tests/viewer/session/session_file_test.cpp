@@ -183,8 +183,8 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         const char* says;
     };
     const Bad all[] = {
-        {"", "byte"},
-        {"{", "byte"},
+        {"", "line 1, column 1: expected JSON"},
+        {"{\n", "line 2, column 1: expected JSON"},
         {"[]", "JSON object"},
         {R"({"version": 1})", "\"format\""},
         {R"({"format": "spiraling-edge session"})", "\"version\""},

@@ -38,6 +38,16 @@ TEST_CASE("A bare address is a position without a camera, and anything else is r
     }
 }
 
+TEST_CASE("A position with deep lists or a number beyond double is refused with its place") {
+    const std::string deep = "{\"camera\": " + std::string(100000, '[');
+    CHECK(viewPositionFromText(deep).error().message ==
+          "The position: line 1, column 75: expected at most 64 levels of lists and objects");
+    const Result<ViewPosition> huge = viewPositionFromText(
+        R"({"address": "1", "camera": {"target": [0, 0, 1e400], "distance": 1}})");
+    REQUIRE(!huge);
+    CHECK(huge.error().message.starts_with("The position: line 1, column 46: \"camera.target\": "));
+}
+
 TEST_CASE("A session goes back to where a jump began, and forward again") {
     test::OpenSession open;
     open.session.moves().stepPivot(3);

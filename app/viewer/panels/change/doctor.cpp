@@ -54,7 +54,7 @@ std::string commandForMade(const std::string& source, const DoctorCheck& check) 
     if (making.empty()) return {};
     const std::string stem = sampleStem(spec.value(), spec.value().count);
     return making + " && " +
-           remedyFor(check, shellQuoted(stem + ".ply"), shellQuoted(stem + "-mended.ply"));
+           remedyFor(check, shellPath(stem + ".ply"), shellPath(stem + "-mended.ply"));
 }
 
 /// The command of a fix, ready to be pasted, with absolute paths for any folder.
@@ -63,15 +63,14 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     const std::string& source = context.session().input().spec().source;
     // A command would examine all points of the file.
     if (!context.session().input().spec().leftOut.empty()) return {};
-    if (isScene(source) || isStandardInput(source)) return remedyFor(check, source);
+    if (isScene(source) || isStandardInput(source)) return remedyFor(check, shellPath(source));
     if (isSample(source)) return commandForMade(source, check);
     std::error_code error;
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
-    return remedyFor(check,
-                     shellQuoted(input) + pieceOptions(context.session().input().spec().piece),
-                     shellQuoted(output));
+    return remedyFor(check, shellPath(input) + pieceOptions(context.session().input().spec().piece),
+                     shellPath(output));
 }
 
 /// Requests to open the input again, with these fixes besides those it has.

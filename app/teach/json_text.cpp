@@ -1,0 +1,107 @@
+#include "json_text.h"
+
+#include <algorithm>
+#include <array>
+
+#include "spiraling_edge/base/text_scan.h"
+
+namespace se::teach {
+namespace {
+
+/// "line 3, column 14"; columns are counted in characters.
+std::string placeOf(std::string_view text, std::size_t offset, std::size_t line) {
+    const std::string_view before = text.substr(0, offset);
+    const std::size_t start = before.rfind('\n') + 1;  // 0 in the first line.
+    const auto isFirstByte = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+    };
+    line += static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start),
+                                      before.end(), isFirstByte);
+    return io::lineText(line) + ", column " + std::to_string(column + 1);
+}
+
+/// Walks over the tokens of a JSON text without recursion, and knows the keys that lead to each.
+class LimitScan {
+  public:
+    LimitScan(std::string_view text, std::size_t line) : text_(text), line_(line) {}
+
+    std::string fault() {
+        while (at_ < text_.size()) {
+            const std::string found = step();
+            if (!found.empty()) return placeOf(text_, at_, line_) + ": " + found;
+        }
+        return {};
+    }
+
+  private:
+    static constexpr std::string_view kNumberSigns = "0123456789+-.eE";
+
+    /// Moves over one token. Returns what is wrong with it, and stays there.
+    std::string step() {
+        const char c = text_[at_];
+        if (c == '"') return skipString();
+        if (c == '-' || (c >= '0' && c <= '9')) return checkNumber();
+        if (c == '[' || c == '{') {
+            if (depth_ == kMaxJsonLevels)
+                return "expected at most " + std::to_string(kMaxJsonLevels) +
+                       " levels of lists and objects";
+            keys_[depth_++] = {};
+        }
+        if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+        if (c == ':' && depth_ > 0) keys_[depth_ - 1] = lastString_;
+        ++at_;
+        return {};
+    }
+    std::string skipString() {
+        const std::size_t begin = ++at_;
+        while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
+        at_ = std::min(at_, text_.size());
+        lastString_ = text_.substr(begin, at_ - begin);
+        if (at_ < text_.size()) ++at_;
+        return {};
+    }
+    std::string checkNumber() {
+        const std::size_t end = std::min(text_.find_first_not_of(kNumberSigns, at_), text_.size());
+        const std::string_view digits = text_.substr(at_, end - at_);
+        double number = 0.0;
+        if (io::parseDouble(digits, number)) {
+            at_ = end;
+            return {};
+        }
+        const std::string keys = trail();
+        return (keys.empty() ? "" : inQuotes(keys) + ": ") +
+               "expected a number within the range of double, up to 1.79e308, got " +
+               inQuotes(digits);
+    }
+    /// "options.reach"
+    std::string trail() const {
+        std::string text;
+        for (std::size_t i = 0; i < depth_; ++i) {
+            if (!keys_[i].empty()) text.append(text.empty() ? "" : ".").append(keys_[i]);
+        }
+        return text;
+    }
+
+    std::string_view text_;
+    std::size_t line_;
+    std::size_t at_ = 0;
+    std::size_t depth_ = 0;
+    std::array<std::string_view, kMaxJsonLevels> keys_;  ///< The latest key of each open object.
+    std::string_view lastString_;
+};
+
+}  // namespace
+
+std::string jsonLimitFault(std::string_view text, std::size_t line) {
+    return LimitScan(text, line).fault();
+}
+
+std::string jsonSyntaxFault(std::string_view text, std::size_t byte) {
+    const std::size_t offset = std::min(byte > 0 ? byte - 1 : 0, text.size());
+    const std::string_view rest = text.substr(offset);
+    return placeOf(text, offset, 1) + ": expected JSON, found " +
+           (rest.empty() ? "the end" : inQuotes(rest.substr(0, rest.find('\n'))));
+}
+
+}  // namespace se::teach
