@@ -6,6 +6,7 @@
 #include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
+
 CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
                              const std::string& help) {
     return app.add_option(names, path, help)

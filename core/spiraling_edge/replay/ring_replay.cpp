@@ -116,7 +116,7 @@ void RingReplay::on(const RingEvidence& e) {
         inserted_.push_back(rings_.insertAfter(previous, e.point));
         // A point that no sector was found for, or none was looked for, is linked to its first one.
         const bool first = rules_.instance == InstanceRule::First || !instances_.contains(e.point);
-        if (first && e.status > 1) instances_[e.point] = firstInstance(inserted_.back());
+        if (first && e.status > 1) instances_[e.point] = {firstInstance(inserted_.back())};
         return;
     }
     lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;

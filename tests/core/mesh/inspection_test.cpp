@@ -89,7 +89,7 @@ TEST_CASE("inspection: a missing triangle is a hole with its length and area") {
 TEST_CASE("inspection: the border of a patch is an opening, and no fault") {
     const Sheet s = sheet(5);
     CHECK(countsOf(s.points, s.triangles) == Counts{{"openings", 1}});
-    CHECK(isSound(inspectWithTotals(s.points, s.triangles).totals));
+    CHECK(isSound(inspectWithTotals(s.points, s.triangles).totals, s.triangles.size()));
 }
 
 TEST_CASE("inspection: a wide loop is an opening, a narrow one is a hole") {
@@ -238,11 +238,11 @@ TEST_CASE("inspection: slivers and openings are remarks, a second layer is a fau
     }
     s.triangles.push_back({first, first + 1, first + 2});
     const MeshInspection found = inspectWithTotals(s.points, s.triangles);
-    CHECK_FALSE(isSound(found.totals));
+    CHECK_FALSE(isSound(found.totals, s.triangles.size()));
     CHECK(countsOf(s.points, s.triangles).at("second_layers") > 0);
     // Without the search for pairs the mesh is not known to be sound.
     s.triangles.pop_back();
-    CHECK_FALSE(isSound(inspectLocally(s.points, s.triangles).totals));
+    CHECK_FALSE(isSound(inspectLocally(s.points, s.triangles).totals, s.triangles.size()));
 }
 
 TEST_CASE("inspection: a few triangles within two edges of a larger piece, points near and far") {
