@@ -17,7 +17,7 @@ using namespace se::view;
 
 namespace {
 
-Options optionsFor(const std::string& source, const std::string& address) {
+Options openedAt(const std::string& source, const std::string& address) {
     Options options;
     options.input.source = source;
     options.goTo = address;
@@ -136,7 +136,7 @@ TEST_CASE("Every frame shows the view, from the first one on, whatever changes i
                              Case{{960, 540}, 1.0, Theme::Dark, LayoutPreset::Present}}) {
         CAPTURE(each.size.x);
         CAPTURE(each.scale);
-        Options options = optionsFor("scene:torus", "137.sphere.3");
+        Options options = openedAt("scene:torus", "137.sphere.3");
         options.layout = each.layout;
         Frames frames(options, each.size, each.scale, each.theme);
         const auto look = [&](const char* what) {
@@ -166,7 +166,7 @@ TEST_CASE("Every frame shows the view, from the first one on, whatever changes i
 TEST_CASE("The first picture of a size is the finished one") {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
-    Options options = optionsFor("scene:torus", "137.sphere.3");
+    Options options = openedAt("scene:torus", "137.sphere.3");
     options.picture.viewAlone = true;
     Frames frames(options, {640, 480});
     for (const glm::ivec2 size :
@@ -183,7 +183,7 @@ TEST_CASE("Until a picture of the new size is finished, the frame before it stay
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
     constexpr int kLate = 3;
-    Options options = optionsFor("scene:torus", "137.sphere.3");
+    Options options = openedAt("scene:torus", "137.sphere.3");
     options.picture.lateFrames = kLate;
     Frames frames(options, {900, 640});
     // Nothing was shown before: a window that the desktop wants drawn has the background.
@@ -218,7 +218,7 @@ TEST_CASE("Until a picture of the new size is finished, the frame before it stay
 TEST_CASE("Panels have their width in their first frame") {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
-    Frames frames(optionsFor("scene:torus", "137.sphere.3"), {1280, 800});
+    Frames frames(openedAt("scene:torus", "137.sphere.3"), {1280, 800});
     // Where the values of Inspect are, to the right of their first letters.
     const auto values = [&] {
         const Rect& right = frames.app().areas().right;
@@ -288,21 +288,21 @@ TEST_CASE("An address of the command line opens framed on its decision") {
           std::pair{"sample:gyroid,n=800", "90"}}) {
         CAPTURE(source);
         CAPTURE(address);
-        CHECK(spanAt(optionsFor(source, address)) > kFramed);
+        CHECK(spanAt(openedAt(source, address)) > kFramed);
     }
     // The whole stays whole.
-    CHECK(poseAt(optionsFor("scene:torus", "100%")) == poseAt(optionsFor("scene:torus", "")));
+    CHECK(poseAt(openedAt("scene:torus", "100%")) == poseAt(optionsFor("scene:torus", "")));
 }
 
 TEST_CASE("A camera that is named is kept, a session without one opens framed") {
     const auto display = Offscreen::create({64, 64});
     if (!display) return;
-    Options placed = optionsFor("scene:torus", "137.sphere.3");
+    Options placed = openedAt("scene:torus", "137.sphere.3");
     placed.camera = CameraPose{};
     placed.camera->distance = 2.5F;
     CHECK(poseAt(placed) == *placed.camera);
 
-    Options session = optionsFor("scene:torus", "");
+    Options session = openedAt("scene:torus", "");
     session.session = SessionFile{};
     session.session->input.source = "scene:torus";
     session.session->place.address = "137.sphere.3";
