@@ -261,13 +261,8 @@ TEST_CASE(
     CHECK(objections(closed, "steepangle=20", Verdict::Steep) > usual);
     CHECK(objections(closed, "steepangle=180", Verdict::Steep) == 0);
     const PointSet random = randomPoints(5);
-    std::size_t folds = 0;
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const PointSet each = randomPoints(seed);
-        folds += objections(each, "foldangle=150", Verdict::FoldsOver);
-        CHECK(objections(each, "foldangle=180", Verdict::FoldsOver) == 0);
-    }
-    CHECK(folds > 0);
+    CHECK(objections(random, "foldangle=150", Verdict::FoldsOver) > 0);
+    CHECK(objections(random, "foldangle=180", Verdict::FoldsOver) == 0);
     const auto ends = [&](const char* rule) {
         std::size_t found = 0;
         for (Index p = 0; p < random.size(); ++p)
