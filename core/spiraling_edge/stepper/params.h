@@ -38,9 +38,9 @@ struct Readings {
     /// §7: steps that are no mesh edges (a fresh ring of two; beside a point inserted by 7.1 or
     /// 7.2) are marked open, and no rule treats them as edges. Off: every step counts as an edge.
     bool openSteps = true;
-    /// §4, §7: the points of a seed that gets no triangle are UNUSED again, and the search for a
-    /// seed goes on after it, so that each point begins at most one ring in vain. Off: they are
-    /// marked DONE, as on every ring that is freed.
+    /// §4, §7: the points of a seed that gets no triangle are UNUSED again if all their neighbors
+    /// are, too, and the search for a seed goes on after it, so that each point begins at most one
+    /// ring in vain. Off: they are marked DONE, as on every ring that is freed.
     bool keepSeeds = true;
 
     friend bool operator==(const Readings&, const Readings&) = default;

@@ -250,9 +250,10 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "the edge ring or cause nonadjacent points to be adjacent in the "
         "edge ring."),
     reading<&Readings::keepSeeds>(
-        "keepseeds", "7", "a seed without a triangle costs no point, the next is sought after it",
+        "keepseeds", "7",
+        "a seed without a triangle costs no point if all its neighbors are UNUSED",
         "Then the algorithm marks the boundary points as DONE and frees the edge ring so that it "
-        "can start a new disconnected component."),
+        "can start a new disconnected surface component."),
     rule<&PaperRules::thirdPoint>(
         "thirdpoint", "7.1", "a third point joins an edge ring of two boundary points",
         "So prior to calling the neighbor ring routine, the algorithm searches p's neighbors for a "

@@ -103,8 +103,7 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;           ///< §4: position in PointSet::order; never moves back.
-    std::size_t trianglesAtSeed = 0;  ///< Their number when the last seed was begun.
+    Index startPointer = 0;   ///< §4: position in PointSet::order; never moves back.
     bool seedsSpent = false;  ///< RobustRules::shelve: the shelved rings came back to the stack.
     Index circuit = 0;        ///< Pivots since the last triangle, in the active ring.
     /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last

@@ -38,6 +38,7 @@ struct NotInARow {
 };
 constexpr NotInARow kNotInARow[] = {
     {"opposing", "off"},     // a setting of neighbor lists: prepare_test
+    {"keepseeds", "off"},    // graph_paper_test
     {"halfturn", "off"},     // scene half-turn: "6.1 start and end do not advance across"
     {"convexshared", "on"},  // off in the paper: rule_settings_test
     {"instance", "first"},   // "6.5 of several entries"

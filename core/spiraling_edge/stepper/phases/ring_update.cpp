@@ -245,12 +245,18 @@ bool isSeed(const EdgeRings& rings) {
     return rings.length(rings.active()) == 2 && rings.open(head) && rings.open(rings.next(head));
 }
 
-/// True if the active ring is a seed whose points stay (Readings::keepSeeds): no triangle was made
-/// since it was begun, so that they are in none.
+/// True if the active ring is a seed whose points stay (Readings::keepSeeds): none of their
+/// neighbors is on a ring, in a triangle or stranded.
 bool keepsPoints(const StepContext& context) {
     const State& s = context.state;
-    return context.params.readings.keepSeeds && s.triangles.size() == s.trianglesAtSeed &&
-           isSeed(s.rings);
+    if (!context.params.readings.keepSeeds || !isSeed(s.rings)) return false;
+    const auto pair = s.rings.entriesOf(s.rings.active());
+    return std::all_of(pair.begin(), pair.end(), [&](Index e) {
+        const auto list = context.points.neighbors[s.rings.point(e)];
+        return std::all_of(list.begin(), list.end(), [&](Index x) {
+            return s.status[x] == kUnused || x == s.rings.point(s.rings.next(e));
+        });
+    });
 }
 
 /// Choice, see Readings::keepSeeds: the points of a seed without a triangle are UNUSED again. The

@@ -39,7 +39,6 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     s.status[q] = 1;
     s.pivot.pivot = s.rings.start(p, q);
     s.circuit = 0;
-    s.trianglesAtSeed = s.triangles.size();
     ++s.counters.seeds;
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
