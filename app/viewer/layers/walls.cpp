@@ -1,6 +1,7 @@
 /// §7, Figs. 13 to 20: the walls that the pivot touches, and the third point that joins the ring.
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "disc.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -135,17 +136,14 @@ void addVectors(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
 void addIncorrect(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
     if (e.third == kNone) return;
     const Color& color = in.palette.rejected;
-    const Triangle triangle{e.pivot, e.third, e.other};
+    const bool flat = isDegenerate(in.model.points, {e.pivot, e.third, e.other});
     out.hatch(in.at(e.pivot), in.at(e.third), in.at(e.other), color.withAlpha(0.8F));
-    out.line(in.at(e.third), in.at(e.other), color, 0.3F, Depth::OnTop);
-    for (int face = 0; face < 6; ++face) {
-        if ((e.faces >> static_cast<unsigned>(face) & 1U) == 0) continue;
-        out.label(in.at(e.pivot) + 0.6F * in.model.spacing * outwardOf(face),
-                  isDegenerate(in.model.points, triangle) ? "without q: a triangle without area"
-                                                          : "without q: a triangle outside",
-                  color, true);
-        return;
-    }
+    out.line(in.at(e.third), in.at(e.other), color, 0.5F, Depth::OnTop);
+    const auto face = static_cast<int>(std::countr_zero(unsigned{e.faces}));
+    out.label(
+        in.at(e.pivot) + 0.6F * in.model.spacing * outwardOf(face),
+        flat ? "unmodified ring: a triangle without area" : "unmodified ring: a triangle outside",
+        color, true);
 }
 
 void addCandidatesOnWall(const LayerInput& in, Index pivot, Index chosen, DrawList& out) {
@@ -197,8 +195,8 @@ void addWalls(const LayerInput& in, DrawList& out) {
         out.arrow(in.at(e->pivot), in.at(e->other), c.used, 0.16F);
         out.label(in.middleOf(e->pivot, e->other), "across the corner", c.used);
     } else {
-        addIncorrect(in, *e, out);
         addVectors(in, *e, out);
+        addIncorrect(in, *e, out);
     }
     addChoice(in, *e, out);
 }

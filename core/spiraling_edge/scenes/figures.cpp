@@ -398,7 +398,7 @@ constexpr std::array kFigures{
         {"figure-17", "Figure 17: from one wall to the next",
          "The edge ring runs from p, on the wall +x, over t to q, on the wall +y: t lies on both "
          "walls, and is a corner.",
-         figure2Points, "92.pivot.1"},
+         figure2Points, "91.pivot.1"},
         kFront,
         kNames17,
         kExpected17,
