@@ -515,6 +515,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
           std::vector<RuleValue>{{std::string(best.rule->name), 1.0}});
     REQUIRE_FALSE(app.session.atEnd());
     const CameraPose camera = app.camera.pose();
+    app.ui.requests.frame = FrameRequest::None;  // That of the opening.
     switchOn(app.context, best);
     app.document.carryOut(app.ui.requests);
     app.arrive();

@@ -204,7 +204,7 @@ TEST_CASE("Drawn for an alert: the ring that was freed, bold, in the color of er
                       spec("scene:sphere", "paper", 24), Stage::Done,
                       [](const AlertEvidence& e) { return e.kind == AlertKind::Hole; })
                 : RunAt::at<AlertEvidence>(
-                      spec("scene:sphere", "paper", 24), Stage::Done,
+                      spec("scene:genus-2", "printed", 24), Stage::Done,
                       [](const AlertEvidence& e) { return e.kind == AlertKind::LostSeed; });
         REQUIRE(place != nullptr);
         REQUIRE(place->session.picture().freed.has_value());

@@ -170,8 +170,8 @@ TEST_CASE("With a what-if everything shows the verdict that was taken") {
 }
 
 TEST_CASE("A triangle over half a turn that a rule allows is not shown as a hole below it") {
-    OpenSession open("scene:torus");
-    open.session.rerun(withRule({}, "twopoint", 2.0));
+    OpenSession open("scene:figure-9");
+    open.session.rerun(withRule({}, "twopoint", 2.0));  // Off.
     open.session.waitUntilDone();
     const Address at = firstWhere<TwoPointEvidence>(open, [](const TwoPointEvidence& e) {
         return e.verdict == Verdict::Hole && e.degrees > 180.0;
