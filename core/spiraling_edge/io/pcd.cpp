@@ -161,8 +161,11 @@ class PcdReader : LineByLine {
         }
         // Checked before allocation: a number has at least two bytes in text, with its separator.
         const std::uint64_t least = binary_ ? rowSize_ : 2 * numbers;
-        if (*points_ > (lines_.rest().size() + 1) / least) return failCut(0);
-        return true;
+        if (*points_ <= (lines_.rest().size() + 1) / least) return true;
+        if (binary_) return failCut(0);
+        // Without columns nothing is stored: this finds the line where the file is too short.
+        columns_.assign(fields_.size(), {});
+        return readText() && failCut(0);
     }
 
     bool failCut(std::uint64_t found) {
