@@ -104,8 +104,8 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     faults.names(step.names);
     faults.oneOf("frame", step.frame, kFrames);
     if (step.select.size() > 3) faults.add("select", "expected one to three points");
-    const auto camera =
-        jsonFromText<nlohmann::json>(step.camera, "a camera is JSON, as Ctrl+C copies it");
+    const auto camera = jsonFromText<nlohmann::json>(
+        step.camera, "expected JSON, as Ctrl+C copies it in the viewer");
     if (!step.camera.empty() && !camera) faults.add("camera", camera.error().message);
     if (step.play && step.until.empty()) faults.add("play", "needs until, where it ends");
     if (!step.compare.empty()) {
