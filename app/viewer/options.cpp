@@ -389,11 +389,9 @@ Status requireInputsKept(const Options& o) {
     std::vector<NamedFile> outputs{
         {"--screenshot", o.screenshot}, {"--state-dump", o.stateDump}, {"--result", o.resultFile}};
     if (o.exported) {
-        if (!namesFolder(o.exported->path)) outputs.push_back({"-o", o.exported->path});
-        if (o.exported->several()) {
-            for (const auto& each : numberedFilesAt(o.exported->path))
-                outputs.push_back({"-o", each});
-        }
+        const std::vector<std::filesystem::path> one{o.exported->path};
+        for (const auto& each : o.exported->several() ? seriesFilesAt(o.exported->path) : one)
+            outputs.push_back({"-o", each});
     }
     std::erase_if(outputs, isUnnamed);
     if (const Status apart = requireApart(outputs); !apart) return apart;

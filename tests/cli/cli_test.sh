@@ -642,7 +642,7 @@ outputs_replace_the_input_by_force() {
     expect 0 run points.ply -q -o points.ply --force
     is "$(header_count face points.ply)" 20 triangles
     ln -s points.ply link.ply
-    expect 0 doctor points.ply -q --fix link.ply --force
+    expect 1 doctor points.ply -q --fix link.ply --force  # What is found is left.
     [ -L link.ply ] || fail "the link was replaced"
     # Two outputs are two files, force or not.
     expect 2 run in.ply -o a.ply --report a.ply --force
@@ -1188,19 +1188,22 @@ doctor_empties_no_file() {
         expect 1 doctor bad.xyz --fix fixed.ply
         is "$(header_count vertex fixed.ply)" 600 "points with normals of $value"
         for file in bad.xyz fixed.ply; do
-            expect 0 run $file -q --check -o mesh.ply
+            expect 0 run $file --rules robust -q --check -o mesh.ply
             is "$(header_count face mesh.ply)" 1196 "triangles of $file with normals of $value"
         done
         awk -v v=$value 'NR % 3 == 0 { $4 = $5 = $6 = v } { print }' good.xyz >some.xyz
         expect 0 doctor some.xyz --fix fixed.ply
         says out "200 normals that were zero or not finite derived"
         for file in some.xyz fixed.ply; do
-            expect 0 run $file -q --check -o mesh.ply
+            expect 0 run $file --rules robust -q --check -o mesh.ply
             is "$(header_count face mesh.ply)" 1196 "triangles of $file with some normals of $value"
         done
     done
     # Rays, far from each other: each point is in line with all of its nearest.
     awk 'BEGIN { for (y = 0; y < 4; ++y) for (x = 0; x < 50; ++x) print x, 1000 * y, 0, 0, 0, 1 }' >lines.xyz
+    expect 1 doctor lines.xyz
+    says out "error    in_line: 200 points"
+    grep -q -- "--drop in_line" out && fail "a fix that is refused is proposed"
     echo old >out.ply
     expect 1 doctor lines.xyz --fix out.ply --drop noise --drop in_line
     says err "lines.xyz: out.ply not written: the fixes would leave 0 of 200 distinct finite positions"

@@ -32,6 +32,60 @@ struct KeptSession {
 
 }  // namespace
 
+TEST_CASE("A file that is read is replaced only by force, whatever it is called") {
+    namespace fs = std::filesystem;
+    const fs::path folder = test::ownPlace("options-kept");
+    fs::create_directories(folder / "frames");
+    for (const char* name : {"p.ply", "s.json", "m.ply", "image.png", "t.lesson.md"})
+        std::ofstream(folder / name) << "bytes";
+    fs::create_hard_link(folder / "p.ply", folder / "p.png");
+    fs::create_symlink("m.ply", folder / "m.png");
+    fs::create_symlink("../image.png", folder / "frames/002.png");
+    Options o;
+    o.input.source = (folder / "p.ply").string();
+    o.startFile = (folder / "s.json").string();
+    o.with = CompareWith::otherMesh((folder / "m.ply").string());
+    o.screenshot = folder / "new.png";
+    CHECK(requireInputsKept(o).ok());
+    for (const char* name : {"p.png", "m.png", "frames/../p.ply"}) {
+        o.screenshot = folder / name;
+        CAPTURE(name);
+        o.force = false;
+        const Status kept = requireInputsKept(o);
+        REQUIRE_FALSE(kept.ok());
+        CHECK(kept.error().message.find(o.screenshot.string()) != std::string::npos);
+        CHECK(kept.error().message.find("--force") != std::string::npos);
+        o.force = true;
+        CHECK(requireInputsKept(o).ok());
+    }
+    o.force = false;
+    o.screenshot.clear();
+    o.stateDump = folder / "s.json";
+    CHECK_FALSE(requireInputsKept(o).ok());
+    o.stateDump = o.resultFile = folder / "both";
+    CHECK_FALSE(requireInputsKept(o).ok());
+    o.force = true;
+    CHECK_FALSE(requireInputsKept(o).ok());
+    // The frames of a lesson, and its images.
+    Options exported;
+    LessonFile lesson;
+    lesson.folder = folder;
+    lesson.lesson.text = "![A picture](image.png)";
+    exported.exported = ExportOrder{};
+    exported.exported->path = folder / "frames";
+    exported.exported->lesson = std::make_shared<const LessonFile>(lesson);
+    CHECK_FALSE(requireInputsKept(exported).ok());
+    exported.exported->path = folder / "image.png";  // Writes image-001.png and so on.
+    CHECK(requireInputsKept(exported).ok());
+    fs::create_hard_link(folder / "image.png", folder / "page.html");
+    exported.exported->path = folder / "page.html";
+    CHECK_FALSE(requireInputsKept(exported).ok());
+    fs::remove(folder / "frames/002.png");
+    exported.exported->path = folder / "frames";
+    CHECK(requireInputsKept(exported).ok());
+    fs::remove_all(folder);
+}
+
 TEST_CASE("Without a file there is a start page, and nothing to go to") {
     const ParsedOptions none = parse({});
     REQUIRE(none.options.has_value());

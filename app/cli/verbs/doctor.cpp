@@ -112,7 +112,7 @@ std::string findingText(const Finding& finding, const std::string& input) {
     };
     addLine("at point", placesText(finding.points));
     addLine(fmt::format("section {}:", finding.check->section), std::string(finding.check->upsets));
-    addLine("try:", remedyFor(*finding.check, input));
+    addLine("try:", remedyFor(finding, input));
     return text;
 }
 
@@ -140,7 +140,7 @@ std::string visitText(const Visit& visit) {
 // ---- JSON ---------------------------------------------------------------------------------------
 
 Json findingJson(const Finding& finding, const std::string& input) {
-    const std::string remedy = remedyFor(*finding.check, input);
+    const std::string remedy = remedyFor(finding, input);
     Json json;
     json["name"] = finding.check->name;
     json["severity"] = severityName(finding.severity);

@@ -11,7 +11,9 @@ namespace se::view {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> numberedFilesAt(const fs::path& path) {
+std::vector<fs::path> seriesFilesAt(const fs::path& path) {
+    const ExportFormat* format = exportFormatOf(path);
+    if (format != nullptr && format->series) return {path};
     const bool folder = namesFolder(path);
     const std::string stem = folder ? "" : path.stem().string() + "-";
     const std::string extension = folder ? ".png" : path.extension().string();

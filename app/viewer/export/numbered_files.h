@@ -30,8 +30,9 @@ class NumberedFiles {
     std::string captions_;
 };
 
-/// The existing files that an export of several frames to `path` may replace: all that have such
-/// names, since the number of frames is not known before the run.
-std::vector<std::filesystem::path> numberedFilesAt(const std::filesystem::path& path);
+/// The files that an export of several frames to `path` may replace: `path` if one file holds them
+/// all, else all existing ones with such numbers, ascending, since the number of frames is not
+/// known before the run.
+std::vector<std::filesystem::path> seriesFilesAt(const std::filesystem::path& path);
 
 }  // namespace se::view

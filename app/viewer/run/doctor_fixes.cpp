@@ -50,11 +50,20 @@ std::vector<Index> takeNumbers(PointFile& file) {
     return numbers;
 }
 
-/// Repairs the file as the doctor does, and drops the points of `drop`, for the fix `name`.
-void repair(const std::string& name, const ProposedDrop& drop, PointFile& file, FixesDone& done) {
+/// Repairs the file as the doctor does, and drops the points of `drop`, for the fix `name`. Fails
+/// if most of the points at `places`, those of the input, would be gone then.
+Status repair(const std::string& name, const ProposedDrop& drop, std::span<const Vec3> places,
+              PointFile& file, FixesDone& done) {
     PointFile before = std::move(file);
     numberPoints(before);
     FixedFile fixed = applyFixes(before, drop.points, drop.reason);
+    for (std::string& text : fixed.texts()) done.texts.push_back(std::move(text));
+    const Status most = requireMostLeft(places, fixed.file.position, done.texts);
+    if (!most) {
+        return Error{"Not fixed: " + most.error().message +
+                     ". Correct the file at its source, or let spiraling-edge doctor write it " +
+                     "with " + std::string(kForceOption) + "."};
+    }
     file = asWritten(std::move(fixed.file));
     const std::vector<Index> left = takeNumbers(file);
     std::vector<bool> keep(before.position.size(), false);
@@ -63,7 +72,7 @@ void repair(const std::string& name, const ProposedDrop& drop, PointFile& file, 
     if (dropped.count > 0) done.dropped.push_back(std::move(dropped));
     for (std::size_t i = 0; i < left.size(); ++i) done.kept[i] = done.kept[left[i]];
     done.kept.resize(left.size());
-    for (std::string& text : fixed.texts()) done.texts.push_back(std::move(text));
+    return success();
 }
 
 }  // namespace
@@ -98,24 +107,22 @@ Fixes safeFixes(std::span<const Finding> findings) {
 
 Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress) {
     FixesDone done;
-    const std::vector<Vec3> before = fixes.empty() ? std::vector<Vec3>{} : file.position;
+    const std::vector<Vec3> places = fixes.empty() ? std::vector<Vec3>{} : file.position;
     done.kept.resize(file.position.size());
     std::iota(done.kept.begin(), done.kept.end(), Index{0});
     for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr || !canFix(*check))
             return Error{"The doctor has no fix called " + inQuotes(name) + "."};
-        if (check->fix == Fix::Repair) repair(name, {}, file, done);
-        if (check->fix != Fix::Drop) continue;
-        const Result<Diagnosis> found = examine(file, progress);
-        if (!found) return found.error();
-        repair(name, proposedDrop(found.value(), {&name, 1}), file, done);
-    }
-    const Status most = requireMostLeft(before, file.position, done.texts);
-    if (!fixes.empty() && !most) {
-        return Error{"Not fixed: " + most.error().message +
-                     ". Correct the file at its source, or let spiraling-edge doctor write it " +
-                     "with " + std::string(kForceOption) + "."};
+        if (check->fix != Fix::Repair && check->fix != Fix::Drop) continue;
+        ProposedDrop drop;
+        if (check->fix == Fix::Drop) {
+            const Result<Diagnosis> found = examine(file, progress);
+            if (!found) return found.error();
+            drop = proposedDrop(found.value(), {&name, 1});
+        }
+        if (const Status fixed = repair(name, drop, places, file, done); !fixed)
+            return fixed.error();
     }
     return done;
 }

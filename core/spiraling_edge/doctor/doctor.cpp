@@ -143,6 +143,10 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
     return command;
 }
 
+std::string remedyFor(const Finding& finding, std::string_view input, std::string_view output) {
+    return finding.dropsMost ? std::string{} : remedyFor(*finding.check, input, output);
+}
+
 std::string sizeText(const Diagnosis& diagnosis) {
     if (diagnosis.spacing == 0.0) return {};
     const Vec3& extent = diagnosis.extent;
@@ -239,6 +243,8 @@ Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
         std::optional<Finding> finding = kChecks[i].find(examined.value());
         if (!finding) continue;
         finding->check = &kChecks[i];
+        const std::size_t present = examined.value().presentCount;
+        finding->dropsMost = kChecks[i].fix == Fix::Drop && 2 * finding->toDrop().size() > present;
         diagnosis.findings.push_back(std::move(*finding));
     }
     std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(),

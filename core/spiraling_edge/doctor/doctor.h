@@ -75,12 +75,18 @@ struct Finding {
 
     /// The points that Fix::Drop leaves out.
     const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
+    /// Dropping them would leave fewer than half of the points: no remedy, see requireMostLeft().
+    bool dropsMost = false;
     bool isProblem() const { return severity != Severity::Note; }
 };
 
 /// The command that helps, with the input in place of IN and the file that it writes in place of
 /// OUT.ply, both as words of a shell (shellPath()); empty if there is none.
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
+                      std::string_view output = "OUT.ply");
+
+/// The command that helps with a finding; empty also if it would drop most of the points.
+std::string remedyFor(const Finding& finding, std::string_view input,
                       std::string_view output = "OUT.ply");
 
 /// The result of examine().

@@ -131,7 +131,8 @@ class TrialRuns {
         for (const SettingsChange& each : kChanges) addTo(changes, each);
         std::size_t drops = 0;
         for (const Finding& finding : diagnosis_->findings) {
-            const bool tried = finding.check->fix == Fix::Drop && finding.isProblem();
+            const bool tried =
+                finding.check->fix == Fix::Drop && finding.isProblem() && !finding.dropsMost;
             if (!tried || ++drops > kMaxTriedDrops) continue;
             addTo(changes, {.rules = "robust", .drop = finding.check->name});
         }

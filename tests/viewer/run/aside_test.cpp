@@ -100,15 +100,14 @@ TEST_CASE("Points dropped by a fix are listed with the fix, at their places") {
     const Model& model = *loaded.value().model;
     const AsidePoints dropped = groupOf(model, "duplicates");
     CHECK(dropped.reason == AsideReason::Fixed);
-    CHECK(dropped.count == 3);
-    CHECK(dropped.position.size() == 2);  // one is not finite
+    CHECK(dropped.count == 2);
+    CHECK(dropped.position.size() == 1);  // one is not finite
     CHECK(dropped.points.empty());
     CHECK(reasonText(dropped) == "dropped by the fix of duplicates");
     CHECK(model.pointsInPiece == file.position.size());
-    REQUIRE(model.inPiece.size() == file.position.size() - 3);
-    CHECK(model.numberInPiece(6) == 6);
-    CHECK(model.numberInPiece(7) == 8);
-    CHECK(model.numberInPiece(8) == 10);
+    REQUIRE(model.inPiece.size() == file.position.size() - 2);
+    CHECK(model.numberInPiece(8) == 8);
+    CHECK(model.numberInPiece(9) == 10);
     // The file of the run has no column of ours.
     CHECK(loaded.value().given->attributes.empty());
 }

@@ -81,6 +81,8 @@ void follow(const PanelContext& context, const Fixes& more) {
 }
 
 void drawRemedy(const PanelContext& context, const Finding& finding) {
+    if (finding.dropsMost)
+        return dimText("No fix: dropping these would leave fewer than half of the points.");
     const DoctorCheck& check = *finding.check;
     const std::string name(check.name);
     if (canFix(check) && smallButton(context, "Apply the fix", "fix " + name,

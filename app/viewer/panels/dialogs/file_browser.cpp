@@ -78,14 +78,14 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     std::error_code error;
     const bool session = context.ui().browser == BrowserTask::SaveSession;
     const bool own = session && path == context.ui().sessionPath;
-    const auto numbered = frames && exported.frames != ExportFrames::Picture
-                              ? numberedFilesAt(path)
-                              : std::vector<fs::path>{};
-    const fs::path& there = numbered.empty() ? path : numbered.front();
-    if (!own && fs::exists(there, error) && state.overwrite != path) {
+    const bool series = frames && exported.frames != ExportFrames::Picture;
+    std::vector<fs::path> replaced = series ? seriesFilesAt(path) : std::vector{path};
+    std::erase_if(replaced, [&](const fs::path& each) { return !fs::exists(each, error); });
+    if (!own && !replaced.empty() && state.overwrite != path) {
         state.overwrite = path;
-        state.error = replaceText(there.string(), context.session().input().spec().source) +
-                      " Save again to do so.";
+        state.error =
+            replaceText(replaced.front().string(), context.session().input().spec().source) +
+            " Save again to do so.";
         return;
     }
     state.overwrite.clear();
