@@ -14,8 +14,8 @@
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
-#include "run/strings.h"
 #include "scene/decision_view.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "window_export.h"
 
@@ -60,12 +60,8 @@ Status Application::start(float contentScale) {
     lesson_.begin(options_);
     sampling_.setUsual(options_.input);
     if (options_.grow) sampling_.begin(*options_.grow);
-    std::string complaints;
-    for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
-        printLines(stderr, "spiraling-edge-viewer: warning: " + printable(each) + "\n");
-        complaints += (complaints.empty() ? "" : " ") + each;
-    }
-    if (!complaints.empty()) session_.messages().say(std::move(complaints));
+    for (const std::string& each : std::exchange(ui_.settings.complaints, {}))
+        document_.warnLater(each);
     return success();
 }
 

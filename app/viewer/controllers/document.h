@@ -67,8 +67,10 @@ class DocumentController {
     const Status& placeStatus() const { return placeStatus_; }
     /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
     std::string unsaved() const;
-    /// Warns if the input is not the one that the session was saved with.
+    /// Shows the queued notices.
     void warn();
+    /// Queues a notice for when the input is open, and prints it on standard error at once.
+    void warnLater(const std::string& warning);
 
   private:
     /// Actions to take once the requested input is open.
@@ -126,8 +128,6 @@ class DocumentController {
     void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.
     void sayLater(const std::string& sentence);
-    /// Queues a notice, and prints it on standard error at once.
-    void warnLater(const std::string& warning);
 
     CommandContext& c_;
     Arrival arrival_;
