@@ -121,6 +121,7 @@ struct VerdictCard {
 
 struct DoctorPanel {
     std::string shownCheck;  ///< The finding whose points are highlighted.
+    std::string askedCheck;  ///< Check whose fix drops most points, after the first click on it.
 };
 
 struct WatchPanel {

@@ -50,6 +50,16 @@ std::vector<Index> takeNumbers(PointFile& file) {
     return numbers;
 }
 
+/// The positions without those of `dropped`, which ascend.
+std::vector<Vec3> withoutPoints(const std::vector<Vec3>& position,
+                                const std::vector<Index>& dropped) {
+    std::vector<Vec3> left;
+    for (Index p = 0; p < position.size(); ++p) {
+        if (!std::binary_search(dropped.begin(), dropped.end(), p)) left.push_back(position[p]);
+    }
+    return left;
+}
+
 /// Repairs the file as the doctor does, and drops the points of `drop`, for the fix `name`. Fails
 /// if most of the points at `places`, those of the input, would be gone then.
 Status repair(const std::string& name, const ProposedDrop& drop, std::span<const Vec3> places,
@@ -107,7 +117,7 @@ Fixes safeFixes(std::span<const Finding> findings) {
 
 Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress) {
     FixesDone done;
-    const std::vector<Vec3> places = fixes.empty() ? std::vector<Vec3>{} : file.position;
+    std::vector<Vec3> places = fixes.empty() ? std::vector<Vec3>{} : file.position;
     done.kept.resize(file.position.size());
     std::iota(done.kept.begin(), done.kept.end(), Index{0});
     for (const std::string& name : fixes) {
@@ -116,11 +126,18 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& 
             return Error{"The doctor has no fix called " + inQuotes(name) + "."};
         if (check->fix != Fix::Repair && check->fix != Fix::Drop) continue;
         ProposedDrop drop;
+        bool agreed = false;
         if (check->fix == Fix::Drop) {
             const Result<Diagnosis> found = examine(file, progress);
             if (!found) return found.error();
             drop = proposedDrop(found.value(), {&name, 1});
+            const std::vector<Finding>& all = found.value().findings;
+            agreed = std::any_of(all.begin(), all.end(), [&](const Finding& each) {
+                return each.check == check && each.dropsMost() && !each.dropsAll();
+            });
         }
+        // Else later fixes are measured by the points that the user wanted to be dropped.
+        if (agreed) places = withoutPoints(file.position, drop.points);
         if (const Status fixed = repair(name, drop, places, file, done); !fixed)
             return fixed.error();
     }

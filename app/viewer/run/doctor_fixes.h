@@ -31,7 +31,8 @@ struct FixesDone {
 
 /// Applies the fixes that change the file; withFixOptions() has the others. Fails if there is no
 /// such check, if it has no fix, if together they leave fewer than half of the places
-/// (requireMostLeft()), or if cancelled. Deterministic.
+/// (requireMostLeft()), or if cancelled. A fix that drops most points by itself is applied, unless
+/// none is left: the panel has asked the user. Deterministic.
 Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress = {});
 /// Copies derived data back into the file after preparing, so that the doctor examines the input
 /// of the run. Returns one sentence for each change.

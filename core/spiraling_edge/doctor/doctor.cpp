@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 
@@ -144,7 +145,10 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
 }
 
 std::string remedyFor(const Finding& finding, std::string_view input, std::string_view output) {
-    return finding.dropsMost ? std::string{} : remedyFor(*finding.check, input, output);
+    if (finding.dropsAll()) return {};
+    std::string command = remedyFor(*finding.check, input, output);
+    if (finding.dropsMost()) command.append(" ").append(kForceOption);
+    return command;
 }
 
 std::string sizeText(const Diagnosis& diagnosis) {
@@ -243,8 +247,7 @@ Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
         std::optional<Finding> finding = kChecks[i].find(examined.value());
         if (!finding) continue;
         finding->check = &kChecks[i];
-        const std::size_t present = examined.value().presentCount;
-        finding->dropsMost = kChecks[i].fix == Fix::Drop && 2 * finding->toDrop().size() > present;
+        finding->present = examined.value().presentCount;
         diagnosis.findings.push_back(std::move(*finding));
     }
     std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(),

@@ -75,8 +75,11 @@ struct Finding {
 
     /// The points that Fix::Drop leaves out.
     const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
-    /// Dropping them would leave fewer than half of the points: no remedy, see requireMostLeft().
-    bool dropsMost = false;
+    std::size_t present = 0;  ///< Points with a place of their own, in the whole file.
+    /// True if Fix::Drop would leave fewer than half of the points: see requireMostLeft().
+    bool dropsMost() const { return check->fix == Fix::Drop && 2 * toDrop().size() > present; }
+    /// True if Fix::Drop would leave none: no remedy.
+    bool dropsAll() const { return check->fix == Fix::Drop && toDrop().size() >= present; }
     bool isProblem() const { return severity != Severity::Note; }
 };
 
@@ -85,7 +88,8 @@ struct Finding {
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 
-/// The command that helps with a finding; empty also if it would drop most of the points.
+/// The command that helps with a finding, with kForceOption where it drops most of the points;
+/// empty also if it would drop all.
 std::string remedyFor(const Finding& finding, std::string_view input,
                       std::string_view output = "OUT.ply");
 

@@ -132,7 +132,7 @@ class TrialRuns {
         std::size_t drops = 0;
         for (const Finding& finding : diagnosis_->findings) {
             const bool tried =
-                finding.check->fix == Fix::Drop && finding.isProblem() && !finding.dropsMost;
+                finding.check->fix == Fix::Drop && finding.isProblem() && !finding.dropsAll();
             if (!tried || ++drops > kMaxTriedDrops) continue;
             addTo(changes, {.rules = "robust", .drop = finding.check->name});
         }

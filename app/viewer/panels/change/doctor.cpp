@@ -48,28 +48,29 @@ std::string markedText(const Session& session, const Finding& finding) {
 }
 
 /// File name for sampled points, which are saved first; none for those of an intermediate step.
-std::string commandForMade(const std::string& source, const DoctorCheck& check) {
+std::string commandForMade(const std::string& source, const Finding& finding) {
     const Result<SampleSpec> spec = sampleFromSource(source);
     const std::string making = spec ? sampleCommand(spec.value()) : std::string{};
     if (making.empty()) return {};
     const std::string stem = sampleStem(spec.value(), spec.value().count);
     return making + " && " +
-           remedyFor(check, shellPath(stem + ".ply"), shellPath(stem + "-mended.ply"));
+           remedyFor(finding, shellPath(stem + ".ply"), shellPath(stem + "-mended.ply"));
 }
 
 /// The command of a fix, ready to be pasted, with absolute paths for any folder.
-std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
+std::string commandFor(const PanelContext& context, const Finding& finding) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().input().spec().source;
     // A command would examine all points of the file.
     if (!context.session().input().spec().leftOut.empty()) return {};
-    if (isScene(source) || isStandardInput(source)) return remedyFor(check, shellPath(source));
-    if (isSample(source)) return commandForMade(source, check);
+    if (isScene(source) || isStandardInput(source)) return remedyFor(finding, shellPath(source));
+    if (isSample(source)) return commandForMade(source, finding);
     std::error_code error;
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
-    return remedyFor(check, shellPath(input) + pieceOptions(context.session().input().spec().piece),
+    return remedyFor(finding,
+                     shellPath(input) + pieceOptions(context.session().input().spec().piece),
                      shellPath(output));
 }
 
@@ -81,14 +82,21 @@ void follow(const PanelContext& context, const Fixes& more) {
 }
 
 void drawRemedy(const PanelContext& context, const Finding& finding) {
-    if (finding.dropsMost)
-        return dimText("No fix: dropping these would leave fewer than half of the points.");
+    if (finding.dropsAll()) return dimText("No fix: dropping these would leave no point.");
     const DoctorCheck& check = *finding.check;
     const std::string name(check.name);
-    if (canFix(check) && smallButton(context, "Apply the fix", "fix " + name,
-                                     std::string(fixText(check.fix)) + "\nCtrl+Z undoes it."))
-        follow(context, {name});
-    const std::string command = commandFor(context, check);
+    std::string& asked = context.state<DoctorPanel>().askedCheck;
+    const bool asks = finding.dropsMost() && asked == name;
+    if (asks)
+        wrappedText("This drops " + grouped(finding.toDrop().size()) + " of " +
+                    grouped(finding.present) + " points.");
+    if (canFix(check) &&
+        smallButton(context, asks ? "Apply it anyway" : "Apply the fix", "fix " + name,
+                    std::string(fixText(check.fix)) + "\nCtrl+Z undoes it.")) {
+        if (asks || !finding.dropsMost()) follow(context, {name});
+        asked = asks ? "" : name;
+    }
+    const std::string command = commandFor(context, finding);
     if (command.empty()) return;
     if (canFix(check)) ImGui::SameLine();
     if (smallButton(context, "Copy the command", "copy " + name,
