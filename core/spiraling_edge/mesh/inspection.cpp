@@ -40,7 +40,12 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     if (lost.empty()) return lost;
     const std::vector<Fitness> fitness = fitnessOf(input.position);
     const auto isAside = [&](Index p) { return p < input.setAside.size() && input.setAside[p]; };
-    std::erase_if(lost, [&](Index p) { return isAside(p) || fitness[p] != Fitness::Usable; });
+    const auto isPlaneless = [&](Index p) {
+        return !input.normal.empty() && !hasDirection(input.normal[p]);
+    };
+    std::erase_if(lost, [&](Index p) {
+        return isAside(p) || isPlaneless(p) || fitness[p] != Fitness::Usable;
+    });
     return lost;
 }
 

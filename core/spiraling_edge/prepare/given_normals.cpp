@@ -21,6 +21,20 @@ namespace {
 
 constexpr std::size_t kMeasuredPerThread = 1024;
 
+/// True if the neighbors of p, seen along `normal`, leave no gap over 90 degrees: the points are of
+/// a surface there, not of its edges alone.
+bool goesRound(const GivenNormals& given, Index p, const Vec3& normal) {
+    const std::span<const Index> list = given.nearest[p];
+    return std::all_of(list.begin(), list.end(), [&](Index q) {
+        const Vec3 left = glm::cross(normal, given.position[q] - given.position[p]);
+        const Vec3 ahead = glm::cross(left, normal);
+        return std::any_of(list.begin(), list.end(), [&](Index next) {
+            const Vec3 d = given.position[next] - given.position[p];
+            return glm::dot(d, left) > 0.0 && glm::dot(d, ahead) >= 0.0;
+        });
+    });
+}
+
 /// Absolute cosine between the normal of p and the plane normal there; 2 where the place is not
 /// planar, or has no normal.
 double cosineAt(const GivenNormals& given, Index p) {
@@ -29,7 +43,8 @@ double cosineAt(const GivenNormals& given, Index p) {
     const PlaneFit plane = planeAt(given.position, p, given.nearest[p]);
     const double sum = plane.variance[0] + plane.variance[1] + plane.variance[2];
     const bool planar = plane.variance[0] < kFitLimits.thickness * sum &&
-                        plane.variance[1] > kFitLimits.width * plane.variance[2];
+                        plane.variance[1] > kFitLimits.width * plane.variance[2] &&
+                        goesRound(given, p, plane.normal);
     return planar ? std::abs(glm::dot(plane.normal, given.normal[p])) : kNoPlace;
 }
 
@@ -65,7 +80,8 @@ NormalFit fitOf(const GivenNormals& given, unsigned threads) {
 
 bool normalsFit(const NormalFit& fit) {
     if (fit.normals == 0) return false;
-    if (fit.places < kFitLimits.leastPlaces) return true;
+    const double least = kFitLimits.leastShare * static_cast<double>(fit.normals);
+    if (fit.places < kFitLimits.leastPlaces || static_cast<double>(fit.places) < least) return true;
     return fit.medianCosine >= kFitLimits.medianCosine &&
            static_cast<double>(fit.near) >= kFitLimits.nearShare * static_cast<double>(fit.places);
 }

@@ -27,14 +27,17 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal);
 /// (docs/doctor.md).
 struct FitLimits {
     /// A place is planar if the least variance of a point and its 12 nearest is under this share of
-    /// the sum of the three, and the middle one over `width` of the greatest: no line.
+    /// the sum of the three, and the middle one over `width` of the greatest: no line; and if they
+    /// go all the way round, with no gap over 90 degrees.
     double thickness = 0.02;
     double width = 0.04;
-    double medianCosine = 0.97814760073380569;  ///< 12 degrees: the greatest median angle.
+    double medianCosine = 0.96126169593831886;  ///< 16 degrees: the greatest median angle.
     double nearCosine = 0.86602540378443865;    ///< 30 degrees, which
     double nearShare = 0.9;                     ///< this share must be within.
-    /// With fewer planar places nothing is known, and the normals count as fitting.
+    /// With fewer planar places, or a lesser share of them, nothing is known, and the normals count
+    /// as fitting.
     std::size_t leastPlaces = 8;
+    double leastShare = 0.05;
 };
 inline constexpr FitLimits kFitLimits{};
 

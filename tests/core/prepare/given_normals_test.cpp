@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -166,7 +167,7 @@ TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do n
         CAPTURE(each.name);
         const MeshJudge judge = judgeOf(each.file);
         CHECK_FALSE(judge.fit);
-        CHECK(judge.unfitDegrees > 12.0);
+        CHECK(judge.unfitDegrees > 16.0);
         CHECK(departureText(judge).starts_with("by derived normals: the given ones are "));
         // Derived normals are those of the surface.
         for (Index p = 0; p < each.file.position.size(); ++p)
@@ -197,7 +198,7 @@ TEST_CASE("given normals: a patch that contradicts the rest is judged by its oth
 }
 
 TEST_CASE("given normals: the order of the points and the number of threads change nothing") {
-    const PointFile file = tilted(box(16, Vec3(1.0, 1.0, 0.3)), 11.0);
+    const PointFile file = tilted(box(16, Vec3(1.0, 1.0, 0.3)), 15.0);
     PointFile reversed = file;
     std::reverse(reversed.position.begin(), reversed.position.end());
     std::reverse(reversed.normal.begin(), reversed.normal.end());
@@ -230,12 +231,63 @@ TEST_CASE("judge: a mesh turned against right normals has flipped triangles, wha
     CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
 }
 
-TEST_CASE("given normals: those of the shared sets fit, and agree where a leg was once turned") {
-    for (const char* name : {"camel", "coupling", "seven_parts", "brain_piece", "femur", "fin90",
-                             "fandisk", "hippo", "oni", "torus_knot"}) {
-        CAPTURE(name);
-        const auto file = sharedPoints("points/" + std::string(name) + ".ply");
-        if (file) CHECK(judgeOf(*file).areRight());
+TEST_CASE("given normals: points on the edges of a part alone say nothing against its normals") {
+    // Rings around the two ends of a cylinder: their planes are none of the surface.
+    PointFile file;
+    for (int i = 0; i < 240; ++i) {
+        const double a = 2.0 * std::numbers::pi * (i / 4) / 60.0;
+        const double r = i % 2 == 0 ? 1.0 : 0.97;
+        const double side = i % 4 < 2 ? 1.0 : -1.0;
+        file.position.emplace_back(r * std::cos(a), r * std::sin(a), 0.2 * side);
+        const Vec3 out(std::cos(a), std::sin(a), 0.0);
+        file.normal.push_back(glm::normalize(i % 2 == 0 ? out : -out));
+    }
+    CHECK(judgeOf(file).fit);
+}
+
+TEST_CASE("given normals: those of the shared sets fit, and tilted or constant ones do not") {
+    // Chosen on one half of the sets, judged on the other.
+    std::array<std::size_t, 2> sets{};
+    std::array<std::size_t, 2> fitting{};
+    std::array<std::size_t, 2> spoiled{};
+    std::array<std::size_t, 2> found{};
+    std::string table;
+    const std::filesystem::path folder = sharedFile("points");
+    if (folder.empty()) return;
+    std::vector<std::filesystem::path> paths;
+    for (const auto& each : std::filesystem::directory_iterator(folder))
+        paths.push_back(each.path());
+    std::sort(paths.begin(), paths.end());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const PointFile file = readPoints(paths[i]).value();
+        // Large sets take long, and are as others of their kind.
+        if (!file.hasNormals() || file.position.size() > 15'000) continue;
+        const std::size_t half = i % 2;
+        const MeshJudge judge = judgeOf(file);
+        CHECK_MESSAGE(judge.fit, paths[i].filename());
+        ++sets[half];
+        fitting[half] += judge.fit ? 1U : 0U;
+        std::string row;
+        for (const double degrees : {10.0, 20.0, 40.0, 60.0}) {
+            const bool fit = judgeOf(tilted(file, degrees)).fit;
+            row += fit ? " fit" : " -";
+            if (degrees < 20.0) continue;
+            ++spoiled[half];
+            found[half] += fit ? 0U : 1U;
+        }
+        const bool up = judgeOf(withNormals(file, [](const Vec3&) { return Vec3(0, 0, 1); })).fit;
+        ++spoiled[half];
+        found[half] += up ? 0U : 1U;
+        row += up ? " fit" : " -";
+        table += (half == 0 ? "A " : "B ") + paths[i].stem().string() + row + "\n";
+    }
+    MESSAGE("tilted by 10, 20, 40, 60 degrees, all +z:\n", table);
+    for (const std::size_t half : {0U, 1U}) {
+        MESSAGE((half == 0 ? "A: " : "B: "), fitting[half], " of ", sets[half], " fit; ",
+                found[half], " of ", spoiled[half], " spoiled ones found");
+        CHECK(fitting[half] == sets[half]);
+        // Where too few places are planar nothing is known.
+        CHECK(static_cast<double>(found[half]) >= 0.7 * static_cast<double>(spoiled[half]));
     }
     for (const char* name : {"normals_tilted_20_degrees.xyz", "normals_are_ray_directions.ply"}) {
         CAPTURE(name);
