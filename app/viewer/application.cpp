@@ -196,7 +196,14 @@ void Application::placeCamera(const PanelRects& rects) {
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
     const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
-    if (request == FrameRequest::Decision || atDifference) return frameDecision(commands_);
+    if (request == FrameRequest::Decision || atDifference) {
+        // The layout settles over the first frames: framed again while the view has another size.
+        const bool settled = framedIn_ == rects.view.size;
+        framedIn_ = settled ? glm::vec2(0.0F) : rects.view.size;
+        if (settled) return;
+        ui_.requests.frame = FrameRequest::Decision;
+        return frameDecision(commands_);
+    }
     const bool toPivot = request == FrameRequest::Pivot && session_.picture().pivot != kNone;
     if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
 }

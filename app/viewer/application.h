@@ -164,6 +164,8 @@ class Application {
     /// Frames in which the camera goes to the chosen alert: in the first one at the end of the run
     /// the card with the verdict appears, in the next one it is known where.
     int alertFrames_ = 0;
+    /// Size of the view in which a decision that is opened was framed; 0: none is being opened.
+    glm::vec2 framedIn_{0.0F};
     PanelRects areas_;  ///< As last drawn.
     int redraws_ = 0;   ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;

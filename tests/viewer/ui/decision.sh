@@ -7,6 +7,9 @@ escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
 start scene:torus --goto 137.sphere.1
 says address "137\.sphere\.1"
 says follow false
+# It is opened in the view that F goes to.
+opened=$(escaped)
+press Return; denies camera "$opened"
 home=$(escaped)
 press f
 denies camera "$home"

@@ -39,6 +39,8 @@ says input scene:sphere
 for _ in $(seq 20); do press F10; done
 says address "20\.advance\.1"
 case "$(title)" in "20.advance.1"*) ;; *) fail "the title is '$(title)'" ;; esac
+# An address of the command line is opened in the view that F goes to.
+press f; says moving false
 picture window
 [ "$(differing window offscreen 12%)" -lt 35000 ] || fail "the picture off screen is another"
 # Equal frames are not drawn again, but for a part that another window has covered.
