@@ -1474,18 +1474,19 @@ check_prepares_points_as_the_run_did() {
     expect 2 check mesh.ply --points noisy.xyz --rules dragons
 }
 
-# 600 even points of a sphere with the normals NORMAL of (x, y, z), as six words of awk.
+# 600 even points (x, y, z) of a sphere with the normals $1, three expressions of awk.
 sphere_with_normals() {
     awk "BEGIN { for (i = 0; i < 600; ++i) {
         z = 1 - (2 * i + 1) / 600; x = sqrt(1 - z * z) * cos(2.399963229728653 * i)
         y = sqrt(1 - z * z) * sin(2.399963229728653 * i); f = z > 0.8 ? -1 : 1
+        s = sqrt((4 - x) ^ 2 + (1 - y) ^ 2 + (2 - z) ^ 2)
         printf \"%.9f %.9f %.9f %.9f %.9f %.9f\\n\", x, y, z, $1 } }"
 }
 
 check_counts_what_the_run_says() {
     sphere_with_normals "x, y, z" >right.xyz
     sphere_with_normals "f * x, f * y, f * z" >flipped.xyz
-    sphere_with_normals "4 - x, 1 - y, 2 - z" >sight.xyz
+    sphere_with_normals "(4 - x) / s, (1 - y) / s, (2 - z) / s" >sight.xyz
     sphere_with_normals "0, 0, 0" >zero.xyz
     sphere_with_normals "-x, -y, -z" >inward.xyz
     local name

@@ -112,11 +112,20 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
     const std::vector<Vec3> given = rightNormals(file, around.value(), threads, judge);
     PrepareOptions own;
     own.neighbors.threads = threads;
+    own.neighbors.recompute = true;
+    own.setNoiseAside = true;
     own.normals = judge.fit ? NormalSource::AsGiven : NormalSource::Derived;
     own.walls = options.walls;
     Result<Prepared> prepared = prepare(file, own, partOf(progress, kMeasuredDone, 1.0));
     if (!prepared) return prepared.error();
     PointSet& points = prepared.value().points;
+    judge.noise.assign(points.size(), false);
+    for (Index p = 0; p < points.size(); ++p) {
+        const bool usable = around.value().present[p] && points.normal[p] != Vec3(0.0);
+        if (!usable || !points.setAside[p]) continue;
+        judge.noise[p] = true;
+        points.setAside[p] = false;
+    }
     // Where the file has no normal, the one that prepare() completed stays.
     for (Index p = 0; p < given.size(); ++p) {
         if (given[p] != Vec3(0.0)) points.normal[p] = given[p];
@@ -134,9 +143,8 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
 std::shared_ptr<const PointSet> MeshJudge::forRun(const PointSet& run,
                                                   std::span<const Index> leaveOut) const {
     auto judge = std::make_shared<PointSet>(*points);
-    const std::vector<Fitness> fitness = fitnessOf(run.position);
     for (std::size_t p = 0; p < run.setAside.size(); ++p) {
-        if (run.setAside[p] && fitness[p] == Fitness::Usable) judge->setAside[p] = true;
+        if (run.setAside[p] && noise[p]) judge->setAside[p] = true;
     }
     for (const Index p : leaveOut) judge->setAside[p] = false;
     return judge;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -17,12 +18,15 @@ struct MeshJudge {
     /// Normals are those of the file if they fit (normalsFit()), where patches contradict each
     /// other (sidesOf()) the flipped ones turned; else derived ones. Without lists.
     std::shared_ptr<const PointSet> points;
+    /// Points that a run with these normals sets aside as noise; in `points` they are not.
+    std::vector<bool> noise{};
     bool fit = false;           ///< The file has normals, and they fit.
     std::size_t flipped = 0;    ///< Of these, turned to the side of those around them.
     double unfitDegrees = 0.0;  ///< Median angle of given normals that do not fit; else 0.
 
     /// The points for a run, as it prepared them: noise that it set aside is not missing in its
-    /// mesh. Points of `leaveOut` are (PrepareOptions::leaveOut).
+    /// mesh, unless it is noise along wrong normals alone. Points of `leaveOut` are missing
+    /// (PrepareOptions::leaveOut).
     std::shared_ptr<const PointSet> forRun(const PointSet& run,
                                            std::span<const Index> leaveOut = {}) const;
     /// Given normals fit and agree: nothing but the user's word turns them or derives others.
