@@ -246,7 +246,7 @@ def make_data(arguments):
                    stdout=subprocess.DEVNULL)
     subprocess.run([PROGRAM, "sample", MINE["shape"], "-n", str(MINE["points"]), "--seed",
                     str(arguments.seed), "-k", str(MINE["neighbors"]), "-q", "-o", mine], check=True)
-    subprocess.run([PROGRAM, "run", mine, "-q", "--with-lists", "-o", mine, "--trace",
+    subprocess.run([PROGRAM, "run", mine, "-q", "--with-lists", "--force", "-o", mine, "--trace",
                     str(DATA / "mine.setrace"), "--trace-stages"], check=True)
     (DATA / "mine.json").write_text(json.dumps({"seed": arguments.seed, **MINE}) + "\n")
     print(f"{len(list(DATA.glob('*.setrace')))} inputs with traces are in {DATA}/")

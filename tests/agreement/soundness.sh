@@ -21,6 +21,16 @@ reported() {
         part $2 == wanted && $3 ~ /^[0-9]+$/ { print $3; exit }
         /^  "[a-z_]+": \{$/ { part = $2 "." }' "$work/report.json"
 }
+# counted NAME: as reported, or, where the report judges by other normals than those of the mesh, as `check` counts the
+# mesh alone, for classes that go by normals.
+counted() {
+    if grep -q '"judged": "' "$work/report.json" && [[ $1 == faults.@(flipped|second_layers) ]]; then
+        "$program" check "$work/mesh.ply" --json >"$work/check.json" || true
+        grep -oE "\"${1#faults.}(_triangles)?\": [0-9]+" "$work/check.json" | grep -oE '[0-9]+$'
+    else
+        reported "$1"
+    fi
+}
 # found NAME LINE: a number of the checker.
 found() { grep -oE "(^| )$1 [0-9]+" <<<"$2" | grep -oE '[0-9]+$'; }
 
@@ -35,8 +45,8 @@ for input in "${inputs[@]}"; do
         while read -r ours theirs; do
             # Their triangles touch and overlap in planes: see soundness_check.cpp.
             [[ $ours != faults.intersecting || $input != scene:@(tee-at-wall|close-sheets) ]] || continue
-            if [ "$(reported "$ours")" != "$(found "$theirs" "$line")" ]; then
-                echo "$input --rules $rules: $ours is $(reported "$ours"), but: $line"
+            if [ "$(counted "$ours")" != "$(found "$theirs" "$line")" ]; then
+                echo "$input --rules $rules: $ours is $(counted "$ours"), but: $line"
                 bad=1
             fi
         done <<'NAMES'

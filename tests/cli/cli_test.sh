@@ -79,7 +79,7 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball clean expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result refuses sphere_points square user_ticks | sort >helpers
+    printf '%s\n' ball clean expect fail fields height_map icosahedron interrupted_after lab_with_solution lesson_result refuses sphere_points sphere_with_normals square user_ticks | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -1946,14 +1946,14 @@ bad_traces_are_malformed_input() {
     says err "latin.setrace: line 78: not UTF-8"
     truncate -s 300M huge.setrace
     expect 3 diff huge.setrace scene:figure-8
-    says err "huge.setrace: over 256 MiB"
+    says err "huge.setrace: holds more than 268435456 bytes"
     empty out
 }
 
 conformance_is_written() {
     local trace input start
     expect 0 figures --conformance made
-    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "33 33" "inputs and traces"
+    is "$(ls made/*.ply | wc -l) $(ls made/*.setrace | wc -l)" "34 34" "inputs and traces"
     for trace in made/*.setrace; do
         input=${trace%.setrace}
         start=()
@@ -2129,7 +2129,7 @@ lab_with_solution() {
     mkdir bin && ln -s "$program" bin/spiraling-edge
     export PATH=$PWD/bin:$PATH PYTHONDONTWRITEBYTECODE=1
     ./lab.py data --seed 4711 >out || fail "data: $(cat out)"
-    says out "34 inputs with traces are in data/"
+    says out "35 inputs with traces are in data/"
     cp -r stages stubs
     cp "$root"/tests/lab/reference/*.py stages
 }

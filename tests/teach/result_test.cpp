@@ -81,7 +81,7 @@ TEST_CASE("bad results are refused with the field") {
         {"\"mistakes\": [", "\"mistakes\": [3", "mistakes"},
         {"\"first\": {", "\"first\": 3, \"second\": {", "first"},
         {"\"right\":", "\"counts\": [1, 2], \"right_option\": \"C\", \"right\":", "right_option"},
-        {"{", "", "line 1, column 3: expected JSON"},
+        {"{", "", "line 2, column 11: expected JSON"},
     };
     CHECK(resultFromJson(good, "x").ok());
     for (const Bad& each : table) {

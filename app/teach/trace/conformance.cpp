@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "spiraling_edge/base/random.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/figure_scenes.h"
 #include "spiraling_edge/scenes/figures.h"
@@ -57,6 +58,31 @@ PointFile cloudPoints(const CloudShape& shape) {
         file.normal.push_back(Vec3(u, v, 1.0) / std::sqrt(u * u + v * v + 1.0));
     }
     return withNeighborLists(file, {KNearest{shape.neighbors}});
+}
+
+/// A hexagon about a point, and before it a seed that gets no triangle: 0, a corner of the hexagon,
+/// and 1 list each other alone.
+PointFile failedSeed() {
+    PointFile file;
+    file.positionType = file.normalType = ScalarType::Double;
+    const double half = std::sqrt(3.0) / 2.0;
+    file.position = {{1, 0, 0},       {3, 0, 0},  {0, 0, 0},        {0.5, half, 0},
+                     {-0.5, half, 0}, {-1, 0, 0}, {-0.5, -half, 0}, {0.5, -half, 0}};
+    file.normal.assign(file.position.size(), Vec3(0, 0, 1));
+    file.neighbors.append(std::vector<Index>{1});
+    file.neighbors.append(std::vector<Index>{0});
+    for (Index p = 2; p < file.position.size(); ++p) {
+        std::vector<Index> list;
+        for (Index q = 0; q < file.position.size(); ++q) {
+            if (q != p && q != 1) list.push_back(q);
+        }
+        std::stable_sort(list.begin(), list.end(), [&](Index a, Index b) {
+            return distanceSquared(file.position[p], file.position[a]) <
+                   distanceSquared(file.position[p], file.position[b]);
+        });
+        file.neighbors.append(list);
+    }
+    return file;
 }
 
 /// The bay of Figure 4, of which no step is an edge: neither start nor end may move.
@@ -131,6 +157,8 @@ std::vector<ConformanceInput> buildInputs() {
                       "Lists with neighbors that a run leaves out, since their "
                       "normals oppose",
                       opposingNormals});
+    inputs.push_back(
+        {"failed-seed", "A seed that gets no triangle, and costs no point", failedSeed});
     for (const ConformanceInput& each : rareInputs()) inputs.push_back(each);
     return inputs;
 }

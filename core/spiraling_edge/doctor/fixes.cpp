@@ -187,6 +187,7 @@ class FixApplication {
 
 std::vector<std::string> FixedFile::texts() const {
     std::vector<std::string> all;
+    all.reserve(fixes.size());
     for (const AppliedFix& fix : fixes) all.push_back(fix.text);
     return all;
 }

@@ -37,7 +37,7 @@ struct FitLimits {
     /// With fewer planar places, or a lesser share of them, nothing is known, and the normals count
     /// as fitting.
     std::size_t leastPlaces = 8;
-    double leastShare = 0.08;
+    double leastShare = 0.1;
 };
 inline constexpr FitLimits kFitLimits{};
 

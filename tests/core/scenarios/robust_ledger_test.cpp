@@ -90,7 +90,7 @@ std::vector<PointSet> inputs() {
     std::vector<PointSet> all;
     for (const FailureScene& each : failureScenes()) all.push_back(prepared(each.scene.build()));
     for (const Scene& each : scenes()) all.push_back(prepared(each.build()));
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) all.push_back(randomPoints(seed));
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) all.push_back(randomPoints(seed));
     return all;
 }
 

@@ -32,7 +32,7 @@ TEST_CASE("conformance inputs have distinct names") {
     std::set<std::string_view> names;
     for (const ConformanceInput& input : conformanceInputs()) names.insert(input.name);
     CHECK(names.size() == conformanceInputs().size());
-    CHECK(names.size() == 33);
+    CHECK(names.size() == 34);
 }
 
 TEST_CASE("one conformance input shows that neighbors with opposing normals are left out") {
