@@ -231,7 +231,7 @@ TEST_CASE("figures: degrees in a caption are those of a decision") {
     }
 }
 
-TEST_CASE("figure 4: without the limits s and r are removed all the same") {
+TEST_CASE("figure 4: without the limits s and r are removed anyway") {
     const Figure& figure = *findFigure(4);
     for (const CheckedExpectation& each : checkFigure(figure).without) {
         const bool isOfSphere = each.expected.address.find("sphere") != std::string_view::npos;
