@@ -75,7 +75,7 @@ RunFailure pickFailure(const RunFailureSearch& found, const FailureChoice& wante
     for (const RunFailure& each : found.failures) {
         if (each.failure.kind == wanted.kind && ++seen == wanted.number) return each;
     }
-    noSuchFailure(found.totals, wanted, input);
+    noSuchFailure(found.verdict.totals, wanted, input);
 }
 
 }  // namespace se::cli

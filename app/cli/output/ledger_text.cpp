@@ -8,6 +8,7 @@
 #include "sentences.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "teach/json_text.h"
+#include "verdict_text.h"
 
 namespace se::cli {
 namespace {
@@ -228,13 +229,13 @@ std::string remediesText(const Remedies& remedies) {
 }
 
 std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
-    std::string text =
-        verdictText(found.totals, found.triangles, found.all.size(), found.places.size()) + "\n";
+    std::string text = headlineOf(found.verdict) + "\n";
+    const std::vector<ClassTotal>& totals = found.verdict.totals;
     text += placesText(found.places, found.all, limit);
-    for (std::size_t i = 0; i < found.totals.size(); ++i) {
+    for (std::size_t i = 0; i < totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
-        if (found.totals[i].total == 0) continue;
-        text += fmt::format("{:>7} {}\n", amountText(found.totals[i]), kind.name);
+        if (totals[i].total == 0) continue;
+        text += fmt::format("{:>7} {}\n", amountText(totals[i]), kind.name);
         std::size_t shown = 0;
         for (const RunFailure& each : found.failures) {
             if (each.failure.kind == &kind && shown++ < limit) text += momentsText(each);
@@ -244,10 +245,8 @@ std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
 }
 
 std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
-    Json json{{"input", input},
-              {"triangles", found.triangles},
-              {"sound", isSound(found.totals, found.triangles)}};
-    addTotals(found.totals, failureClasses(), json);
+    Json json{{"input", input}, {"verdict", verdictJson(found.verdict)}};
+    addTotals(found.verdict.totals, failureClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf(found.all.size());
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
     addPlaces(found.places, found.all, rowOf, found.places.size(), json);

@@ -15,6 +15,7 @@
 #include "spiraling_edge/replay/event_text.h"
 #include "teach/json_text.h"
 #include "trials_text.h"
+#include "verdict_text.h"
 
 namespace se::cli {
 namespace {
@@ -85,22 +86,10 @@ void addMesh(const MeshReport& mesh, Json& json) {
     json["closed_manifold"] = mesh.closedManifold();
 }
 
-/// The name of a class among the faults of a run: that of version 0.1.0, where it had one.
-std::string faultKey(const FailureClass& kind) {
-    constexpr std::pair<std::string_view, std::string_view> kEarlier[] = {
-        {"non_manifold_edges", "non_manifold_edge"}, {"inconsistent_edges", "inconsistent_edge"},
-        {"degenerate_triangles", "degenerate"},      {"flipped_triangles", "flipped"},
-        {"intersecting_triangles", "intersecting"},  {"folded_edges", "folded"}};
-    for (const auto& [name, key] : kEarlier) {
-        if (kind.name == name) return std::string(key);
-    }
-    return std::string(kind.name);
-}
-
 /// One row of the list of faults.
 Json faultRow(const MeshFailure& failure) {
     const std::vector<Index>& triangles = failure.triangles;
-    Json row = {{"class", faultKey(*failure.kind)}, {"points", failure.points}};
+    Json row = {{"class", failure.kind->name}, {"points", failure.points}};
     row["triangle"] = triangles.empty() ? Json() : Json(triangles.front());
     row["other"] = triangles.size() == 2 ? Json(triangles.back()) : Json();
     row["at"] = {failure.place.x, failure.place.y, failure.place.z};
@@ -116,40 +105,23 @@ void forEachFault(const MeshInspection& inspection, Visit&& visit) {
     }
 }
 
-/// Points in no triangle that were not set aside.
-std::size_t lostPoints(const MeshInspection& inspection) {
-    std::size_t lost = 0;
-    for (const std::string_view name : {"unused_points", "isolated_points"}) {
-        const auto place = findFailureClass(name) - failureClasses().data();
-        lost += inspection.totals[static_cast<std::size_t>(place)].total;
-    }
-    return lost;
-}
-
 void addFaults(const RunOutcome& outcome, Json& json) {
     if (!outcome.inspection) return;
     const MeshInspection& inspection = *outcome.inspection;
     forEachFault(inspection, [&](const FailureClass& each, const ClassTotal& total) {
-        json["faults"][faultKey(each)] = total.total;
+        json["faults"][std::string(each.name)] = total.total;
     });
-    if (!isExact(inspection.totals)) json["faults_at_least"] = true;
-    json["sound"] = isSound(inspection.totals, inspection.report.triangles);
+    if (outcome.pairs) json["verdict"] = verdictJson(outcome.verdict);
     Json list = Json::array();
     std::vector<std::optional<std::size_t>> rowOf;
-    std::size_t openings = 0;
     for (const MeshFailure& failure : inspection.failures) {
         const bool listed = failure.kind->fault && list.size() < kMaxFaults;
         rowOf.push_back(listed ? std::optional(list.size()) : std::nullopt);
-        if (!failure.kind->fault) openings += isLoop(failure) ? 1U : 0U;
         if (listed) list.push_back(faultRow(failure));
     }
     json["judged"] = outcome.judged.empty() ? Json() : Json(outcome.judged);
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
-    json["fidelity"] = {{"greatest_distance", outcome.fidelity.greatestDistance},
-                        {"mean_distance", outcome.fidelity.meanDistance},
-                        {"points_lost", lostPoints(inspection)},
-                        {"open_loops", openings}};
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
@@ -247,8 +219,8 @@ std::string faultCounts(const RunOutcome& outcome) {
     forEachFault(*outcome.inspection, [&](const FailureClass& each, const ClassTotal& total) {
         if (total.total == 0) return;
         const bool more = outcome.pairs && !total.exact;
-        appendPart(text,
-                   fmt::format("{}{} {}", more ? "at least " : "", total.total, faultKey(each)));
+        appendPart(text, fmt::format("{}{} {}", more ? "at least " : "", total.total,
+                                     nounFor(each, total.total)));
     });
     return text;
 }
@@ -282,14 +254,12 @@ Json startJson(const GivenStart& start) {
 std::string faultSentence(const RunOutcome& outcome) {
     if (!outcome.inspection) return {};
     const std::vector<ClassTotal>& totals = outcome.inspection->totals;
-    const std::size_t triangles = outcome.inspection->report.triangles;
     const std::size_t count = faultCount(totals);
-    if (isSound(totals, triangles) || (!outcome.pairs && count == 0)) return {};
-    const std::string verdict =
-        verdictText(totals, triangles, outcome.inspection->failures.size(), outcome.places.size());
-    if (count == 0) return verdict;
-    std::string text = "the mesh has " + (outcome.pairs ? verdict : counted(count, "fault"));
-    text += ": " + faultCounts(outcome);
+    if (outcome.pairs ? outcome.verdict.isSound() : count == 0) return {};
+    if (count == 0 || outcome.mesh.triangles == 0) return headlineOf(outcome.verdict);
+    std::string text =
+        "the mesh has " + (outcome.pairs ? "faults at " + headlineOf(outcome.verdict)
+                                         : counted(count, "fault") + ": " + faultCounts(outcome));
     if (!outcome.pairs)
         text += "; intersecting triangles and second layers not counted (use --check)";
     const bool whole = outcome.ending == Ending::Finished && outcome.params.whatIf.empty() &&
@@ -300,6 +270,7 @@ std::string faultSentence(const RunOutcome& outcome) {
 
 std::string reportJson(const RunOutcome& outcome) {
     Json json;
+    json["report_version"] = 2;
     json["program"] = "spiraling-edge " SPIRALING_EDGE_VERSION;
     json["input"] = outcome.input;
     json["output"] = outcome.output.empty() ? Json() : Json(outcome.output);

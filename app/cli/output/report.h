@@ -7,9 +7,7 @@
 
 #include "piece_input.h"
 #include "spiraling_edge/explain/trial.h"
-#include "spiraling_edge/mesh/fault_places.h"
-#include "spiraling_edge/mesh/fidelity.h"
-#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
@@ -45,7 +43,7 @@ struct RunOutcome {
     std::optional<MeshInspection> inspection;
     bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
     std::vector<FaultPlace> places;  ///< Only with `pairs`.
-    Fidelity fidelity;               ///< Only with `pairs`.
+    MeshVerdict verdict;             ///< Only with `pairs`.
     std::string judged;              ///< departureText(), with `pairs`.
     State state;
     Seconds seconds;

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "sentences.h"
+#include "verdict_text.h"
 
 namespace se::cli {
 
@@ -23,19 +24,10 @@ std::string optionsText(const SettingsChange& change) {
 }
 
 Json trialJson(const Trial& trial) {
-    const MeshNumbers& numbers = trial.numbers;
     Json json = {{"options", optionsOf(trial.change)}};
     json["drop"] = trial.change.drop.empty() ? Json() : Json(trial.change.drop);
-    json["faults"] = faultCount(numbers.totals);
-    json["sound"] = isSound(numbers);
-    json["points_lost"] = numbers.lost;
-    json["points_set_aside"] = numbers.setAside;
-    json["openings"] = numbers.openings;
-    json["openings_closed"] = numbers.closed;
-    json["greatest_distance"] = numbers.fidelity.greatestDistance;
-    json["mean_distance"] = numbers.fidelity.meanDistance;
-    json["triangles"] = numbers.triangles;
-    json["capped"] = numbers.capped;
+    json["work"] = trial.work;
+    json["verdict"] = verdictJson(trial.verdict);
     return json;
 }
 
@@ -49,9 +41,9 @@ std::string trialsText(const Trials& trials) {
     };
     std::string text =
         line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
-        line("before", describe(first.numbers));
+        line("before", describe(first.verdict));
     if (trials.best == 0) return text + line("best", "as given; no change is better");
-    return text + line("best", describe(best.numbers)) + line("instead", optionsText(best.change));
+    return text + line("best", describe(best.verdict)) + line("instead", optionsText(best.change));
 }
 
 Json trialsJson(const Trials& trials) {

@@ -13,11 +13,12 @@
 #include "output/failure_totals.h"
 #include "output/output.h"
 #include "output/sentences.h"
+#include "output/verdict_text.h"
 #include "piece_input.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/mesh/fault_places.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "teach/json_text.h"
 #include "verbs.h"
@@ -103,31 +104,33 @@ struct CheckArguments {
     }
 };
 
-/// The judge of meshes of these points; what the options of the run name counts.
-MeshJudge judgeOf(const PointFile& file, const CheckArguments& arguments) {
-    const auto judge = [&]() -> Result<MeshJudge> {
+/// The points that a mesh is judged by; what the options of the run name counts.
+PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
+    const auto judge = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
+        const Params params = paramsFrom(arguments.rules, arguments.neighbors);
         const PrepareOptions options =
-            prepareOptionsFrom(paramsFrom(arguments.rules, arguments.neighbors),
-                               arguments.neighbors, arguments.derived, file);
+            prepareOptionsFrom(params, arguments.neighbors, arguments.derived, file);
         const Result<Prepared> prepared = prepare(file, options);
         if (!prepared) return prepared.error();
-        Result<MeshJudge> made = judgeFor(file, options, prepared.value().points);
-        if (made) made.value().points = made.value().forRun(prepared.value().points);
-        return made;
+        const auto made = judgeFor(file, options, prepared.value().points);
+        if (!made) return made.error();
+        return withoutOpeningsToClose(made.value(), params);
     }();
     if (!judge)
         throw Failure(ExitCode::Input, nameOfInput(arguments.cloud) + ": " + judge.error().message);
-    return judge.value();
+    PointSet points = judge.value()->points;
+    points.judge = judge.value();
+    return points;
 }
 
 /// The points of a mesh without others to judge it by.
-MeshJudge ownPoints(const PointFile& mesh) {
+PointSet ownPoints(const PointFile& mesh) {
     PointSet points;
     points.position = mesh.position;
     points.normal = mesh.normal;
     points.type = mesh.type;
-    return {std::make_shared<const PointSet>(std::move(points))};
+    return points;
 }
 
 /// A position as both files have it, though one may have written floats.
@@ -169,12 +172,12 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
 }
 
 /// True if the mesh is sound but for the allowed classes; one without a triangle never is.
-bool isGood(const CheckArguments& arguments, const MeshInspection& found) {
-    std::vector<ClassTotal> totals = found.totals;
+bool isGood(const CheckArguments& arguments, const MeshVerdict& verdict) {
+    std::vector<ClassTotal> totals = verdict.totals;
     for (std::size_t i = 0; i < totals.size(); ++i) {
         if (arguments.allows(failureClasses()[i].name)) totals[i] = {};
     }
-    return isSound(totals, found.report.triangles);
+    return isSound(totals, verdict.triangles);
 }
 
 /// The classes that a mesh can have, without those at the end that only a run has.
@@ -185,18 +188,16 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-std::string reportText(const CheckArguments& arguments, const MeshJudge& judge,
-                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
+std::string reportText(const CheckArguments& arguments, const std::string& judgedBy,
+                       const JudgedMesh& judged, bool good) {
     constexpr std::size_t kShown = 10;
-    const std::size_t triangles = found.report.triangles;
-    const bool allowed = good && !isSound(found.totals, triangles);
-    std::string text =
-        fmt::format("{}: {}, {}{}\n", printable(arguments.mesh), counted(triangles, "triangle"),
-                    verdictText(found.totals, triangles, found.failures.size(), places.size()),
-                    allowed ? ", allowed" : "");
-    if (const std::string by = departureText(judge); !by.empty())
-        text += fmt::format("judged {}\n", by);
-    text += placesText(places, found.failures, kShown);
+    const MeshInspection& found = judged.inspection;
+    const bool allowed = good && !judged.verdict.isSound();
+    std::string text = fmt::format("{}: {}, {}{}\n", printable(arguments.mesh),
+                                   counted(judged.verdict.triangles, "triangle"),
+                                   headlineOf(judged.verdict), allowed ? ", allowed" : "");
+    if (!judgedBy.empty()) text += fmt::format("judged {}\n", judgedBy);
+    text += placesText(judged.places, found.failures, kShown);
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
         const std::string_view name = meshClasses()[i].name;
         const ClassTotal& total = found.totals[i];
@@ -218,20 +219,20 @@ std::string reportText(const CheckArguments& arguments, const MeshJudge& judge,
     return text;
 }
 
-std::string reportJson(const CheckArguments& arguments, const MeshJudge& judge,
-                       const MeshInspection& found, std::span<const FaultPlace> places, bool good) {
+std::string reportJson(const CheckArguments& arguments, const std::string& judgedBy,
+                       const JudgedMesh& judged, bool good) {
+    const MeshInspection& found = judged.inspection;
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
-    json["triangles"] = found.report.triangles;
-    const std::string by = departureText(judge);
-    json["judged"] = by.empty() ? Json() : Json(by);
+    json["triangles"] = judged.verdict.triangles;
+    json["judged"] = judgedBy.empty() ? Json() : Json(judgedBy);
     json["good"] = good;
-    json["sound"] = isSound(found.totals, found.report.triangles);
+    json["verdict"] = verdictJson(judged.verdict);
     addTotals(found.totals, meshClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf;
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf.emplace_back(i);
-    addPlaces(places, found.failures, rowOf, places.size(), json);
+    addPlaces(judged.places, found.failures, rowOf, judged.places.size(), json);
     json["failures"] = Json::array();
     for (const MeshFailure& failure : found.failures)
         json["failures"].push_back(failureRow(failure));
@@ -278,14 +279,13 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const MeshJudge judge = alone ? ownPoints(mesh) : judgeOf(file, arguments);
-    const PointSet& points = *judge.points;
-    const MeshInspection found = inspectWithTotals(points, triangles);
-    const std::vector<FaultPlace> places = faultPlaces(points, found.failures, found.meanEdge);
-    const bool good = isGood(arguments, found);
+    const PointSet points = alone ? ownPoints(mesh) : judgedPoints(file, arguments);
+    const std::string judgedBy = alone ? "" : departureText(*points.judge);
+    const JudgedMesh judged = judgeMesh(points, triangles);
+    const bool good = isGood(arguments, judged.verdict);
     if (!arguments.quiet) {
-        printText(arguments.json ? reportJson(arguments, judge, found, places, good)
-                                 : reportText(arguments, judge, found, places, good));
+        printText(arguments.json ? reportJson(arguments, judgedBy, judged, good)
+                                 : reportText(arguments, judgedBy, judged, good));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

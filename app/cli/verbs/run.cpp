@@ -244,10 +244,11 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
 void inspect(const RunArguments& arguments, const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
     if (arguments.searchesPairs()) {
-        outcome.inspection = inspectWithTotals(points, mesh);
-        outcome.places =
-            faultPlaces(points, outcome.inspection->failures, outcome.inspection->meanEdge);
-        outcome.fidelity = fidelityOf(points, mesh);
+        JudgedMesh judged = judgeMesh(points, mesh);
+        outcome.inspection = std::move(judged.inspection);
+        outcome.places = std::move(judged.places);
+        outcome.verdict = std::move(judged.verdict);
+        outcome.verdict.stopped = outcome.ending == Ending::Capped;
     } else if (!arguments.quiet) {
         outcome.inspection = inspectLocally(points, mesh);
         outcome.pairs = false;
@@ -352,12 +353,13 @@ ExitCode runVerb(const Arguments& words) {
     arguments.start.require(prepared.points, outcome.params.start, arguments.input);
     requirePossible(prepared.points, outcome.params);
     if (arguments.searchesPairs()) {
-        const MeshJudge judge =
-            runWithProgress("preparing", arguments.input, line, [&](const Progress& progress) {
-                return judgeFor(file, named.prepare, prepared.points, progress);
-            });
-        outcome.judged = departureText(judge);
-        prepared.points.judge = judge.forRun(prepared.points, prepareOptions.leaveOut);
+        prepared.points.judge = withoutOpeningsToClose(
+            runWithProgress("preparing", arguments.input, line,
+                            [&](const Progress& progress) {
+                                return judgeFor(file, named.prepare, prepared.points, progress);
+                            }),
+            outcome.params);
+        outcome.judged = departureText(*prepared.points.judge);
     }
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;

@@ -258,13 +258,10 @@ ExitCode whyVerb(const Arguments& words) {
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);
     if (arguments.failures || choice) {
-        run.points.judge =
-            runWithProgress("preparing", arguments.input.input(), line,
-                            [&](const Progress& progress) {
-                                return judgeFor(file, arguments.input.prepareOptions(file),
-                                                run.points, progress);
-                            })
-                .forRun(run.points);
+        run.points.judge = runWithProgress(
+            "preparing", arguments.input.input(), line, [&](const Progress& progress) {
+                return judgeFor(file, arguments.input.prepareOptions(file), run.points, progress);
+            });
     }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);

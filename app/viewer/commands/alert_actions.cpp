@@ -205,9 +205,8 @@ void nextPlace(CommandContext& context, int direction) {
 }
 
 std::string verdictText(const AlertSearch& alerts) {
-    const RunFailureSearch& found = *alerts.found();
     if (alerts.sound()) return "the mesh is sound";
-    return verdictText(found.totals, found.triangles, found.all.size(), found.places.size());
+    return headlineOf(alerts.found()->verdict);
 }
 
 std::string verdictSentence(const RunAlerts& alerts) {

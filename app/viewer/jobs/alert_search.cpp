@@ -49,7 +49,7 @@ void AlertSearch::indexAnswer() {
     const std::span<const RunFailure> all = failures();
     std::size_t first = 0;
     for (std::size_t i = 0; i < failureClasses().size(); ++i) {
-        const ClassTotal& total = query_.answer()->totals[i];
+        const ClassTotal& total = query_.answer()->verdict.totals[i];
         if (total.listed == 0) continue;
         groups_.push_back({&failureClasses()[i], first, total.listed, total});
         first += total.listed;

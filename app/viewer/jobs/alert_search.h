@@ -59,11 +59,9 @@ class AlertSearch {
                       : std::span<const RunFailure>{};
     }
     /// All failures of the run are listed, or it is not done.
-    bool complete() const { return !done() || isComplete(query_.answer()->totals); }
-    /// The search is done, and the mesh is sound (isSound()).
-    bool sound() const {
-        return done() && isSound(query_.answer()->totals, query_.answer()->triangles);
-    }
+    bool complete() const { return !done() || isComplete(query_.answer()->verdict.totals); }
+    /// The search is done, and the mesh is sound (MeshVerdict::isSound()).
+    bool sound() const { return done() && query_.answer()->verdict.isSound(); }
     /// Results; null until the search is done.
     const RunFailureSearch* found() const { return query_.answer(); }
     std::span<const AlertGroup> groups() const { return groups_; }

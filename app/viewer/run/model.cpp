@@ -361,12 +361,12 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     });
     if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
-    Result<MeshJudge> judge = judgeFor(file.value(), options.value(), prepared.value().points,
-                                       [&](double) { return !progress.cancelled.load(); });
+    const auto judge = judgeFor(file.value(), options.value(), prepared.value().points,
+                                [&](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
     if (!judge) return judge.error();
-    prepared.value().points.judge = judge.value().forRun(prepared.value().points);
-    model->judged = departureText(judge.value());
+    prepared.value().points.judge = withoutOpeningsToClose(judge.value(), model->params);
+    model->judged = departureText(*judge.value());
     std::shared_ptr<const PointFile> given;
     if (model->fixed) given = std::make_shared<const PointFile>(file.value());
     for (std::string& each :

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -72,9 +73,6 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
 
 /// "1 point", "2 points".
 std::string countText(std::size_t count, const std::string& noun);
-
-/// The median; the upper one of two. Requires a value.
-double medianOf(std::vector<double>& values);
 
 /// The indices up to `count` for which has(p) is true.
 template <typename Has>

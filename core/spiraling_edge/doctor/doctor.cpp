@@ -216,13 +216,6 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
     return examined;
 }
 
-double medianOf(std::vector<double>& values) {
-    assert(!values.empty());
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::string countText(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

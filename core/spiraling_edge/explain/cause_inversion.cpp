@@ -34,9 +34,11 @@ InspectedRun finishRun(Stepper& stepper, const PointSet& points, const FailureCl
     if (kind.find != nullptr) {
         stepper.run();
         MeshInspection found = inspectWithTotals(points, stepper.state().mesh());
-        return {stepper.state().mesh(), std::move(found.failures), std::move(found.totals)};
+        return {std::move(found), stepper.state().mesh()};
     }
-    std::vector<MeshFailure> found;
+    // The list of this class is complete.
+    MeshInspection found;
+    found.totals.resize(failureClasses().size());
     FreedRings rings;
     EventLog log;
     stepper.setLog(&log);
@@ -44,13 +46,12 @@ InspectedRun finishRun(Stepper& stepper, const PointSet& points, const FailureCl
         log.clear();
         more = stepper.stepPivot();
         for (const Event& event : log.events()) {
-            if (const auto ring = rings.add(event)) found.push_back(failureOf(points, *ring));
+            if (const auto ring = rings.add(event))
+                found.failures.push_back(failureOf(points, *ring));
         }
     }
     stepper.setLog(nullptr);
-    // The list of this class is complete.
-    return {stepper.state().mesh(), std::move(found),
-            std::vector<ClassTotal>(failureClasses().size(), ClassTotal{})};
+    return {std::move(found), stepper.state().mesh()};
 }
 
 /// True for a point that no fan took, or two that found only each other.

@@ -232,8 +232,6 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     if (!moments) return moments.error();
     const bool stopped = run->totalOf(*findFailureClass("triangle_cap")).total > 0;
     RunFailureSearch found;
-    found.fidelity = fidelityOf(points, mesh);
-    found.triangles = mesh.size();
     found.failures.reserve(chosen.size());
     found.all.reserve(run->failures.size());
     std::size_t next = 0;
@@ -257,8 +255,11 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
         }
         found.all.push_back(std::move(failure));
     }
-    found.totals = std::move(run->totals);
     found.places = faultPlaces(points, found.all, run->meanEdge);
+    run->failures = std::move(found.all);
+    found.verdict = verdictOn(points, mesh, *run, found.places);
+    found.verdict.stopped = stopped;
+    found.all = std::move(run->failures);
     return found;
 }
 

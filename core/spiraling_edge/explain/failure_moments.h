@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "spiraling_edge/explain/ledger.h"
-#include "spiraling_edge/mesh/fault_places.h"
-#include "spiraling_edge/mesh/fidelity.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
 
 namespace se {
 
@@ -48,11 +47,9 @@ inline constexpr std::uint64_t kMomentWorkPerEvent = 128;
 /// The failures of a run that were followed within the limits of the search.
 struct RunFailureSearch {
     std::vector<RunFailure> failures;
-    std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::vector<MeshFailure> all;    ///< Those that were not followed as well.
     std::vector<FaultPlace> places;  ///< Of `all`.
-    Fidelity fidelity;               ///< Of the mesh.
-    std::size_t triangles = 0;       ///< Of the mesh.
+    MeshVerdict verdict;             ///< ClassTotal::listed: those that were followed.
 };
 
 /// All failures of a run: those that inspectWithTotals() finds in its mesh, with its limits, and

@@ -73,8 +73,7 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         found.failures.push_back(std::move(each));
     }
     std::stable_sort(found.failures.begin(), found.failures.end(), isOfEarlierClass);
-    return InspectedRun{std::move(mesh), std::move(found.failures), std::move(found.totals),
-                        found.meanEdge};
+    return InspectedRun{std::move(found), std::move(mesh)};
 }
 
 }  // namespace se

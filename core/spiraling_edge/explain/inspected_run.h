@@ -41,13 +41,10 @@ inline bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
     return rankOf(*a.kind) < rankOf(*b.kind);
 }
 
-struct InspectedRun {
+/// The inspection of the mesh of a run: the failures that inspectWithTotals() finds, then rings
+/// left over, in the order of failureClasses(); the totals count all of them.
+struct InspectedRun : MeshInspection {
     std::vector<Triangle> mesh;
-    /// The failures that inspectWithTotals() finds, then rings left over, in the order of
-    /// failureClasses(); `totals` count all of them.
-    std::vector<MeshFailure> failures;
-    std::vector<ClassTotal> totals;
-    double meanEdge = 0.0;  ///< Mean length of the edges, scene units.
 
     /// The total of a class.
     const ClassTotal& totalOf(const FailureClass& kind) const { return totals[rankOf(kind)]; }

@@ -13,32 +13,24 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/doctor.h"
-#include "spiraling_edge/geometry/loop_shape.h"
-#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/judge.h"
-#include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/replay/reconstruct.h"
 
 namespace se {
 namespace {
-
-using Chains = std::vector<std::vector<Index>>;
-
-/// Losing more than one point in this many is no gain, whatever the faults.
-constexpr std::size_t kPointsPerLost = 200;
 
 /// Changes of any input, in the order in which they are tried. Points that the doctor would drop
 /// come after them, since detail goes with those.
 constexpr std::array kSets{SettingsChange{.rules = "robust"}, SettingsChange{.rules = "corrected"}};
 constexpr std::array kChanges{
     SettingsChange{.rules = "robust", .normals = NormalSource::Oriented},
+    SettingsChange{.rules = "robust", .normals = NormalSource::Derived},
     SettingsChange{.rules = "robust", .rim = true},
     SettingsChange{.rules = "robust", .nearest = 10},
     SettingsChange{.rules = "robust", .nearest = 16},
     SettingsChange{.rules = "robust", .nearest = 8},
     SettingsChange{.rules = "robust", .nearest = 12},
     SettingsChange{.rules = "robust", .nearest = 20},
-    SettingsChange{.rules = "robust", .normals = NormalSource::Derived},
     SettingsChange{.rules = "robust", .symmetric = true},
     SettingsChange{.rules = "robust", .ruleOff = "fill"},
     SettingsChange{.rules = "robust", .ruleOff = "shelve"},
@@ -54,45 +46,23 @@ constexpr std::size_t kMaxTriedDrops = 3;  ///< Findings of the doctor that are 
 constexpr std::size_t kMaxTriedPairs = 3;  ///< Pairs of the best changes.
 static_assert(1 + kSets.size() + kMaxTriedDrops + kChanges.size() + kMaxTriedPairs <= kMaxTrials);
 
-std::size_t totalOf(const std::vector<ClassTotal>& totals, std::string_view name) {
-    return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
+/// True for a mesh that no change can improve.
+bool isPerfect(const MeshVerdict& verdict) {
+    const std::span<const VerdictCount> counts = verdictCounts();
+    return verdict.isSound() && std::all_of(counts.begin(), counts.end(), [&](const auto& count) {
+               return count.of(verdict) == 0;
+           });
 }
 
-/// True if the user wants an opening of this size closed.
-bool isToClose(const PointSet& points, const Params& params, const std::vector<Index>& chain) {
-    if (!params.limitsHoles()) return false;
-    const LoopShape shape = shapeOfLoop(points.position, points.normal, chain);
-    return params.isWithinHoleLimits(shape.width(), chain.size());
+/// Pivots, and changes made by the repair.
+std::uint64_t workOf(const State& state) {
+    const RepairNumbers& made = state.repair;
+    return std::uint64_t{state.counters.pivots} + made.reinserted + made.takenOut + made.flipped +
+           made.droppedPatches + made.closedHoles + made.remeshed;
 }
 
-/// The number of chains that the mesh covers: most of their points in triangles are on no loop.
-std::size_t closedChains(const Chains& chains, const MeshInspection& found,
-                         const std::vector<bool>& used) {
-    std::vector<bool> onLoop(used.size(), false);
-    for (const MeshFailure& each : found.failures) {
-        if (!isLoop(each)) continue;
-        for (const Index p : each.points) onLoop[p] = true;
-    }
-    const auto isClosed = [&](const std::vector<Index>& chain) {
-        std::ptrdiff_t inside = 0;
-        for (const Index p : chain) {
-            if (used[p]) inside += onLoop[p] ? -1 : 1;
-        }
-        return inside > 0;
-    };
-    return static_cast<std::size_t>(std::count_if(chains.begin(), chains.end(), isClosed));
-}
-
-/// True for a mesh that could only be better with fewer points set aside.
-bool isGood(const MeshNumbers& numbers) {
-    return isSound(numbers) && numbers.lost == 0 && numbers.closed == 0;
-}
-
-/// Order of meshes, the best first.
-auto rankOf(const MeshNumbers& n) {
-    return std::tuple(n.capped || n.triangles == 0, faultCount(n.totals), n.setAside, n.lost,
-                      n.closed, n.fidelity.greatestDistance, n.fidelity.meanDistance);
-}
+/// Order of meshes that are all better than another one, the best first.
+auto rankOf(const MeshVerdict& v) { return std::tuple(v.places, v.fidelity.meanDistance); }
 
 /// The run to the end; nothing if cancelled.
 std::optional<Reconstruction> reconstructed(const PointSet& points, const Params& params,
@@ -143,15 +113,13 @@ class TrialRuns {
     /// Pairs of the best single changes: of those that are better than none.
     static std::vector<SettingsChange> pairs(const Trials& trials) {
         const std::vector<Trial>& tried = trials.tried;
-        const MeshNumbers& present = tried.front().numbers;
         std::vector<Trial> single;
-        std::copy_if(tried.begin() + 1, tried.end(), std::back_inserter(single),
-                     [&](const Trial& each) {
-                         return each.change != SettingsChange{.rules = each.change.rules} &&
-                                isBetter(each.numbers, present, present);
-                     });
+        for (std::size_t i = 1; i < tried.size(); ++i) {
+            const bool ofRules = tried[i].change == SettingsChange{.rules = tried[i].change.rules};
+            if (!ofRules && isOffered(tried, i)) single.push_back(tried[i]);
+        }
         std::stable_sort(single.begin(), single.end(), [](const Trial& a, const Trial& b) {
-            return rankOf(a.numbers) < rankOf(b.numbers);
+            return rankOf(a.verdict) < rankOf(b.verdict);
         });
         std::vector<SettingsChange> pairs;
         for (std::size_t i = 1; i < single.size(); ++i) {
@@ -178,7 +146,10 @@ class TrialRuns {
         const auto made =
             reconstructed(prepared.value().points, params.value(), partOf(part, 0.3, 0.8));
         if (!made || (part && !part(0.8))) return Error{"Cancelled."};
-        Trial trial{change, std::move(options.leaveOut), measure(prepared.value(), *made)};
+        Trial trial{change, std::move(options.leaveOut),
+                    judgeMesh(prepared.value().points, made->state.mesh()).verdict,
+                    workOf(made->state)};
+        trial.verdict.stopped = made->reason == StopReason::Capped;
         if (part && !part(1.0)) return Error{"Cancelled."};
         done_ = to;
         return trial;
@@ -187,7 +158,7 @@ class TrialRuns {
   private:
     void addTo(std::vector<SettingsChange>& changes, const SettingsChange& change) const {
         const SettingsChange left = withoutPresent(change, present_, file_);
-        if (!respects(judge_, left)) return;
+        if (judge_ && !respects(*judge_, left)) return;
         const bool known = std::find(changes.begin(), changes.end(), left) != changes.end();
         if (left != SettingsChange{} && !known) changes.push_back(left);
     }
@@ -211,56 +182,27 @@ class TrialRuns {
         return success();
     }
 
-    /// Prepares; the first time, also finds the judge of all meshes, and the openings of the scan.
+    /// Prepares; the first time, also finds the judge of all meshes.
     Result<Prepared> prepareWith(const PrepareOptions& options, const Params& params,
                                  const Progress& part) {
         Result<Prepared> prepared = prepare(file_, options, partOf(part, 0.0, 0.2));
         if (!prepared) return prepared;
         PointSet& points = prepared.value().points;
-        if (!judge_.points) {
-            Result<MeshJudge> judge = judgeFor(file_, options, points, partOf(part, 0.2, 0.3));
+        if (!judge_) {
+            const auto judge = judgeFor(file_, options, points, partOf(part, 0.2, 0.3));
             if (!judge) return judge.error();
-            judge_ = std::move(judge.value());
+            judge_ = withoutOpeningsToClose(judge.value(), params);
         }
-        points.judge = judge_.forRun(points, options.leaveOut);
-        if (openings_) return prepared;
-        Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
-                                  options.neighbors.threads);
-        if (!rim) return rim.error();
-        openings_ = std::move(rim.value().chains);
-        std::erase_if(*openings_, [&](const std::vector<Index>& chain) {
-            return isToClose(points, params, chain);
-        });
+        points.judge = judge_;
         return prepared;
-    }
-
-    MeshNumbers measure(const Prepared& prepared, const Reconstruction& made) const {
-        assert(openings_);
-        const PointSet& points = prepared.points;
-        const std::vector<Triangle>& mesh = made.state.mesh();
-        MeshInspection found = inspectWithTotals(points, mesh);
-        MeshNumbers numbers;
-        numbers.points = points.size();
-        numbers.lost =
-            totalOf(found.totals, "unused_points") + totalOf(found.totals, "isolated_points");
-        numbers.dropped = prepared.report.leftOut;
-        numbers.setAside = prepared.report.noisyPoints + numbers.dropped;
-        numbers.openings = openings_->size();
-        numbers.closed = closedChains(*openings_, found, usedPoints(points.size(), mesh));
-        numbers.fidelity = fidelityOf(points, mesh);
-        numbers.totals = std::move(found.totals);
-        numbers.triangles = mesh.size();
-        numbers.capped = made.reason == StopReason::Capped;
-        return numbers;
     }
 
     const PointFile& file_;
     const RunSettings& present_;
     const Progress& progress_;
     double done_ = 0.0;  ///< Share of the whole before the work in progress.
-    std::optional<Chains> openings_;
     std::optional<Diagnosis> diagnosis_;
-    MeshJudge judge_;  ///< Of the points as given, for every trial.
+    std::shared_ptr<const MeshJudge> judge_;  ///< Of the points as given, for every trial.
 };
 
 /// The search in progress.
@@ -279,36 +221,36 @@ class TrialSearch {
             Result<Trial> trial = runs_.run(change, done / kTrials, (done + 1.0) / kTrials);
             if (!trial) return trial.error();
             trials.tried.push_back(std::move(trial.value()));
-            const MeshNumbers& last = trials.tried.back().numbers;
-            const MeshNumbers& best = trials.tried[trials.best].numbers;
-            if (isBetter(last, best, trials.tried.front().numbers))
-                trials.best = trials.tried.size() - 1;
+            chooseBest();
         }
         return success();
     }
 
-    /// True if the best mesh is good.
+    /// True if nothing is left to improve.
     bool isDone() const {
-        return !trials.tried.empty() && isGood(trials.tried[trials.best].numbers);
+        return !trials.tried.empty() && isPerfect(trials.tried[trials.best].verdict);
     }
 
     Trials trials;
 
   private:
+    /// All are compared again: what plain `robust` rules out is known only after its trial.
+    void chooseBest() {
+        trials.best = 0;
+        for (std::size_t i = 1; i < trials.tried.size(); ++i) {
+            const bool first = trials.best == 0;
+            if (isOffered(trials.tried, i) &&
+                (first ||
+                 rankOf(trials.tried[i].verdict) < rankOf(trials.tried[trials.best].verdict)))
+                trials.best = i;
+        }
+    }
+
     static constexpr double kTrials = kMaxTrials;
 
     TrialRuns& runs_;
     const Visit& visit_;
 };
-
-/// "12 faults", "sound", "no triangle".
-std::string faultText(const MeshNumbers& numbers) {
-    if (numbers.triangles == 0) return "no triangle";
-    const std::size_t faults = faultCount(numbers.totals);
-    if (faults == 0) return isSound(numbers) ? "sound" : "no fault found";
-    return std::string(isExact(numbers.totals) ? "" : "at least ") + std::to_string(faults) +
-           (faults == 1 ? " fault" : " faults");
-}
 
 }  // namespace
 
@@ -316,28 +258,34 @@ std::string trialText(const SettingsChange& next) {
     return next == SettingsChange{} ? "measuring the run as given" : "trying " + wordsOf(next);
 }
 
-std::string describe(const MeshNumbers& numbers) {
-    if (numbers.capped) return "stopped: too many triangles";
-    std::string text = faultText(numbers) + "; " + std::to_string(numbers.lost) +
-                       (numbers.lost == 1 ? " point lost" : " points lost");
-    if (numbers.setAside > 0) text += ", " + std::to_string(numbers.setAside) + " set aside";
-    if (numbers.openings > 0) {
-        text += "; " + std::to_string(numbers.closed) + " of " + std::to_string(numbers.openings) +
-                (numbers.openings == 1 ? " opening closed" : " openings closed");
+std::size_t plainRobust(const std::vector<Trial>& tried) {
+    const SettingsChange robust{.rules = "robust"};
+    const auto has = [&](const Trial& each) { return each.change == robust; };
+    const auto found = std::find_if(tried.begin(), tried.end(), has);
+    return static_cast<std::size_t>(found - tried.begin());
+}
+
+bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
+    assert(trial < tried.size());
+    const MeshVerdict& verdict = tried[trial].verdict;
+    if (!isBetter(verdict, tried.front().verdict)) return false;
+    const std::size_t robust = plainRobust(tried);
+    return robust == tried.size() || worseIn(verdict, tried[robust].verdict) == nullptr;
+}
+
+std::string describe(const MeshVerdict& verdict) {
+    std::string text = headlineOf(verdict);
+    if (verdict.stopped) return text;
+    for (const auto& [count, what] : {std::pair(verdict.strays, " far from all others"),
+                                      std::pair(verdict.noise, " set aside as noise")}) {
+        if (count > 0) text += "; " + std::to_string(count) + what;
     }
-    return text + "; distances up to " + shortNumber(numbers.fidelity.greatestDistance) +
-           ", mean " + shortNumber(numbers.fidelity.meanDistance);
-}
-
-bool isSound(const MeshNumbers& numbers) {
-    return isSound(numbers.totals, numbers.triangles) && !numbers.capped;
-}
-
-bool isBetter(const MeshNumbers& trial, const MeshNumbers& best, const MeshNumbers& present) {
-    const std::size_t mayLose = present.lost + present.points / kPointsPerLost;
-    if (trial.capped || trial.triangles == 0) return false;
-    if (trial.closed > present.closed || trial.lost > mayLose + trial.dropped) return false;
-    return rankOf(trial) < rankOf(best);
+    if (verdict.openings > 0) {
+        text += "; " + std::to_string(verdict.closed) + " of " + std::to_string(verdict.openings) +
+                (verdict.openings == 1 ? " opening closed" : " openings closed");
+    }
+    return text + "; distances up to " + shortNumber(verdict.fidelity.greatestDistance) +
+           ", mean " + shortNumber(verdict.fidelity.meanDistance);
 }
 
 Result<Trials> tryChanges(const PointFile& file, const RunSettings& present,

@@ -49,8 +49,17 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
     return lost;
 }
 
+/// Removes points whose twin is in a triangle from the points in no triangle, and counts them.
+std::size_t dropTwins(const InspectedMesh& mesh, std::vector<Index>& lost) {
+    if (mesh.judge == nullptr) return 0;
+    return std::erase_if(lost, [&](Index p) {
+        const Index twin = mesh.judge->twinOf(p);
+        return twin != kNone && mesh.topology.used[twin];
+    });
+}
+
 /// The points by which a mesh of `input` is judged.
-const PointSet& judgeOf(const PointSet& input) { return input.judge ? *input.judge : input; }
+const PointSet& judgeOf(const PointSet& input) { return input.judge ? input.judge->points : input; }
 
 double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
     double sum = 0.0;
@@ -64,7 +73,8 @@ double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
 }  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : filled(withNormalsAndTypes(judgeOf(input))),
+    : judge(input.judge.get()),
+      filled(withNormalsAndTypes(judgeOf(input))),
       points(filled ? *filled : judgeOf(input)),
       triangles(mesh),
       topology(input.size(), mesh),
@@ -75,7 +85,10 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
             for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
             loops = inspect::boundaryLoops(*this);
         },
-        [&] { lostPoints = findLostPoints(*this, judgeOf(input)); });
+        [&] {
+            lostPoints = findLostPoints(*this, judgeOf(input));
+            twins = dropTwins(*this, lostPoints);
+        });
 }
 
 MeshFailure InspectedMesh::at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const {
@@ -188,6 +201,11 @@ constexpr FailureClass kClasses[] = {
     {"flipped_triangles", "flipped triangle",
      "A triangle faces away from the normals of its points.", true, 12, ofKind<FaultKind::Flipped>},
     {"holes", "hole", "A boundary loop in the middle of the surface.", true, 2, inspect::holes},
+    {"inward_pieces", "piece that faces in", "A closed piece of the surface is inside out.", true,
+     2, inspect::inwardPieces},
+    {"spikes", "spike",
+     "A triangle reaches far beyond the spacing of its points, and closes no hole.", true, 4,
+     inspect::spikes},
     {"small_components", "small component", "A piece of a few triangles beside a larger one.", true,
      4, inspect::smallComponents},
     {"unused_points", "unused point", "A point is in no triangle, though the surface passes by.",
@@ -326,6 +344,7 @@ MeshInspection inspected(const InspectedMesh& mesh) {
     }
     found.work = mesh.search.work;
     found.meanEdge = mesh.meanEdge;
+    found.twins = mesh.twins;
     found.report = reportOf(mesh, counts);
     return found;
 }

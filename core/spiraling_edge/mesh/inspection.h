@@ -78,6 +78,7 @@ struct MeshInspection {
     std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::uint64_t work = 0;          ///< FaultSearch::work.
     double meanEdge = 0.0;  ///< Mean length of the edges, scene units; 0 without triangles.
+    std::size_t twins = 0;  ///< Points in no triangle that are not lost: MeshJudge::twin.
     MeshReport report;
 };
 /// True if every failure is listed and the search was complete.

@@ -6,6 +6,7 @@
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/mesh/mesh_topology.h"
 
 namespace se {
@@ -26,13 +27,15 @@ struct InspectedMesh {
     InspectedMesh(const InspectedMesh&) = delete;
     InspectedMesh& operator=(const InspectedMesh&) = delete;
 
-    std::optional<PointSet> filled;  ///< The points, if the input lacks normals or types: zeros.
-    const PointSet& points;          ///< With normals and types; lists may be absent.
+    const MeshJudge* judge = nullptr;  ///< Null: the points themselves.
+    std::optional<PointSet> filled;    ///< The points, if the input lacks normals or types: zeros.
+    const PointSet& points;            ///< With normals and types; lists may be absent.
     std::span<const Triangle> triangles;
     MeshTopology topology;
     FaultSearch search;                           ///< Empty unless assigned.
     std::vector<Index> lostPoints;                ///< Points in no triangle, neither set aside nor
                                                   ///< unfit for any mesh; ascending.
+    std::size_t twins = 0;                        ///< Points in no triangle beside a twin in one.
     double meanEdge = 0.0;                        ///< Length, scene units.
     std::vector<std::size_t> componentTriangles;  ///< By the least point of a component.
     std::vector<BoundaryLoop> loops;              ///< By least point.
@@ -59,6 +62,11 @@ void inconsistentEdges(const InspectedMesh& mesh, Failures& failures);
 void smallComponents(const InspectedMesh& mesh, Failures& failures);
 void unusedPoints(const InspectedMesh& mesh, Failures& failures);
 void isolatedPoints(const InspectedMesh& mesh, Failures& failures);
+
+// Against what is known of the points: inspection_spikes.cpp; of closed pieces:
+// inspection_pieces.cpp.
+void spikes(const InspectedMesh& mesh, Failures& failures);
+void inwardPieces(const InspectedMesh& mesh, Failures& failures);
 
 }  // namespace inspect
 }  // namespace se

@@ -81,6 +81,8 @@ struct RimGap {
     friend bool operator==(const RimGap&, const RimGap&) = default;
 };
 
+struct MeshJudge;  // mesh/mesh_judge.h
+
 /// The input of the stepper. All arrays have the same length.
 struct PointSet {
     std::vector<Vec3> position;      ///< Scene units.
@@ -94,9 +96,8 @@ struct PointSet {
     std::vector<Index> order;
     /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
     std::vector<bool> setAside;
-    /// These points with the normals and types by which a mesh of them is judged (judge.h). Null:
-    /// these themselves.
-    std::shared_ptr<const PointSet> judge;
+    /// What a mesh of these points is judged by. Null: these points themselves.
+    std::shared_ptr<const MeshJudge> judge;
 
     /// The gap of point p; no ends where none is known.
     RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }

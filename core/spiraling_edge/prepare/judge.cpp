@@ -4,14 +4,20 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/facing.h"
 #include "spiraling_edge/prepare/given_normals.h"
+#include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/rim.h"
+#include "spiraling_edge/prepare/strays.h"
 
 namespace se {
 namespace {
@@ -19,6 +25,14 @@ namespace {
 /// Shares of the work.
 constexpr double kListsDone = 0.4;
 constexpr double kMeasuredDone = 0.5;
+constexpr double kPreparedDone = 0.8;
+
+/// A twin's nearest point is nearer than this share of the distance to the fourth nearest.
+constexpr double kTwinShare = 0.25;
+/// Parts of the points are joined by mutual neighbors within this many spacings of both.
+constexpr double kJoined = 2.0;
+/// Points lie in lines if the median of the spread along a place by that across is above this.
+constexpr double kInLines = 5.0;
 
 /// Finite points without their copies, and the 12 nearest of each.
 struct Surroundings {
@@ -26,11 +40,14 @@ struct Surroundings {
     NeighborLists nearest;
 };
 
-Result<Surroundings> surroundingsOf(const PointFile& file, unsigned threads,
-                                    const Progress& progress) {
+/// Those of the points without some, if any.
+Result<Surroundings> surroundingsOf(const PointFile& file, const std::vector<bool>& without,
+                                    unsigned threads, const Progress& progress) {
     Surroundings around;
-    for (const Fitness fitness : fitnessOf(file.position))
-        around.present.push_back(fitness == Fitness::Usable);
+    for (const Fitness fitness : fitnessOf(file.position)) {
+        const std::size_t p = around.present.size();
+        around.present.push_back(fitness == Fitness::Usable && (without.empty() || !without[p]));
+    }
     NeighborOptions nearest;
     nearest.dropOpposingNormals = false;
     nearest.threads = threads;
@@ -101,30 +118,150 @@ void turnAsInRun(const Surroundings& around, const PointSet& run, PointSet& poin
     }
 }
 
-Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, const PointSet* run,
-                         const Progress& progress) {
-    if (const Status status = checkColumns(file); !status) return status.error();
-    const unsigned threads = options.neighbors.threads;
-    const Result<Surroundings> around =
-        surroundingsOf(file, threads, partOf(progress, 0.0, kListsDone));
-    if (!around) return around.error();
-    MeshJudge judge;
-    const std::vector<Vec3> given = rightNormals(file, around.value(), threads, judge);
+// ---- spacing, twins, parts
+// -----------------------------------------------------------------------
+
+double distanceBetween(const PointFile& file, Index p, Index q) {
+    return glm::distance(file.position[p], file.position[q]);
+}
+
+/// The distance to the n-th nearest point, or to the last of fewer.
+double distanceTo(const PointFile& file, const Surroundings& around, Index p, std::size_t n) {
+    const std::span<const Index> list = around.nearest[p];
+    return list.empty() ? 0.0 : distanceBetween(file, p, list[std::min(n, list.size()) - 1]);
+}
+
+/// The nearest point of a twin; else kNone.
+Index twinOf(const PointFile& file, const Surroundings& around, Index p) {
+    const std::span<const Index> list = around.nearest[p];
+    if (list.size() < 4) return kNone;
+    const bool isTwin =
+        distanceBetween(file, p, list[0]) < kTwinShare * distanceBetween(file, p, list[3]);
+    return isTwin ? list[0] : kNone;
+}
+
+/// The axis of the points around a place, and how much longer they reach along it than across.
+struct LineAt {
+    Vec3 axis{0.0};
+    double ratio = 1.0;
+};
+LineAt lineAt(const PointFile& file, const Surroundings& around, Index p) {
+    const PlaneFit plane = planeAt(file.position, p, around.nearest[p]);
+    const std::span<const Index> list = around.nearest[p];
+    if (list.empty() || !(plane.variance[2] > 0.0)) return {};
+    const Vec3 far = file.position[list.back()] - file.position[p];
+    return {glm::normalize(far),
+            std::sqrt(plane.variance[2] / std::max(plane.variance[1], 1e-4 * plane.variance[2]))};
+}
+
+/// The distance of lines of points; 0 where points do not lie in lines. Measured at every so many
+/// points: to the nearest point that is more across than along.
+double lineDistance(const PointFile& file, const Surroundings& around) {
+    constexpr std::size_t kMeasured = 256;
+    const std::size_t step = std::max<std::size_t>(1, around.present.size() / kMeasured);
+    std::vector<double> ratios;
+    std::vector<Index> measured;
+    for (std::size_t p = 0; p < around.present.size(); p += step) {
+        if (!around.present[p]) continue;
+        measured.push_back(static_cast<Index>(p));
+        ratios.push_back(lineAt(file, around, measured.back()).ratio);
+    }
+    if (ratios.empty() || !(medianOf(ratios) > kInLines)) return 0.0;
+    std::vector<double> across;
+    for (const Index p : measured) {
+        const Vec3 axis = lineAt(file, around, p).axis;
+        double nearest = std::numeric_limits<double>::max();
+        for (Index q = 0; q < around.present.size(); ++q) {
+            const Vec3 d = file.position[q] - file.position[p];
+            const double along = std::abs(glm::dot(d, axis));
+            if (around.present[q] && q != p && 2.0 * along * along <= glm::dot(d, d))
+                nearest = std::min(nearest, glm::length(d));
+        }
+        if (nearest < std::numeric_limits<double>::max()) across.push_back(nearest);
+    }
+    return across.empty() ? 0.0 : medianOf(across);
+}
+
+/// Parts of at least three points, connected by mutual neighbors within kJoined spacings.
+std::size_t countPieces(const PointFile& file, const Surroundings& around, const MeshJudge& judge) {
+    const auto n = static_cast<Index>(around.present.size());
+    DisjointSets sets(n);
+    for (Index p = 0; p < n; ++p) {
+        for (const Index q : around.nearest[p]) {
+            const std::span<const Index> back = around.nearest[q];
+            const double reach = kJoined * std::min(judge.spacing[p], judge.spacing[q]);
+            if (q > p && std::find(back.begin(), back.end(), p) != back.end() &&
+                distanceBetween(file, p, q) <= reach)
+                sets.unite(p, q);
+        }
+    }
+    std::vector<Index> size(n, 0);
+    for (Index p = 0; p < n; ++p) ++size[sets.find(p)];
+    return static_cast<std::size_t>(
+        std::count_if(size.begin(), size.end(), [](Index count) { return count >= 3; }));
+}
+
+/// Measures the distances of the points.
+void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge) {
+    const auto n = static_cast<Index>(around.present.size());
+    const double lines = lineDistance(file, around);
+    judge.spacing.assign(n, 0.0);
+    judge.reach.assign(n, 0.0);
+    judge.twin.assign(n, kNone);
+    for (Index p = 0; p < n; ++p) {
+        if (!around.present[p]) continue;
+        judge.spacing[p] = std::max(lines, distanceTo(file, around, p, 3));
+        judge.reach[p] = std::max(lines, distanceTo(file, around, p, 12));
+        judge.twin[p] = twinOf(file, around, p);
+    }
+    if (lines == 0.0) judge.pieces = countPieces(file, around, judge);
+}
+
+// ---- the judge ----------------------------------------------------------------------------------
+
+using Judge = Result<std::shared_ptr<const MeshJudge>>;
+
+/// Points with the normals of the judge, and lists; noise and strays are set aside.
+Result<Prepared> preparedFor(const PointFile& file, const PrepareOptions& options,
+                             const MeshJudge& judge, const Progress& progress) {
     PrepareOptions own;
-    own.neighbors.threads = threads;
+    own.neighbors.threads = options.neighbors.threads;
     own.neighbors.recompute = true;
     own.setNoiseAside = true;
     own.normals = judge.fit ? NormalSource::AsGiven : NormalSource::Derived;
     own.walls = options.walls;
-    Result<Prepared> prepared = prepare(file, own, partOf(progress, kMeasuredDone, 1.0));
+    for (Index p = 0; p < judge.stray.size(); ++p) {
+        if (judge.stray[p]) own.leaveOut.push_back(p);
+    }
+    return prepare(file, own, progress);
+}
+
+Judge judged(const PointFile& file, const PrepareOptions& options, const PointSet* run,
+             const Progress& progress) {
+    if (const Status status = checkColumns(file); !status) return status.error();
+    const unsigned threads = options.neighbors.threads;
+    const Result<Surroundings> around =
+        surroundingsOf(file, {}, threads, partOf(progress, 0.0, kListsDone));
+    if (!around) return around.error();
+    auto judge = std::make_shared<MeshJudge>();
+    const std::vector<Vec3> given = rightNormals(file, around.value(), threads, *judge);
+    judge->stray =
+        strayPoints(file.position, around.value().present, around.value().nearest, threads);
+    Result<Prepared> prepared =
+        preparedFor(file, options, *judge, partOf(progress, kMeasuredDone, kPreparedDone));
     if (!prepared) return prepared.error();
     PointSet& points = prepared.value().points;
-    judge.noise.assign(points.size(), false);
+    judge->noise.assign(points.size(), false);
     for (Index p = 0; p < points.size(); ++p) {
-        const bool usable = around.value().present[p] && points.normal[p] != Vec3(0.0);
-        if (!usable || !points.setAside[p]) continue;
-        judge.noise[p] = true;
-        points.setAside[p] = false;
+        judge->noise[p] = points.setAside[p] && around.value().present[p] && !judge->stray[p] &&
+                          points.normal[p] != Vec3(0.0);
+    }
+    if (std::find(judge->noise.begin(), judge->noise.end(), true) == judge->noise.end()) {
+        measure(file, around.value(), *judge);
+    } else {
+        const Result<Surroundings> kept = surroundingsOf(file, judge->noise, threads, {});
+        if (!kept) return kept.error();
+        measure(file, kept.value(), *judge);
     }
     // Where the file has no normal, the one that prepare() completed stays.
     for (Index p = 0; p < given.size(); ++p) {
@@ -132,49 +269,41 @@ Result<MeshJudge> judged(const PointFile& file, const PrepareOptions& options, c
     }
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
     if (run != nullptr && named) turnAsInRun(around.value(), *run, points);
+    Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
+                              threads, partOf(progress, kPreparedDone, 1.0));
+    if (!rim) return rim.error();
+    judge->openings = std::move(rim.value().chains);
     points.neighbors = {};
     points.rim = {};
-    judge.points = std::make_shared<const PointSet>(std::move(points));
-    return judge;
+    judge->points = std::move(points);
+    return std::shared_ptr<const MeshJudge>(std::move(judge));
 }
 
 }  // namespace
 
-std::shared_ptr<const PointSet> MeshJudge::forRun(const PointSet& run,
-                                                  std::span<const Index> leaveOut) const {
-    auto judge = std::make_shared<PointSet>(*points);
-    for (std::size_t p = 0; p < run.setAside.size(); ++p) {
-        if (run.setAside[p] && noise[p]) judge->setAside[p] = true;
-    }
-    for (const Index p : leaveOut) judge->setAside[p] = false;
-    return judge;
-}
-
-std::string departureText(const MeshJudge& judge) {
-    if (judge.unfitDegrees > 0.0) {
-        return "by derived normals: the given ones are " +
-               std::to_string(std::lround(judge.unfitDegrees)) +
-               " degrees off the surface (median)";
-    }
-    if (judge.flipped == 0) return {};
-    return judge.flipped == 1
-               ? "by the given normals, but for 1 that points against those around it"
-               : "by the given normals, but for " + std::to_string(judge.flipped) +
-                     " that point against those around them";
-}
-
-Result<MeshJudge> judgeFor(const PointFile& file, const PrepareOptions& options,
-                           const PointSet& run, const Progress& progress) {
+Judge judgeFor(const PointFile& file, const PrepareOptions& options, const PointSet& run,
+               const Progress& progress) {
     assert(run.size() == file.position.size());
     return judged(file, options, &run, progress);
 }
 
-Result<MeshJudge> judgeFor(const PointFile& file, const std::optional<WallBox>& walls,
-                           unsigned threads, const Progress& progress) {
+Judge judgeFor(const PointFile& file, const std::optional<WallBox>& walls, unsigned threads,
+               const Progress& progress) {
     PrepareOptions options;
     options.walls = walls;
     options.neighbors.threads = threads;
     return judged(file, options, nullptr, progress);
+}
+
+std::shared_ptr<const MeshJudge> withoutOpeningsToClose(std::shared_ptr<const MeshJudge> judge,
+                                                        const Params& params) {
+    if (!params.limitsHoles()) return judge;
+    auto fewer = std::make_shared<MeshJudge>(*judge);
+    std::erase_if(fewer->openings, [&](const std::vector<Index>& chain) {
+        const LoopShape shape = shapeOfLoop(judge->points.position, judge->points.normal, chain);
+        return params.isWithinHoleLimits(shape.width(), chain.size());
+    });
+    return fewer;
 }
 
 }  // namespace se

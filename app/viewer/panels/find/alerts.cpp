@@ -337,7 +337,7 @@ void drawList(const PanelContext& context) {
 /// The verdict on a mesh without failures: "No failures found: the mesh is sound."
 std::string noneText(const AlertSearch& alerts) {
     if (alerts.sound()) return "No failures found: the mesh is sound.";
-    const bool none = alerts.found()->triangles == 0;
+    const bool none = alerts.found()->verdict.triangles == 0;
     return std::string("No failures found, but ") +
            (none ? "the mesh has no triangle." : "the search ended early.");
 }

@@ -7,21 +7,12 @@
 
 namespace se::view {
 
-namespace {
-
-std::string faultsText(const MeshNumbers& numbers) {
-    const std::size_t faults = faultCount(numbers.totals);
-    return grouped(faults) + (faults == 1 ? " fault" : " faults");
-}
-
-}  // namespace
-
 void drawBestTrial(const PanelContext& context, const std::string& name) {
     const TrialJob& job = context.session().trials();
     if (const Trial* best = job.best()) {
-        wrappedText("Other settings were tried: " + wordsOf(best->change) + " leaves " +
-                    faultsText(best->numbers) + " instead of " +
-                    faultsText(job.trials().tried.front().numbers) + ".");
+        wrappedText("Other settings were tried: " + wordsOf(best->change) + ". Now " +
+                    headlineOf(job.trials().tried.front().verdict) + "; then " +
+                    headlineOf(best->verdict) + ".");
         if (smallButton(context, "Fix", name, "Run again with these settings, to the end"))
             fixByTrials(context.commands);
         ImGui::Spacing();

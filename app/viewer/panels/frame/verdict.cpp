@@ -33,72 +33,43 @@ bool isSmall(const PanelContext& context) {
     return view.size.x < kSmallWidth * context.em || view.size.y < kSmallHeight * context.em;
 }
 
-/// Classes with a number of their own.
-constexpr std::size_t kNamedClasses = 3;
-
-/// "3 holes · 12 intersecting pairs · 40 others", the most severe class first.
-std::string classesText(const RunFailureSearch& found) {
-    std::vector<std::size_t> classes;
-    std::size_t others = faultCount(found.totals);
-    for (std::size_t i = 0; i < found.totals.size(); ++i) {
-        if (failureClasses()[i].fault && found.totals[i].total > 0) classes.push_back(i);
-    }
-    std::stable_sort(classes.begin(), classes.end(), [](std::size_t a, std::size_t b) {
-        return failureClasses()[a].severity < failureClasses()[b].severity;
-    });
-    std::string text;
-    for (const std::size_t i : std::span(classes).first(std::min(classes.size(), kNamedClasses))) {
-        const std::size_t count = found.totals[i].total;
-        text += (text.empty() ? "" : " \xC2\xB7 ") + grouped(count) + " " +
-                nounFor(failureClasses()[i], count);
-        others -= count;
-    }
-    if (others > 0) text += " \xC2\xB7 " + grouped(others) + (others == 1 ? " other" : " others");
-    return text;
-}
-
 /// "19 304 triangles · farthest point 0.4 spacings away".
 std::string meshText(const RunFailureSearch& found, const Model& model) {
-    std::string text = withS(found.triangles, "triangle");
-    const double farthest = found.fidelity.greatestDistance * model.scale / model.spacing;
+    std::string text = withS(found.verdict.triangles, "triangle");
+    const double farthest = found.verdict.fidelity.greatestDistance * model.scale / model.spacing;
     if (farthest > 0.0)
         text += " \xC2\xB7 farthest point " + formatted("%.1f", farthest) + " spacings away";
     return text;
 }
 
-/// The numbers by which trials are compared, of the open run and of the best, one row each.
-/// Distances in spacings.
-void drawNumbers(const PanelContext& context, const MeshNumbers& now, const MeshNumbers& best) {
+/// The counts in which the open run and the best trial differ, one row each, and distances in
+/// spacings.
+void drawNumbers(const PanelContext& context, const MeshVerdict& now, const MeshVerdict& then) {
     const Model& model = context.session().model();
-    constexpr std::array kHeads{"", "faults", "lost", "aside", "closed", "farthest", "mean"};
-    if (!ImGui::BeginTable("##numbers", static_cast<int>(kHeads.size()),
+    if (!ImGui::BeginTable("##numbers", 3,
                            ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
         return;
-    for (const char* head : kHeads) {
-        ImGui::TableNextColumn();
-        ImGui::TextColored(toVec4(context.palette.textDim), "%s", head);
-    }
-    const auto row = [&](const char* name, const MeshNumbers& numbers) {
-        const auto spacings = [&](double length) {
-            return formatted("%.2g", length * model.scale / model.spacing);
-        };
-        const std::string closed =
-            numbers.openings == 0 ? "-"
-                                  : grouped(numbers.closed) + " of " + grouped(numbers.openings);
-        for (const std::string& cell :
-             {std::string(name), grouped(faultCount(numbers.totals)), grouped(numbers.lost),
-              grouped(numbers.setAside), closed, spacings(numbers.fidelity.greatestDistance),
-              spacings(numbers.fidelity.meanDistance)}) {
+    const auto row = [&](const std::string& what, const std::string& before,
+                         const std::string& after) {
+        for (const std::string& cell : {what, before, after}) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(cell.c_str());
         }
     };
-    row("now", now);
-    row("then", best);
+    const auto spacings = [&](double length) {
+        return formatted("%.2g", length * model.scale / model.spacing);
+    };
+    row("", "now", "then");
+    row("places with faults", grouped(now.places), grouped(then.places));
+    for (const VerdictCount& count : verdictCounts()) {
+        if (count.of(now) > 0 || count.of(then) > 0)
+            row(std::string(count.plural), grouped(count.of(now)), grouped(count.of(then)));
+    }
+    row("mean distance", spacings(now.fidelity.meanDistance), spacings(then.fidelity.meanDistance));
     ImGui::EndTable();
     nameItem(context, "verdict numbers",
-             "Faults; points lost, and set aside as noise or layers; openings of the scan that the "
-             "mesh closes; greatest and mean distance of the points from the mesh, in spacings");
+             "Places with faults, and whatever else is worse or better; the mean distance of the "
+             "points from the mesh is in spacings");
 }
 
 /// The trials of other settings: what is tried, and the numbers of the open run and of the best.
@@ -117,7 +88,7 @@ void drawTrials(const PanelContext& context) {
     const std::vector<Trial>& tried = job.trials().tried;
     if (const Trial* best = job.best()) {
         wrappedText("Better: " + wordsOf(best->change));
-        drawNumbers(context, tried.front().numbers, best->numbers);
+        drawNumbers(context, tried.front().verdict, best->verdict);
     }
     if (job.busy()) {
         if (progressAndStop(context, job.share(), job.trying().c_str(), "verdict stop")) job.stop();
@@ -213,7 +184,6 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     ImGui::PopStyleColor();
     drawClose(context);
     if (!isSmall(context)) {
-        if (!alerts.places().empty()) wrappedText(classesText(*alerts.found()));
         // The table of the trials has the distances too.
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));

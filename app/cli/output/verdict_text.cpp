@@ -1,0 +1,35 @@
+#include "verdict_text.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace se::cli {
+
+nlohmann::ordered_json verdictJson(const MeshVerdict& verdict) {
+    nlohmann::ordered_json json = {{"sound", verdict.isSound()},
+                                   {"headline", headlineOf(verdict)},
+                                   {"stopped", verdict.stopped},
+                                   {"triangles", verdict.triangles},
+                                   {"faults", faultCount(verdict.totals)},
+                                   {"exact", isExact(verdict.totals)},
+                                   {"places", verdict.places},
+                                   {"all_places", verdict.allPlaces}};
+    json["places_of"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
+        if (verdict.placesOf[i] > 0)
+            json["places_of"][std::string(failureClasses()[i].name)] = verdict.placesOf[i];
+    }
+    for (const VerdictCount& count : verdictCounts())
+        json[std::string(count.name)] = count.of(verdict);
+    json["not_lost"] = {
+        {"strays", verdict.strays}, {"noise", verdict.noise}, {"twins", verdict.twins}};
+    json["pieces"] = verdict.pieces;
+    json["pieces_of_points"] = verdict.piecesOfPoints;
+    json["openings"] = verdict.openings;
+    json["covered"] = verdict.covered();
+    json["greatest_distance"] = verdict.fidelity.greatestDistance;
+    json["mean_distance"] = verdict.fidelity.meanDistance;
+    return json;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,20 @@
+#include "spiraling_edge/mesh/mesh_judge.h"
+
+#include <cmath>
+
+namespace se {
+
+std::string departureText(const MeshJudge& judge) {
+    if (judge.unfitDegrees > 0.0) {
+        return "by derived normals: the given ones are " +
+               std::to_string(std::lround(judge.unfitDegrees)) +
+               " degrees off the surface (median)";
+    }
+    if (judge.flipped == 0) return {};
+    return judge.flipped == 1
+               ? "by the given normals, but for 1 that points against those around it"
+               : "by the given normals, but for " + std::to_string(judge.flipped) +
+                     " that point against those around them";
+}
+
+}  // namespace se

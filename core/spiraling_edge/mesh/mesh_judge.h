@@ -1,0 +1,51 @@
+/// The points by which a mesh is judged, as they were given, with what is known of them without any
+/// mesh: which of them no mesh needs, where their surface ends, how far apart they are.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/points/point_set.h"
+
+namespace se {
+
+/// The given points as a judge of meshes: equal for every run of them, and for a later check.
+struct MeshJudge {
+    /// With positions and types of the file, or of the walls of the options, never derived rims.
+    /// Normals are those of the file if they fit (normalsFit()), where patches contradict each
+    /// other (sidesOf()) the flipped ones turned; else derived ones. Without lists. Set aside are
+    /// points that a mesh need not have: not usable, noise, strays.
+    PointSet points;
+    std::vector<bool> noise{};  ///< Points that prepare() sets aside as noise.
+    std::vector<bool> stray{};  ///< Points far from all others: strayPoints().
+    /// Of a point much nearer to another one than to the rest, that other one; else kNone. Of the
+    /// two a mesh needs one.
+    std::vector<Index> twin{};
+    /// The distance to the third nearest point, scene units; where points lie in lines, at least
+    /// the distance of lines; 0 for points that are not usable.
+    std::vector<double> spacing{};
+    /// The distance to the twelfth nearest point, or to the last of fewer; else as `spacing`.
+    std::vector<double> reach{};
+    /// The rims of the points (findRim()), each where the surface ends.
+    std::vector<std::vector<Index>> openings{};
+    /// Parts of the points that are connected by mutual neighbors within two spacings; 0: unknown.
+    std::size_t pieces = 0;
+    bool fit = false;           ///< The file has normals, and they fit.
+    std::size_t flipped = 0;    ///< Of these, turned to the side of those around them.
+    double unfitDegrees = 0.0;  ///< Median angle of given normals that do not fit; else 0.
+
+    /// Given normals fit and agree: nothing but the user's word turns them or derives others.
+    bool areRight() const { return fit && flipped == 0; }
+    /// True if `p` is marked in one of the lists above.
+    static bool isMarked(const std::vector<bool>& list, Index p) {
+        return p < list.size() && list[p];
+    }
+    /// The twin of `p`, or kNone.
+    Index twinOf(Index p) const { return p < twin.size() ? twin[p] : kNone; }
+};
+/// How the judge departs from the given normals, as a piece of a sentence: "by derived normals: the
+/// given ones are 40 degrees off the surface (median)"; empty if it does not.
+std::string departureText(const MeshJudge& judge);
+
+}  // namespace se

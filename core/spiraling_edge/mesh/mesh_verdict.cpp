@@ -1,0 +1,201 @@
+#include "spiraling_edge/mesh/mesh_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+#include "spiraling_edge/mesh/mesh_judge.h"
+#include "spiraling_edge/points/usable_points.h"
+
+namespace se {
+namespace {
+
+/// A point in no triangle is covered within this many spacings of the mesh.
+constexpr double kCovering = 0.5;
+
+std::size_t totalOf(std::span<const ClassTotal> totals, std::string_view name) {
+    return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
+}
+
+/// The points in loops of one sort.
+std::vector<bool> pointsOn(std::span<const MeshFailure> failures, std::size_t points,
+                           bool holesOnly) {
+    std::vector<bool> on(points, false);
+    for (const MeshFailure& each : failures) {
+        if (!isLoop(each) || (holesOnly && !each.kind->fault)) continue;
+        for (const Index p : each.points) on[p] = true;
+    }
+    return on;
+}
+
+/// The number of openings that the mesh covers: most of their points in triangles are on no loop.
+std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLoop,
+                           const std::vector<bool>& used) {
+    const auto isClosed = [&](const std::vector<Index>& chain) {
+        std::ptrdiff_t inside = 0;
+        for (const Index p : chain) {
+            if (used[p]) inside += onLoop[p] ? -1 : 1;
+        }
+        return inside > 0;
+    };
+    return static_cast<std::size_t>(
+        std::count_if(judge.openings.begin(), judge.openings.end(), isClosed));
+}
+
+/// Counts points in no triangle by reason, and those that are covered.
+void countPoints(const MeshJudge& judge, std::span<const MeshFailure> failures,
+                 std::span<const double> distance, const std::vector<bool>& used,
+                 MeshVerdict& verdict) {
+    const std::vector<bool> besideHole = pointsOn(failures, used.size(), true);
+    const std::vector<Fitness> fitness = fitnessOf(judge.points.position);
+    for (Index p = 0; p < used.size(); ++p) {
+        if (fitness[p] != Fitness::Usable) continue;
+        const bool aside =
+            MeshJudge::isMarked(judge.noise, p) || MeshJudge::isMarked(judge.stray, p);
+        if (!used[p]) {
+            if (MeshJudge::isMarked(judge.stray, p)) {
+                ++verdict.strays;
+            } else if (MeshJudge::isMarked(judge.noise, p)) {
+                ++verdict.noise;
+            }
+        }
+        if (aside || judge.spacing.empty()) continue;
+        ++verdict.toCover;
+        const bool covered = used[p] ? !besideHole[p] : distance[p] <= kCovering * judge.spacing[p];
+        verdict.uncovered += covered ? 0 : 1;
+    }
+}
+
+/// Number of places at which each class is the worst.
+std::vector<std::size_t> worstClasses(std::span<const MeshFailure> failures,
+                                      std::span<const FaultPlace> places) {
+    std::vector<std::size_t> count(failureClasses().size(), 0);
+    for (const FaultPlace& place : places) {
+        const FailureClass* worst = failures[place.faults.front()].kind;
+        ++count[static_cast<std::size_t>(worst - failureClasses().data())];
+    }
+    return count;
+}
+
+/// Distances of points, NaN if unknown, summed up.
+Fidelity fidelityFrom(std::span<const double> distance) {
+    Fidelity fidelity;
+    std::size_t count = 0;
+    double sum = 0.0;
+    for (const double each : distance) {
+        if (std::isnan(each)) continue;
+        ++count;
+        fidelity.greatestDistance = std::max(fidelity.greatestDistance, each);
+        sum += each;
+    }
+    if (count > 0) fidelity.meanDistance = sum / static_cast<double>(count);
+    return fidelity;
+}
+
+constexpr VerdictCount kCounts[] = {
+    {"points_lost", "point lost", "points lost", [](const MeshVerdict& v) { return v.lost; }},
+    {"extra_pieces", "piece torn off", "pieces torn off",
+     [](const MeshVerdict& v) { return v.extraPieces(); }},
+    {"hole_edges", "edge of a hole", "edges of holes",
+     [](const MeshVerdict& v) { return v.holeEdges; }},
+    {"openings_closed", "opening closed", "openings closed",
+     [](const MeshVerdict& v) { return v.closed; }},
+    {"triangles_against_normals", "triangle against the normals", "triangles against the normals",
+     [](const MeshVerdict& v) { return v.against; }},
+    {"pieces_facing_in", "piece facing in", "pieces facing in",
+     [](const MeshVerdict& v) { return v.facingIn; }},
+    {"points_not_covered", "point not covered", "points not covered",
+     [](const MeshVerdict& v) { return v.uncovered; }},
+};
+
+}  // namespace
+
+MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangles,
+                      const MeshInspection& inspection, std::span<const FaultPlace> places) {
+    const std::vector<bool> used = usedPoints(points.size(), triangles);
+    const std::vector<double> distance = distancesFromMesh(points, triangles);
+    MeshVerdict verdict;
+    verdict.totals = inspection.totals;
+    verdict.placesOf = worstClasses(inspection.failures, places);
+    verdict.places = places.size();
+    const auto isFault = [](const MeshFailure& each) { return each.kind->fault; };
+    const auto listed =
+        std::count_if(inspection.failures.begin(), inspection.failures.end(), isFault);
+    verdict.allPlaces = isExact(inspection.totals) &&
+                        static_cast<std::size_t>(listed) == faultCount(inspection.totals);
+    verdict.triangles = triangles.size();
+    verdict.points = points.size();
+    verdict.usedPoints = inspection.report.usedPoints;
+    verdict.lost =
+        totalOf(verdict.totals, "unused_points") + totalOf(verdict.totals, "isolated_points");
+    verdict.twins = inspection.twins;
+    verdict.pieces = inspection.report.components;
+    for (const MeshFailure& each : inspection.failures) {
+        if (isLoop(each) && each.kind->fault) verdict.holeEdges += each.edges.size();
+    }
+    verdict.facingIn = totalOf(verdict.totals, "inward_pieces");
+    verdict.fidelity = fidelityFrom(distance);
+    if (!points.judge) return verdict;
+    const MeshJudge& judge = *points.judge;
+    verdict.piecesOfPoints = judge.pieces;
+    verdict.openings = judge.openings.size();
+    verdict.closed =
+        closedOpenings(judge, pointsOn(inspection.failures, points.size(), false), used);
+    if (judge.fit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
+    countPoints(judge, inspection.failures, distance, used, verdict);
+    return verdict;
+}
+
+JudgedMesh judgeMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    JudgedMesh judged{inspectWithTotals(points, triangles), {}, {}};
+    judged.places = faultPlaces(points, judged.inspection.failures, judged.inspection.meanEdge);
+    judged.verdict = verdictOn(points, triangles, judged.inspection, judged.places);
+    return judged;
+}
+
+std::span<const VerdictCount> verdictCounts() { return kCounts; }
+
+const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
+    const auto worse =
+        std::find_if(std::begin(kCounts), std::end(kCounts),
+                     [&](const VerdictCount& count) { return count.of(mesh) > count.of(other); });
+    return worse == std::end(kCounts) ? nullptr : worse;
+}
+
+bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other) {
+    return mesh.triangles > 0 && !mesh.stopped && worseIn(mesh, other) == nullptr &&
+           mesh.places < other.places;
+}
+
+std::string headlineOf(const MeshVerdict& verdict) {
+    if (verdict.stopped) return "stopped: too many triangles";
+    if (verdict.isSound()) return "sound";
+    if (verdict.triangles == 0) return "not sound: no triangle";
+    if (verdict.places == 0) return "no fault found, but the search ended early";
+    std::string text = (verdict.allPlaces ? "" : "at least ") + std::to_string(verdict.places) +
+                       (verdict.places == 1 ? " place" : " places");
+    std::vector<std::size_t> classes;
+    for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
+        if (verdict.placesOf[i] > 0) classes.push_back(i);
+    }
+    std::stable_sort(classes.begin(), classes.end(), [&](std::size_t a, std::size_t b) {
+        return verdict.placesOf[a] > verdict.placesOf[b];
+    });
+    constexpr std::size_t kNamedClasses = 3;
+    std::size_t others = verdict.places;
+    for (std::size_t i = 0; i < std::min(classes.size(), kNamedClasses); ++i) {
+        const std::size_t count = verdict.placesOf[classes[i]];
+        others -= count;
+        text += (i == 0 ? ": " : ", ") + std::to_string(count) + " of " +
+                nounFor(failureClasses()[classes[i]], 2);
+    }
+    if (others > 0) text += ", " + std::to_string(others) + (others == 1 ? " other" : " others");
+    if (verdict.lost > 0) {
+        text += "; " + std::to_string(verdict.lost) +
+                (verdict.lost == 1 ? " point lost" : " points lost");
+    }
+    return text;
+}
+
+}  // namespace se
