@@ -27,6 +27,10 @@ Status checkLengths(const PointSet& points) {
         return Error{"there are " + std::to_string(n) + " positions, but " +
                      std::to_string(points.setAside.size()) + " marks of points set aside"};
     }
+    if (!points.stray.empty() && points.stray.size() != n) {
+        return Error{"there are " + std::to_string(n) + " positions, but " +
+                     std::to_string(points.stray.size()) + " marks of strays"};
+    }
     bool good = offset.front() == 0 && offset.back() == points.neighbors.ids.size();
     for (std::size_t p = 0; p < n; ++p) good = good && offset[p] <= offset[p + 1];
     if (!good) return Error{"the offsets of the neighbor lists do not divide their entries"};

@@ -96,6 +96,9 @@ struct PointSet {
     std::vector<Index> order;
     /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
     std::vector<bool> setAside;
+    /// Points far from all others, by strayPoints() (strays.h); empty: none. Where the rules keep
+    /// them they are not set aside.
+    std::vector<bool> stray;
     /// What a mesh of these points is judged by. Null: these points themselves.
     std::shared_ptr<const MeshJudge> judge;
 
@@ -125,8 +128,8 @@ inline bool haveFinitePositions(const PointSet& points, std::span<const Triangle
     });
 }
 
-/// Checks the preconditions of the stepper: equal array lengths (`setAside` and `rim` may be
-/// empty); for every point that has a list or is in one, a finite position and a unit normal
+/// Checks the preconditions of the stepper: equal array lengths (`setAside`, `stray` and `rim` may
+/// be empty); for every point that has a list or is in one, a finite position and a unit normal
 /// (within 1e-6); in every list only existing points, none twice, not the point itself; all points
 /// once in `order`, unless empty; as ends of `rim` only other points that exist, both or none.
 /// Points outside all lists may have any values: they end as isolated. prepare() makes any input

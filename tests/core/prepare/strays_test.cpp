@@ -1,0 +1,156 @@
+/// Strays (docs/robust.md, "Before the run"): points far from all others are found at any distance,
+/// alone or in pairs, and no point of a surface is one.
+#include "spiraling_edge/prepare/strays.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "spiraling_edge/points/usable_points.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/shared_data.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// Even points of the unit sphere, along a spiral.
+std::vector<Vec3> evenSphere(std::size_t count = 600) {
+    const double turn = kPi * (3.0 - std::sqrt(5.0));
+    std::vector<Vec3> position;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto k = static_cast<double>(i);
+        const double z = 1.0 - (2.0 * k + 1.0) / static_cast<double>(count);
+        const double r = std::sqrt(1.0 - z * z);
+        position.emplace_back(r * std::cos(k * turn), r * std::sin(k * turn), z);
+    }
+    return position;
+}
+
+/// The strays among points, by their 12 nearest, ascending.
+std::vector<Index> straysOf(const std::vector<Vec3>& position, unsigned threads = 0) {
+    std::vector<bool> present;
+    for (const Fitness fitness : fitnessOf(position)) present.push_back(fitness == Fitness::Usable);
+    const NeighborLists nearest = findNeighbors(position, {}, present, reach(12, false)).value();
+    const std::vector<bool> stray = strayPoints(position, present, nearest, threads);
+    std::vector<Index> found;
+    for (Index p = 0; p < stray.size(); ++p) {
+        if (stray[p]) found.push_back(p);
+    }
+    return found;
+}
+
+/// Those of an even sphere with other points put before it.
+std::vector<Index> straysBeside(std::vector<Vec3> others) {
+    const std::vector<Vec3> sphere = evenSphere();
+    others.insert(others.end(), sphere.begin(), sphere.end());
+    return straysOf(others);
+}
+
+std::vector<Vec3> gridOf(int columns, int rows, double along, double across) {
+    std::vector<Vec3> position;
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) position.emplace_back(x * along, y * across, 0.0);
+    }
+    return position;
+}
+
+}  // namespace
+
+TEST_CASE("strays: a point far over a sphere is one, at any distance") {
+    for (const double radius : {1.6, 2.0, 3.0, 5.0, 1e3, 1e7, 1e100, kLargest})
+        CHECK_MESSAGE(straysBeside({{0, 0, radius}}) == std::vector<Index>{0}, radius);
+    CHECK(straysBeside({{0, 0, 0}}) == std::vector<Index>{0});
+    CHECK(straysBeside({}).empty());
+}
+
+TEST_CASE("strays: several of them do not hide each other") {
+    CHECK(straysBeside({{0, 0, 3}, {0, 0, 3.1}}) == std::vector<Index>{0, 1});
+    CHECK(straysBeside({{0, 0, 3}, {0.1, 0, 3}, {0, 0.1, 3}}) == std::vector<Index>{0, 1, 2});
+    CHECK(straysBeside({{0, 0, 3}, {0, 0, -3}, {5, 0, 0}}) == std::vector<Index>{0, 1, 2});
+    const Vec3 sentinel(1e7, 1e7, 1e7);
+    CHECK(straysBeside({sentinel, sentinel, 2.0 * sentinel}) == std::vector<Index>{0, 2});
+    CHECK(straysBeside({Vec3(kLargest), Vec3(-kLargest)}) == std::vector<Index>{0, 1});
+    Random random(3);
+    std::vector<Vec3> ten;
+    for (int i = 0; i < 10; ++i) ten.push_back(random.between(5.0, 12.0) * random.direction());
+    CHECK(straysBeside(ten).size() == 10);
+}
+
+TEST_CASE("strays: four that lie together are a piece of their own") {
+    CHECK(straysBeside({{0, 0, 3}, {0.1, 0, 3}, {0, 0.1, 3}, {0, 0, 3.1}}).empty());
+}
+
+TEST_CASE("strays: a point that a point of the surface lists is none") {
+    CHECK(straysBeside({{0, 0, 1.1}}).empty());
+    // At the end of a row that grows sparser, each lists the next.
+    std::vector<Vec3> row;
+    for (int i = 0; i < 40; ++i) row.emplace_back(std::pow(1.3, i), 0.0, 0.0);
+    CHECK(straysOf(row).empty());
+}
+
+TEST_CASE("strays: no point of a surface is one, however uneven") {
+    for (const Family& family : closedFamilies()) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            CHECK_MESSAGE(straysOf(family.sample(seed).position).empty(), family.name);
+    }
+    CHECK(straysOf(gridOf(10, 10, 1.0, 1.0)).empty());
+    CHECK(straysOf(gridOf(300, 12, 0.1, 1.0)).empty());  // Lines of a scanner.
+    CHECK(straysOf(gridOf(300, 1, 1.0, 1.0)).empty());
+    std::vector<Vec3> denser;  // Each spacing is 5 % less than the one before.
+    for (const Vec3& at : gridOf(60, 20, 1.0, 1.0))
+        denser.emplace_back(std::pow(0.95, at.x), at.y, 0);
+    CHECK(straysOf(denser).empty());
+}
+
+TEST_CASE("strays: points at random on a sphere have none") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        std::vector<Vec3> position(1000);
+        for (Vec3& at : position) at = random.direction();
+        CHECK_MESSAGE(straysOf(position).empty(), seed);
+    }
+}
+
+TEST_CASE("strays: few points, or all at one place, are none") {
+    const std::vector<Vec3> some{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1e9, 0, 0}};
+    for (std::size_t count = 0; count <= some.size(); ++count)
+        CHECK(straysOf({some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count)}).empty());
+    CHECK(straysOf(std::vector<Vec3>(30, Vec3(1.0))).empty());
+    CHECK(straysOf({Vec3(kLargest), Vec3(-kLargest)}).empty());
+}
+
+TEST_CASE("strays: points that are left out are none, and hide none") {
+    std::vector<Vec3> position = evenSphere();
+    position.emplace_back(0, 0, 3);
+    position.emplace_back(0, 0, 4);
+    position.emplace_back(std::nan(""), 0, 0);
+    position.emplace_back(0, 0, 3);
+    CHECK(straysOf(position) == std::vector<Index>{600, 601});
+    std::vector<bool> present(position.size(), true);
+    for (const Index p : {601U, 602U, 603U}) present[p] = false;
+    const NeighborLists nearest = findNeighbors(position, {}, present, reach(12, false)).value();
+    const std::vector<bool> stray = strayPoints(position, present, nearest);
+    CHECK(stray[600]);
+    CHECK_FALSE(stray[601]);
+    CHECK_FALSE(stray[602]);
+}
+
+TEST_CASE("strays: the same ones at any scale and place, and for any number of threads") {
+    Random random(7);
+    std::vector<Vec3> position = evenSphere(20000);
+    for (int i = 0; i < 40; ++i) position.push_back(random.between(1.2, 4.0) * random.direction());
+    const std::vector<Index> strays = straysOf(position, 1);
+    CHECK(strays.size() > 10);
+    for (const unsigned threads : {2U, 5U}) CHECK(straysOf(position, threads) == strays);
+    for (const double scale : {0x1p-60, 0x1p80}) {
+        std::vector<Vec3> scaled = position;
+        for (Vec3& at : scaled) at *= scale;
+        CHECK(straysOf(scaled) == strays);
+    }
+}
