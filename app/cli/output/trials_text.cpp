@@ -43,7 +43,9 @@ std::string trialsText(const Trials& trials) {
         line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
         line("before", describe(first.verdict));
     if (trials.best == 0) return text + line("best", "as given; no change is better");
-    return text + line("best", describe(best.verdict)) + line("instead", optionsText(best.change));
+    text += line("best", describe(best.verdict)) + line("instead", optionsText(best.change));
+    const std::string losses = lossesText(best.verdict, first.verdict);
+    return losses.empty() ? text : text + line("but", losses);
 }
 
 Json trialsJson(const Trials& trials) {

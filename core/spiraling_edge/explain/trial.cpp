@@ -61,8 +61,13 @@ std::uint64_t workOf(const State& state) {
            made.droppedPatches + made.closedHoles + made.remeshed;
 }
 
-/// Order of meshes that are all better than another one, the best first.
-auto rankOf(const MeshVerdict& v) { return std::tuple(v.places, v.fidelity.meanDistance); }
+/// Order of trials that are offered, the best first: those in no count worse than the first one,
+/// fewer places, lesser distances.
+auto rankOf(const Trials& trials, std::size_t i) {
+    const MeshVerdict& verdict = trials.tried[i].verdict;
+    return std::tuple(worseIn(verdict, trials.tried.front().verdict) != nullptr, verdict.places,
+                      verdict.fidelity.meanDistance);
+}
 
 /// The run to the end; nothing if cancelled.
 std::optional<Reconstruction> reconstructed(const PointSet& points, const Params& params,
@@ -113,18 +118,18 @@ class TrialRuns {
     /// Pairs of the best single changes: of those that are better than none.
     static std::vector<SettingsChange> pairs(const Trials& trials) {
         const std::vector<Trial>& tried = trials.tried;
-        std::vector<Trial> single;
+        std::vector<std::size_t> single;
         for (std::size_t i = 1; i < tried.size(); ++i) {
             const bool ofRules = tried[i].change == SettingsChange{.rules = tried[i].change.rules};
-            if (!ofRules && isOffered(tried, i)) single.push_back(tried[i]);
+            if (!ofRules && isOffered(tried, i)) single.push_back(i);
         }
-        std::stable_sort(single.begin(), single.end(), [](const Trial& a, const Trial& b) {
-            return rankOf(a.verdict) < rankOf(b.verdict);
+        std::stable_sort(single.begin(), single.end(), [&](std::size_t a, std::size_t b) {
+            return rankOf(trials, a) < rankOf(trials, b);
         });
         std::vector<SettingsChange> pairs;
         for (std::size_t i = 1; i < single.size(); ++i) {
             for (std::size_t j = 0; j < i && pairs.size() < kMaxTriedPairs; ++j) {
-                if (const auto both = bothOf(single[j].change, single[i].change))
+                if (const auto both = bothOf(tried[single[j]].change, tried[single[i]].change))
                     pairs.push_back(*both);
             }
         }
@@ -238,10 +243,8 @@ class TrialSearch {
     void chooseBest() {
         trials.best = 0;
         for (std::size_t i = 1; i < trials.tried.size(); ++i) {
-            const bool first = trials.best == 0;
-            if (isOffered(trials.tried, i) &&
-                (first ||
-                 rankOf(trials.tried[i].verdict) < rankOf(trials.tried[trials.best].verdict)))
+            if (!isOffered(trials.tried, i)) continue;
+            if (trials.best == 0 || rankOf(trials, i) < rankOf(trials, trials.best))
                 trials.best = i;
         }
     }
@@ -268,9 +271,23 @@ std::size_t plainRobust(const std::vector<Trial>& tried) {
 bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
     assert(trial < tried.size());
     const MeshVerdict& verdict = tried[trial].verdict;
-    if (!isBetter(verdict, tried.front().verdict)) return false;
+    const bool fewer =
+        verdict.triangles > 0 && !verdict.stopped && verdict.places < tried.front().verdict.places;
     const std::size_t robust = plainRobust(tried);
-    return robust == tried.size() || worseIn(verdict, tried[robust].verdict) == nullptr;
+    if (robust == tried.size()) return isBetter(verdict, tried.front().verdict);
+    return fewer && worseIn(verdict, tried[robust].verdict) == nullptr;
+}
+
+std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before) {
+    std::string text;
+    for (const VerdictCount& each : verdictCounts()) {
+        const std::size_t now = each.of(mesh);
+        const std::size_t then = each.of(before);
+        if (now <= then) continue;
+        text += (text.empty() ? "more " : ", ") + std::string(each.plural) + " (" +
+                std::to_string(now) + ", before " + std::to_string(then) + ")";
+    }
+    return text;
 }
 
 std::string describe(const MeshVerdict& verdict) {

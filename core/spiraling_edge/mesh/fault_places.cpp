@@ -132,19 +132,4 @@ std::string describe(const FaultPlace& place, std::span<const MeshFailure> failu
     return text;
 }
 
-std::string verdictText(std::span<const ClassTotal> totals, std::size_t triangles,
-                        std::size_t listed, std::size_t places) {
-    if (isSound(totals, triangles)) return "sound";
-    const std::size_t faults = faultCount(totals);
-    if (triangles == 0 && faults == 0) return "not sound: no triangle";
-    if (faults == 0) return "no fault found, but the search ended early";
-    const std::size_t all =
-        std::accumulate(totals.begin(), totals.end(), std::size_t{0},
-                        [](std::size_t sum, const ClassTotal& each) { return sum + each.total; });
-    const bool exact = isExact(totals);
-    return (exact ? "" : "at least ") + std::to_string(faults) +
-           (faults == 1 ? " fault at " : " faults at ") + std::to_string(places) +
-           (places == 1 ? " place" : " places") + (exact && listed == all ? "" : " or more");
-}
-
 }  // namespace se

@@ -35,10 +35,4 @@ std::vector<FaultPlace> faultPlaces(const PointSet& points, std::span<const Mesh
 /// of 3 edges, 2 unused points".
 std::string describe(const FaultPlace& place, std::span<const MeshFailure> failures);
 
-/// "sound", "not sound: no triangle", "no fault found, but the search ended early", "44 faults at
-/// 12 places", "at least 1204331 faults at 9000 places or more". `triangles`: of the mesh;
-/// `listed`: length of the list that the places were made of.
-std::string verdictText(std::span<const ClassTotal> totals, std::size_t triangles,
-                        std::size_t listed, std::size_t places);
-
 }  // namespace se

@@ -16,19 +16,19 @@ using namespace se::test;
 
 namespace {
 
-/// The numbers of a mesh of 1,000 points with some unused points as its only faults.
-MeshNumbers numbersWith(std::size_t faults, std::size_t lost = 0, std::size_t closed = 0) {
-    MeshNumbers numbers;
-    numbers.points = 1000;
-    numbers.lost = lost;
-    numbers.openings = 2;
-    numbers.closed = closed;
-    numbers.triangles = 100;
-    numbers.totals.resize(failureClasses().size());
-    const auto unused = findFailureClass("unused_points") - failureClasses().data();
-    numbers.totals[static_cast<std::size_t>(unused)] = {faults, faults, true};
-    return numbers;
+/// A trial whose mesh has holes at some places, and points lost.
+Trial trialWith(std::size_t places, std::size_t lost = 0, const SettingsChange& change = {}) {
+    Trial trial{change, {}, {}, 1};
+    trial.verdict.triangles = 100;
+    trial.verdict.places = places;
+    trial.verdict.lost = lost;
+    trial.verdict.totals.resize(failureClasses().size());
+    const auto holes = findFailureClass("holes") - failureClasses().data();
+    trial.verdict.totals[static_cast<std::size_t>(holes)] = {places, places, true};
+    return trial;
 }
+constexpr SettingsChange kRobust{.rules = "robust"};
+constexpr SettingsChange kSixteen{.rules = "robust", .nearest = 16};
 
 Trials triedOn(const PointFile& file, const RunSettings& settings = {}) {
     Result<Trials> trials = tryChanges(file, settings);
@@ -36,55 +36,46 @@ Trials triedOn(const PointFile& file, const RunSettings& settings = {}) {
     return std::move(trials.value());
 }
 
-const MeshNumbers& bestOf(const Trials& trials) { return trials.tried[trials.best].numbers; }
+const MeshVerdict& bestOf(const Trials& trials) { return trials.tried[trials.best].verdict; }
 
 PointFile sceneFile(const char* id) { return findScene(id)->build(); }
 
 }  // namespace
 
-TEST_CASE("trials: fewer faults are better, and of equal ones fewer points lost") {
-    const MeshNumbers present = numbersWith(10);
-    CHECK(isBetter(numbersWith(9), present, present));
-    CHECK_FALSE(isBetter(numbersWith(10), present, present));
-    CHECK_FALSE(isBetter(numbersWith(11), present, present));
-    CHECK(isBetter(numbersWith(10), numbersWith(10, 1), present));
+TEST_CASE("trials: what is offered has faults at fewer places than the open run") {
+    CHECK(isOffered({trialWith(10), trialWith(9, 0, kRobust)}, 1));
+    CHECK_FALSE(isOffered({trialWith(10), trialWith(10, 0, kRobust)}, 1));
+    CHECK_FALSE(isOffered({trialWith(10), trialWith(11, 0, kRobust)}, 1));
 }
 
-TEST_CASE("trials: a mesh that closes an opening is not better, whatever its faults") {
-    const MeshNumbers present = numbersWith(10, 0, 1);
-    CHECK_FALSE(isBetter(numbersWith(0, 0, 2), present, present));
-    CHECK(isBetter(numbersWith(0, 0, 1), present, present));
+TEST_CASE("trials: what is offered is worse than plain robust in no count") {
+    const std::vector<Trial> tried{trialWith(10, 5), trialWith(6, 2, kRobust),
+                                   trialWith(4, 3, kSixteen)};
+    CHECK(plainRobust(tried) == 1);
+    CHECK(isOffered(tried, 1));
+    CHECK_FALSE(isOffered(tried, 2));
+    CHECK(isOffered({tried[0], tried[1], trialWith(4, 2, kSixteen)}, 2));
 }
 
-TEST_CASE("trials: a mesh that loses one point in 200 more is not better") {
-    const MeshNumbers present = numbersWith(10, 2);
-    CHECK(isBetter(numbersWith(0, 7), present, present));
-    CHECK_FALSE(isBetter(numbersWith(0, 8), present, present));
+TEST_CASE("trials: of an open run of robust, what is offered is worse than it in no count") {
+    const SettingsChange sixteen{.nearest = 16};
+    CHECK(isOffered({trialWith(6, 2), trialWith(4, 2, sixteen)}, 1));
+    CHECK_FALSE(isOffered({trialWith(6, 2), trialWith(4, 3, sixteen)}, 1));
 }
 
-TEST_CASE("trials: points set aside count before points lost, distances last") {
-    const MeshNumbers present = numbersWith(10);
-    MeshNumbers aside = numbersWith(3);
-    aside.setAside = 1;
-    CHECK(isBetter(numbersWith(3, 2), aside, present));
-    MeshNumbers far = numbersWith(3);
-    far.fidelity.greatestDistance = 0.5;
-    CHECK(isBetter(numbersWith(3), far, present));
-    MeshNumbers mean = numbersWith(3);
-    mean.fidelity.meanDistance = 0.1;
-    CHECK(isBetter(mean, far, present));
-    CHECK(isBetter(numbersWith(3), mean, present));
+TEST_CASE("trials: losses against the open run are named") {
+    CHECK(lossesText(trialWith(1).verdict, trialWith(2, 3).verdict).empty());
+    CHECK(lossesText(trialWith(1, 8).verdict, trialWith(2, 3).verdict) ==
+          "more points lost (8, before 3)");
 }
 
-TEST_CASE("trials: a run that was stopped, or made nothing, is not better") {
-    const MeshNumbers present = numbersWith(10);
-    MeshNumbers stopped = numbersWith(0);
-    stopped.capped = true;
-    CHECK_FALSE(isBetter(stopped, present, present));
-    MeshNumbers nothing = numbersWith(0);
-    nothing.triangles = 0;
-    CHECK_FALSE(isBetter(nothing, present, present));
-    CHECK(isBetter(numbersWith(20), stopped, stopped));
+TEST_CASE("trials: a run that was stopped, or made nothing, is not offered") {
+    Trial stopped = trialWith(0, 0, kRobust);
+    stopped.verdict.stopped = true;
+    CHECK_FALSE(isOffered({trialWith(10), stopped}, 1));
+    Trial nothing = trialWith(0, 0, kRobust);
+    nothing.verdict.triangles = 0;
+    CHECK_FALSE(isOffered({trialWith(10), nothing}, 1));
 }
 
 TEST_CASE("trials: a sound mesh without a change needs no other") {
@@ -93,21 +84,18 @@ TEST_CASE("trials: a sound mesh without a change needs no other") {
     const Trials trials = triedOn(sceneFile("torus"), settings);
     CHECK(trials.tried.size() == 1);
     CHECK(trials.best == 0);
-    CHECK(describe(bestOf(trials)).starts_with("sound; 0 points lost"));
+    CHECK(describe(bestOf(trials)).starts_with("sound; distances up to 0"));
 }
 
 TEST_CASE("trials: a mesh without a triangle is neither sound nor good enough") {
-    MeshNumbers nothing = numbersWith(0);
-    nothing.triangles = 0;
-    CHECK_FALSE(isSound(nothing));
-    CHECK(describe(nothing).starts_with("no triangle; "));
     // Of two points no run makes one.
     PointFile file;
     file.position = {Vec3(0.0), Vec3(1.0, 0.0, 0.0)};
     file.normal.assign(2, Vec3(0.0, 0.0, 1.0));
     const Trials trials = triedOn(file);
     CHECK(trials.best == 0);
-    CHECK_FALSE(isSound(bestOf(trials)));
+    CHECK_FALSE(bestOf(trials).isSound());
+    CHECK(describe(bestOf(trials)).starts_with("not sound: no triangle"));
 }
 
 TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the search") {
@@ -115,9 +103,9 @@ TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the sea
     REQUIRE(trials.tried.size() >= 2);
     CHECK(trials.tried[0].change == SettingsChange{});
     CHECK(trials.tried[1].change == SettingsChange{.rules = "robust"});
-    CHECK(faultCount(bestOf(trials).totals) < faultCount(trials.tried[0].numbers.totals));
-    for (std::size_t i = 0; i + 1 < trials.tried.size(); ++i)
-        CHECK_FALSE((isSound(trials.tried[i].numbers) && trials.tried[i].numbers.lost == 0));
+    CHECK(bestOf(trials).places < trials.tried[0].verdict.places);
+    CHECK(bestOf(trials).isSound());
+    CHECK(trials.best + 1 == trials.tried.size());
 }
 
 TEST_CASE("trials: every one is made as the settings after its change are run") {
@@ -132,9 +120,11 @@ TEST_CASE("trials: every one is made as the settings after its change are run") 
         options.leaveOut = trial.leaveOut;
         const Prepared made = prepare(file, options).value();
         const Run run = runAll(made.points, params);
-        const MeshInspection found = inspectWithTotals(made.points, run.state.mesh());
-        CHECK(faultCount(found.totals) == faultCount(trial.numbers.totals));
-        CHECK(run.state.mesh().size() == trial.numbers.triangles);
+        PointSet points = made.points;
+        points.judge = judgeFor(file).value();
+        const MeshInspection found = inspectWithTotals(points, run.state.mesh());
+        CHECK(faultCount(found.totals) == faultCount(trial.verdict.totals));
+        CHECK(run.state.mesh().size() == trial.verdict.triangles);
     }
     // Equal input, equal trials.
     const Trials again = triedOn(file);
@@ -142,7 +132,7 @@ TEST_CASE("trials: every one is made as the settings after its change are run") 
     REQUIRE(again.tried.size() == trials.tried.size());
     for (std::size_t i = 0; i < again.tried.size(); ++i) {
         CHECK(again.tried[i].change == trials.tried[i].change);
-        CHECK(describe(again.tried[i].numbers) == describe(trials.tried[i].numbers));
+        CHECK(describe(again.tried[i].verdict) == describe(trials.tried[i].verdict));
     }
 }
 
@@ -150,14 +140,14 @@ TEST_CASE("trials: an opening that the mesh covers counts as closed") {
     for (const Open& open : openSurfaces()) {
         CAPTURE(open.name);
         const Trials trials = triedOn(open.file);
-        CHECK(trials.tried[0].numbers.openings == open.rims);
-        CHECK(bestOf(trials).closed <= trials.tried[0].numbers.closed);
-        if (isSound(bestOf(trials))) CHECK(bestOf(trials).closed == 0);
+        CHECK(trials.tried[0].verdict.openings == open.rims);
+        CHECK(bestOf(trials).closed <= trials.tried[0].verdict.closed);
+        if (bestOf(trials).isSound()) CHECK(bestOf(trials).closed == 0);
     }
     // A rim of a disc: the paper's rules close it like a tent, or leave it open.
     const Open holes = sphereWithHoles({Vec3(0.0, 0.0, 1.0)}, 0.5, 3);
     const Trials trials = triedOn(holes.file);
-    CHECK(trials.tried[0].numbers.closed == 1);
+    CHECK(trials.tried[0].verdict.closed == 1);
     CHECK(bestOf(trials).closed == 0);
 }
 
@@ -169,8 +159,8 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
                                       [](const Trial& t) { return !t.change.drop.empty(); });
     if (dropped == trials.value().tried.end()) return;
     CHECK_FALSE(dropped->leaveOut.empty());
-    CHECK(dropped->numbers.setAside >= dropped->leaveOut.size());
-    CHECK(dropped->numbers.points == file.position.size());
+    CHECK(dropped->verdict.usedPoints + dropped->leaveOut.size() <= file.position.size());
+    CHECK(dropped->verdict.points == file.position.size());
 }
 
 TEST_CASE("trials: given normals that fit and agree are never turned, nor others derived") {
@@ -201,9 +191,9 @@ TEST_CASE("trials: all of them are judged by the points as they are given") {
     PrepareOptions options = prepareOptionsFor(settings.prepare, params);
     options.leaveOut = best.leaveOut;
     PointSet points = prepare(*file, options).value().points;
-    points.judge = judgeFor(*file).value().points;
+    points.judge = judgeFor(*file).value();
     const MeshInspection found = inspectWithTotals(points, runAll(points, params).state.mesh());
-    CHECK(faultCount(found.totals) == faultCount(best.numbers.totals));
+    CHECK(faultCount(found.totals) == faultCount(best.verdict.totals));
     CHECK(found.report.flippedTriangles < 100);
 }
 

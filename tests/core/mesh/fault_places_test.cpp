@@ -138,24 +138,3 @@ TEST_CASE("places: a hole is described by its edges, several by those of the lon
     CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) ==
           "2 holes of up to 4 edges, 1 unused point, 2 non-manifold vertices, 1 other");
 }
-
-TEST_CASE("places: the verdict says so if there may be more places than those of the list") {
-    const auto totalsWith = [](std::size_t listed, std::size_t total, bool exact) {
-        std::vector<ClassTotal> totals(failureClasses().size());
-        const auto place = findFailureClass("intersecting_triangles") - failureClasses().data();
-        totals[static_cast<std::size_t>(place)] = {listed, total, exact};
-        return totals;
-    };
-    CHECK(verdictText(totalsWith(0, 0, true), 100, 0, 0) == "sound");
-    CHECK(verdictText(totalsWith(0, 0, true), 0, 0, 0) == "not sound: no triangle");
-    CHECK(verdictText(totalsWith(1, 1, true), 100, 1, 1) == "1 fault at 1 place");
-    CHECK(verdictText(totalsWith(12, 12, true), 100, 12, 3) == "12 faults at 3 places");
-    // Followed through the run or not.
-    CHECK(verdictText(totalsWith(5, 12, true), 100, 12, 3) == "12 faults at 3 places");
-    CHECK(verdictText(totalsWith(10000, 12000, true), 100, 10000, 9000) ==
-          "12000 faults at 9000 places or more");
-    CHECK(verdictText(totalsWith(10000, 12000, false), 100, 10000, 9000) ==
-          "at least 12000 faults at 9000 places or more");
-    CHECK(verdictText(totalsWith(0, 0, false), 100, 0, 0) ==
-          "no fault found, but the search ended early");
-}

@@ -110,9 +110,9 @@ PointFile withNormals(PointFile file, const std::function<Vec3(const Vec3&)>& no
 }
 
 MeshJudge judgeOf(const PointFile& file) {
-    const Result<MeshJudge> judge = judgeFor(file);
+    const auto judge = judgeFor(file);
     REQUIRE(judge.ok());
-    return judge.value();
+    return *judge.value();
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do n
         CHECK(departureText(judge).starts_with("by derived normals: the given ones are "));
         // Derived normals are those of the surface.
         for (Index p = 0; p < each.file.position.size(); ++p)
-            CHECK(glm::dot(judge.points->normal[p], each.file.position[p]) > 0.9);
+            CHECK(glm::dot(judge.points.normal[p], each.file.position[p]) > 0.9);
     }
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("given normals: zeros and numbers that are none do not fit") {
         const MeshJudge judge =
             judgeOf(withNormals(fibonacciSphere(600), [&](const Vec3&) { return Vec3(value); }));
         CHECK_FALSE(judge.fit);
-        CHECK(glm::dot(judge.points->normal[5], judge.points->position[5]) > 0.9);
+        CHECK(glm::dot(judge.points.normal[5], judge.points.position[5]) > 0.9);
     }
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("given normals: a patch that contradicts the rest is judged by its oth
         CHECK(judge.fit);
         CHECK_FALSE(judge.areRight());
         for (Index p = 0; p < right.normal.size(); ++p)
-            CHECK(glm::dot(judge.points->normal[p], right.normal[p]) > 0.99);
+            CHECK(glm::dot(judge.points.normal[p], right.normal[p]) > 0.99);
     }
 }
 
@@ -203,10 +203,10 @@ TEST_CASE("given normals: the order of the points and the number of threads chan
     std::reverse(reversed.position.begin(), reversed.position.end());
     std::reverse(reversed.normal.begin(), reversed.normal.end());
     CHECK(judgeOf(file).fit == judgeOf(reversed).fit);
-    const MeshJudge one = judgeFor(file, {}, 1).value();
-    const MeshJudge three = judgeFor(file, {}, 3).value();
+    const MeshJudge one = *judgeFor(file, {}, 1).value();
+    const MeshJudge three = *judgeFor(file, {}, 3).value();
     CHECK(one.fit == three.fit);
-    CHECK(one.points->normal == three.points->normal);
+    CHECK(one.points.normal == three.points.normal);
 }
 
 TEST_CASE("judge: a mesh turned against right normals has flipped triangles, whatever made it") {
@@ -219,14 +219,14 @@ TEST_CASE("judge: a mesh turned against right normals has flipped triangles, wha
     PointSet points = run;
     for (Vec3& n : points.normal) n = -n;
     CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
-    points.judge = judgeOf(file).points;
+    points.judge = judgeFor(file).value();
     CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
     // The user's word turns a piece only where its shape does not speak against it.
     options.normals = NormalSource::Oriented;
-    points.judge = judgeFor(file, options, points).value().points;
+    points.judge = judgeFor(file, options, points).value();
     CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
     const PointFile inward = withNormals(file, [](const Vec3& x) { return -x; });
-    points.judge = judgeFor(inward, options, run).value().points;
+    points.judge = judgeFor(inward, options, run).value();
     for (Triangle& t : mesh) std::swap(t.b, t.c);
     CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
 }

@@ -309,8 +309,8 @@ TEST_CASE(
     app.arrive();
     const std::string after = verdictText(app.session.alerts().search());
     CHECK(app.session.atEnd());
-    const MeshNumbers& numbers = best.numbers;
-    CHECK(faultCount(app.session.alerts().search().found()->totals) == faultCount(numbers.totals));
+    CHECK(faultCount(app.session.alerts().search().found()->verdict.totals) ==
+          faultCount(best.verdict.totals));
     CHECK(app.session.messages().last().find("Now " + after + "; before, " + before + ".") !=
           std::string::npos);
     // The mesh of before is shown while the user looks back, with its faults.
@@ -333,11 +333,23 @@ TEST_CASE("A mesh without a triangle is not called sound, and other settings are
     AlertApp app(path.string());
     const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE(alerts.done());
-    CHECK(alerts.found()->triangles == 0);
+    CHECK(alerts.found()->verdict.triangles == 0);
     CHECK_FALSE(alerts.sound());
     CHECK(verdictText(alerts).find("the mesh is sound") == std::string::npos);
     CHECK(app.session.trials().trials().tried.size() > 1);
 }
+
+namespace {
+
+void requireEqual(const MeshVerdict& card, const MeshVerdict& check) {
+    CHECK(headlineOf(card) == headlineOf(check));
+    for (const VerdictCount& count : verdictCounts()) {
+        CAPTURE(count.name);
+        CHECK(count.of(card) == count.of(check));
+    }
+}
+
+}  // namespace
 
 TEST_CASE("The card counts what check counts of the saved mesh beside the points, also after Fix") {
     const HeadlessApp other("card-and-check");
@@ -358,11 +370,13 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
             finishMesh(app.session.model(), *app.session.input().file()).value();
         REQUIRE(saveMesh(app.session.model(), mesh, {(other.folder / "mesh.ply").string()}).ok());
         const PointFile saved = readPoints(other.folder / "mesh.ply").value();
-        const MeshJudge judge = judgeFor(readPoints(path).value()).value();
-        return faultCount(inspectWithTotals(*judge.points, saved.faces).totals);
+        const auto judge = judgeFor(readPoints(path).value()).value();
+        PointSet points = judge->points;
+        points.judge = judge;
+        return judgeMesh(points, saved.faces).verdict;
     };
-    const auto onCard = [&] { return faultCount(app.session.alerts().search().found()->totals); };
-    CHECK(onCard() == counted());
+    const auto onCard = [&] { return app.session.alerts().search().found()->verdict; };
+    requireEqual(onCard(), counted());
     app.session.moves().toEnd();
     app.session.trials().start();
     app.session.waitUntilDone();
@@ -370,7 +384,7 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
     fixByTrials(app.context);
     app.document.carryOut(app.ui.requests);
     app.arrive();
-    CHECK(onCard() == counted());
+    requireEqual(onCard(), counted());
 }
 
 TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 walks them") {
