@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,20 @@ inline std::vector<Family> closedFamilies(double scale = 1.0) {
             {"torus", 1, 0, closed(torus(), 15.79, 500)},
             {"linked tori", 2, 0, closed(linkedTori(), 31.58, 1000)},
             {"genus 2", 1, -2, closed(doubleTorus(), 28.1, 1000)}};
+}
+
+/// Even points of the unit sphere (Fibonacci), with outward normals.
+inline PointFile fibonacciSphere(std::size_t count) {
+    PointFile file;
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
+        const double r = std::sqrt(1.0 - z * z);
+        const double a = turn * static_cast<double>(i);
+        file.position.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    }
+    file.normal = file.position;
+    return file;
 }
 
 /// Scale of closedFamilies() at which no point has its neighbors on another tube.

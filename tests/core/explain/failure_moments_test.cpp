@@ -225,7 +225,7 @@ TEST_CASE("moments: of a tangled run the first of each class are followed, the o
         const PointSet points = prepared(file, lists);
         const auto found = searchFailures(points, paper());
         REQUIRE(found.ok());
-        const std::vector<ClassTotal>& totals = found.value().totals;
+        const std::vector<ClassTotal>& totals = found.value().verdict.totals;
         REQUIRE(totals.size() == failureClasses().size());
         CHECK_FALSE(isComplete(totals));
         std::size_t listed = 0;
@@ -241,7 +241,7 @@ TEST_CASE("moments: of a tangled run the first of each class are followed, the o
         if (&lists != &kinds[0]) continue;
         const auto again = searchFailures(points, paper());
         REQUIRE(again.ok());
-        CHECK(std::equal(totals.begin(), totals.end(), again.value().totals.begin(),
+        CHECK(std::equal(totals.begin(), totals.end(), again.value().verdict.totals.begin(),
                          [](const ClassTotal& a, const ClassTotal& b) {
                              return amountText(a) == amountText(b);
                          }));
@@ -252,7 +252,7 @@ TEST_CASE("moments: of other runs all failures are followed") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const auto found = searchFailures(points, paper());
     REQUIRE(found.ok());
-    CHECK(isComplete(found.value().totals));
+    CHECK(isComplete(found.value().verdict.totals));
     CHECK(found.value().failures.size() == failuresOfRun(points, paper()).value().size());
 }
 
@@ -269,8 +269,8 @@ TEST_CASE("moments: of a stopped run, points and rings that were not DONE yet ar
     for (std::size_t i = 0; i < failureClasses().size(); ++i) {
         CAPTURE(failureClasses()[i].name);
         const std::size_t expected = failureClasses()[i].name == "triangle_cap" ? 1 : 0;
-        CHECK(found.value().totals[i].listed == expected);
-        CHECK(found.value().totals[i].total == expected);
+        CHECK(found.value().verdict.totals[i].listed == expected);
+        CHECK(found.value().verdict.totals[i].total == expected);
     }
     REQUIRE(found.value().failures.size() == 1);
     CHECK(found.value().failures[0].failure.kind->name == "triangle_cap");

@@ -58,7 +58,8 @@ TEST_CASE("fault fields: the numbers of the classes are those of docs/file-forma
                            "folded_edges",         "second_layers",
                            "flipped_triangles",    "holes",
                            "small_components",     "unused_points",
-                           "isolated_points"};
+                           "isolated_points",      "inward_pieces",
+                           "spikes"};
     double number = 0.0;
     for (const char* each : numbered) CHECK(numberOf(each) == ++number);
 }

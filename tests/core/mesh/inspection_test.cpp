@@ -71,8 +71,8 @@ TEST_CASE("inspection: without normals and types nothing is flipped") {
     points.normal.clear();
     Faces inverse = kOctahedron;
     for (Triangle& t : inverse) std::swap(t.b, t.c);
-    CHECK(countsOf(points, inverse).empty());
-    CHECK(countsOf(octahedron(), inverse) == Counts{{"flipped_triangles", 8}});
+    CHECK(countsOf(points, inverse) == Counts{{"inward_pieces", 1}});
+    CHECK(countsOf(octahedron(), inverse) == Counts{{"flipped_triangles", 8}, {"inward_pieces", 1}});
 }
 
 TEST_CASE("inspection: a missing triangle is a hole with its length and area") {

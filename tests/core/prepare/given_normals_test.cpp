@@ -13,6 +13,7 @@
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/stepper/params.h"
+#include "support/clouds.h"
 #include "support/shared_data.h"
 
 using namespace se;
@@ -21,20 +22,6 @@ using namespace se::test;
 namespace {
 
 constexpr double kOneDegree = std::numbers::pi / 180.0;
-
-/// Even points of the unit sphere (Fibonacci), with outward normals.
-PointFile fibonacciSphere(std::size_t count) {
-    PointFile file;
-    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    for (std::size_t i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
-        const double r = std::sqrt(1.0 - z * z);
-        const double a = turn * static_cast<double>(i);
-        file.position.emplace_back(r * std::cos(a), r * std::sin(a), z);
-    }
-    file.normal = file.position;
-    return file;
-}
 
 /// A number in [0, 1) from a counter.
 double chance(std::uint64_t& state) {
@@ -218,7 +205,7 @@ TEST_CASE("judge: a mesh turned against right normals has flipped triangles, wha
     for (Triangle& t : mesh) std::swap(t.b, t.c);
     PointSet points = run;
     for (Vec3& n : points.normal) n = -n;
-    CHECK(faultCount(inspectWithTotals(points, mesh).totals) == 0);
+    CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == 0);
     points.judge = judgeFor(file).value();
     CHECK(inspectWithTotals(points, mesh).report.flippedTriangles == mesh.size());
     // The user's word turns a piece only where its shape does not speak against it.
