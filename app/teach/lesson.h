@@ -82,7 +82,7 @@ struct LessonLink {
 struct LessonFact {
     std::size_t line = 0;
     std::string words;                ///< As they stand in the text or the title of the step.
-    std::vector<std::string> claims;  ///< "unused_points: 3", "B at=9 stage=emit: 5".
+    std::vector<std::string> claims;  ///< "lost_points: 3", "B at=9 stage=emit: 5".
 };
 
 /// A question. Its words are the text of its step.

@@ -118,7 +118,7 @@ Result<double> valueOf(const std::string& subject, const ClaimedRun& run, const 
     return static_cast<double>(found.value().total);
 }
 
-/// A claim: "unused_points: 3", "B at=9 stage=emit: > A".
+/// A claim: "lost_points: 3", "B at=9 stage=emit: > A".
 struct Claim {
     std::string subject;
     bool ofB = false;

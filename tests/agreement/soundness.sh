@@ -62,7 +62,7 @@ faults.holes holes
 faults.small_components small_components
 fidelity.open_loops openings
 components components
-unused_points unused
+points_in_no_triangle unused
 NAMES
     done
 done

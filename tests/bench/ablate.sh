@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The effect of each rule beyond the paper: `--rules robust` with one rule off at a time, over a
-# list of point files. Prints a Markdown table: files with a sound mesh, faults, unused points,
+# list of point files. Prints a Markdown table: files with a sound mesh, faults, lost points,
 # boundary loops and seconds in all.
 #   tests/bench/ablate.sh PROGRAM FILE...     PROGRAM: build/bin/spiraling-edge
 set -uo pipefail
@@ -16,7 +16,7 @@ measure() {
     done | awk '
         function value() { sub(/^[^:]*: */, ""); sub(/,$/, ""); return $0 }
         /^  "sound":/ { if (value() == "true") sound++ }
-        /^  "unused_points":/ { unused += value() }
+        /^  "points_in_no_triangle":/ { unused += value() }
         /^  "boundary_loops":/ { loops += value() }
         /^    "triangulate":/ { seconds += value() }
         /^  "faults": \{/ { inside = 1; next }
@@ -25,7 +25,7 @@ measure() {
         END { printf "%d | %d | %d | %d | %.2f\n", sound, faults, unused, loops, seconds }'
 }
 
-echo "| off | sound of $# | faults | unused points | boundary loops | seconds |"
+echo "| off | sound of $# | faults | lost points | boundary loops | seconds |"
 echo "|---|---|---|---|---|---|"
 off=()
 echo "| nothing | $(measure "$@") |"

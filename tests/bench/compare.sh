@@ -90,7 +90,7 @@ soundness() {
     flipped=$(field "$json" flipped_triangles)
     # These two do not orient triangles; we turn each by its normals.
     case $1 in alpha | crust) flipped= ;; esac
-    echo " $(field "$json" unused_points) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting_triangles)"
+    echo " $(field "$json" points_in_no_triangle) | $(field "$json" non_manifold_edges) | $(field "$json" boundary_loops) | ${flipped:-n/a} | $(field "$json" intersecting_triangles)"
 }
 
 # table LABEL INPUT: medians and faults of all methods on one input.
@@ -101,7 +101,7 @@ table() {
     echo
     echo "$label, $("$tool" check "$input" | sed -nE 's/.*"points": ([0-9]+).*/\1/p' | head -n 1) points, medians of $repeats:"
     echo
-    echo "| method | read s | neighbors s | reconstruct s | write s | CPU s | reconstruct, ratio | in all, ratio | triangles | unused points | non-manifold edges | boundary loops | flipped | intersecting |"
+    echo "| method | read s | neighbors s | reconstruct s | write s | CPU s | reconstruct, ratio | in all, ratio | triangles | lost points | non-manifold edges | boundary loops | flipped | intersecting |"
     echo "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
     for method in $own $peers; do
         awk -F, -v label="$label" -v method="$method" -v base="${own%% *}" -f "$here/compare_row.awk" "$out/runs.csv" |

@@ -267,10 +267,11 @@ report_has_every_field() {
     empty err
     for field in points triangles pivots components isolated stranded splits joins max_ring_length \
         max_stack_depth boundary_edges boundary_loops non_manifold_edges inconsistent_edges \
-        degenerate_triangles unused_points euler_characteristic flipped_triangles \
+        degenerate_triangles points_in_no_triangle euler_characteristic flipped_triangles \
         non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds failed_seeds \
         non_finite zero_normals duplicates unscaled_normals dropped_list_entries alerts_total \
-        greatest_distance mean_distance points_lost open_loops second_layers small_components \
+        greatest_distance mean_distance points_lost hole_edges openings_closed extra_pieces \
+        triangles_against_normals pieces_facing_in points_not_covered report_version second_layers small_components \
         read prepare triangulate write; do
         [[ "$(number $field report.json)" =~ ^-?[0-9] ]] || fail "no number $field"
     done
@@ -406,7 +407,7 @@ radius_and_neighbors() {
 check_finds_faults() {
     icosahedron >points.xyz
     expect 0 run points.xyz --check --report report.json
-    is "$(number flipped report.json)" 0 "flipped triangles"
+    is "$(number flipped_triangles report.json)" 0 "flipped triangles"
     # The same corners with the normal of one turned inwards.
     icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
@@ -438,7 +439,7 @@ check_fails_where_there_is_no_mesh() {
     expect 0 run zero.xyz -o zero.ply --report zero.json
     says zero.json '"sound": false'
     says err "zero.xyz: the run made no triangle of 2 points"
-    expect 1 check zero.ply --points zero.xyz --allow unused_points
+    expect 1 check zero.ply --points zero.xyz --allow lost_points
     says out "zero.ply: 0 triangles, not sound: no triangle"
     expect 1 check zero.ply --points zero.xyz --json
     says out '"sound": false'
@@ -472,7 +473,7 @@ faults_and_places_are_counted_alike() {
 
 run_ends_with_its_faults() {
     expect 0 run scene:close-sheets
-    tail -1 err | grep -qE '^scene:close-sheets: the mesh has 29 faults: 1 non_manifold_vertices, 1 inconsistent_edge, 4 degenerate, 2 folded, 10 flipped, 9 small_components, 2 unused_points; intersecting triangles and second layers not counted \(use --check\); --best may avoid them$' ||
+    tail -1 err | grep -qE '^scene:close-sheets: the mesh has 29 faults: 1 non_manifold_vertices, 1 inconsistent_edge, 4 degenerate, 2 folded, 10 flipped, 9 small_components, 2 lost_points; intersecting triangles and second layers not counted \(use --check\); --best may avoid them$' ||
         fail "last line: $(tail -1 err)"
     expect 0 run scene:close-sheets --report report.json
     tail -1 err | grep -qE 'the mesh has 117 faults at 5 places: .* 14 intersecting, .* 74 second_layers, .*; --best may avoid them$' ||
@@ -522,9 +523,12 @@ best = json.load(open("best.json"))["best"]
 tried = best["tried"]
 first, chosen = tried[0], tried[best["chosen"]]
 assert first["options"] == [] and 2 <= len(tried) <= 20, tried
-assert chosen["faults"] < first["faults"], (first, chosen)
-assert chosen["openings_closed"] <= first["openings_closed"], (first, chosen)
-assert all("mean_distance" in each and "points_lost" in each for each in tried), tried
+robust = [each["verdict"] for each in tried if each["options"] == ["--rules", "robust"] or each["options"] == ["--rules robust"]]
+counts = ["points_lost", "extra_pieces", "hole_edges", "openings_closed", "triangles_against_normals",
+          "pieces_facing_in", "points_not_covered"]
+assert chosen["verdict"]["places"] < first["verdict"]["places"], (first, chosen)
+assert all(chosen["verdict"][each] <= other[each] for other in robust for each in counts), (robust, chosen)
+assert len(robust) == 1 and all(each["work"] > 0 for each in tried), tried
 print(" ".join(chosen["options"]))
 EOF
     ) || fail "the trials of best.json: $(head -c 600 best.json)"
@@ -1074,7 +1078,7 @@ fault_fields_are_columns_of_a_ply_alone() {
     head -c 2000 fields.ply | grep -aq "^property uchar scalar_se_fault" || fail "no column of faults"
     head -c 2000 fields.ply | grep -aq "^property .* scalar_se_distance" || fail "no column of distances"
     head -c 2000 plain.ply | grep -aq "scalar_se_fault" && fail "columns without the option"
-    [ "$(number unused_points report.json)" -gt 0 ] || fail "the scene has no unused point"
+    [ "$(number points_in_no_triangle report.json)" -gt 0 ] || fail "the scene has no unused point"
     # Read again they are columns like others: kept, and made again where they are wanted.
     expect 0 run fields.ply -q -o kept.ply
     head -c 2000 kept.ply | grep -aq "scalar_se_distance" || fail "the columns are not kept"
@@ -1342,7 +1346,7 @@ why_finds_decisions() {
     [ "$(number total out)" -gt 100 ] || fail "too few: $(head -3 out)"
     expect 0 why scene:four-edge-hole --failure intersecting_triangles
     says out "unavoidable      54.sphere.1 "
-    expect 0 why scene:four-edge-hole --failure unused_points --json
+    expect 0 why scene:four-edge-hole --failure lost_points --json
     says out '"first_touched": {'
     expect 1 why scene:torus --failure duplicate_triangles
     says err "the run has 0 failures of class duplicate_triangles"
@@ -1351,7 +1355,7 @@ why_finds_decisions() {
 why_turns_the_causes() {
     expect 0 why scene:stranded-point --failures --prove
     says out "cannot be turned"
-    grep -qE '^unused_points +3 +3( +0)+$' out || fail "three lost points come back: $(cat out)"
+    grep -qE '^lost_points +3 +3( +0)+$' out || fail "three lost points come back: $(cat out)"
     expect 0 why scene:noise --failures --prove --most 1 --json
     says out '"what_if": ['
     is "$(grep -c '"proof": ' out)" "$(grep -c '"number": 1,' out)" "failures tried"
@@ -1437,7 +1441,7 @@ check_says_what_is_wrong_with_a_mesh() {
     printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
     expect 1 check twice.off --json
     is "$(number duplicate_triangles out)" 1 "duplicates"
-    is "$(number unused_points out)" 1 "points in no triangle"
+    is "$(number lost_points out)" 1 "points in no triangle"
     expect 2 check one.obj --allow dragons
     expect 3 check missing.obj
     printf '0 0 0\n1 0 0\n' >points.xyz
@@ -1462,13 +1466,14 @@ check_prepares_points_as_the_run_did() {
     expect 0 run noisy.xyz --rules robust -q -o mesh.ply --report report.json
     [ "$(sed -n '/"set_aside"/,/}/p' report.json >aside; number noise aside)" -gt 100 ] || fail "nothing was set aside"
     expect 1 check mesh.ply --points noisy.xyz --json
-    [ "$(number unused_points out)" -gt 100 ] || fail "points are known to be set aside"
+    is "$(number lost_points out)" 0 "points lost; noise is counted beside them"
+    [ "$(number noise out)" -gt 100 ] || fail "no noise: $(cat out)"
     "$program" check mesh.ply --points noisy.xyz --rules robust --json >out 2>err
-    for class in unused_points second_layers holes small_components; do
+    for class in lost_points second_layers holes small_components; do
         is "$(number $class out)" "$(sed -n '/"faults"/,/}/p' report.json >faults; number $class faults)" $class
     done
     "$program" check mesh.ply --points noisy.xyz --rules robust --keep-noise --json >out 2>err
-    [ "$(number unused_points out)" -gt 100 ] || fail "points are set aside though they are kept"
+    is "$(number lost_points out)" 0 "points lost, whatever the run has kept"
     expect 2 check mesh.ply --rules robust
     says err "--points"
     expect 2 check mesh.ply --points noisy.xyz --rules dragons
@@ -1489,18 +1494,18 @@ check_counts_what_the_run_says() {
     sphere_with_normals "(4 - x) / s, (1 - y) / s, (2 - z) / s" >sight.xyz
     sphere_with_normals "0, 0, 0" >zero.xyz
     sphere_with_normals "-x, -y, -z" >inward.xyz
-    local name
+    local name class
     for name in right flipped sight zero inward; do
         for options in --best "--rules robust"; do
             # shellcheck disable=SC2086 # several words
             "$program" run $name.xyz $options -q -o mesh.ply --report report.json 2>err
             sed -n '/"faults"/,/}/p' report.json >faults
             "$program" check mesh.ply --points $name.xyz --json >out 2>err
-            for pair in flipped:flipped_triangles intersecting:intersecting_triangles holes:holes \
-                second_layers:second_layers unused_points:unused_points isolated_points:isolated_points; do
-                is "$(number "${pair#*:}" out)" "$(number "${pair%:*}" faults)" "$name $options ${pair%:*}"
+            for class in flipped_triangles intersecting_triangles holes second_layers lost_points isolated_points; do
+                is "$(number $class out)" "$(number $class faults)" "$name $options $class"
             done
-            is "$(grep '"sound"' out | tr -d ' ,')" "$(grep -m 1 '"sound"' report.json | tr -d ' ,')" "$name sound"
+            sed -n '/^  "verdict"/,/^  }/p' out >verdict
+            sed -n '/^  "verdict"/,/^  }/p' report.json | cmp - verdict || fail "$name $options: another verdict"
         done
     done
     # Given normals are turned, or others derived, only where they do not fit or contradict each other.
@@ -1637,7 +1642,7 @@ reduce_keeps_what_fails() {
     says k16.sesession '"box": "auto"'
     says k16.sesession '"alert": "intersecting_triangles:1"'
     # With other rules the same test passes.
-    expect 0 reduce scene:stranded-point --failure unused_points:2 --rules paper -q -o stranded.ply
+    expect 0 reduce scene:stranded-point --failure lost_points:2 --rules paper -q -o stranded.ply
     sed -i 's/--rules paper/--rules robust/' stranded.sh
     SPIRALING_EDGE=$program sh stranded.sh || fail "robust strands it, too"
     expect 1 reduce scene:sphere --failure flipped_triangles -o none.ply
@@ -1653,10 +1658,10 @@ reduce_finds_one_point_among_many() {
                  for (i = 0; i < n; ++i) { z = 1 - (2 * i + 1) / n; r = sqrt(1 - z * z)
                      x = r * cos(i * turn); y = r * sin(i * turn); s = i == 7777 ? -1 : 1
                      printf "%.9f %.9f %.9f %.9f %.9f %.9f\n", x, y, z, s * x, s * y, s * z } }' >planted.xyz
-    expect 0 reduce planted.xyz --rules paper --failure unused_points -q -o few.ply
+    expect 0 reduce planted.xyz --rules paper --failure lost_points -q -o few.ply
     [ "$(header_count vertex few.ply)" -lt 30 ] || fail "$(header_count vertex few.ply) points are left"
     SPIRALING_EDGE=$program sh few.sh >out 2>err && fail "the test passes"
-    says out "still fails: unused_points"
+    says out "still fails: lost_points"
 }
 
 tangled_runs_end_soon() {
@@ -1791,7 +1796,7 @@ sample_writes_points() {
     says err "4 corners"
     expect 0 run plane.ply --rules robust --report report.json
     is "$(number points report.json)" 400 points
-    is "$(number unused_points report.json)" 0 "unused points"
+    is "$(number points_in_no_triangle report.json)" 0 "unused points"
     is "$(number boundary_loops report.json)" 1 "loops"
     # Deterministic; another seed, other points.
     expect 0 sample plane -n 400 -o again.ply -q
@@ -1854,7 +1859,7 @@ paper_table_is_reproduced() {
     is "$(grep -c '"set"' out)" 5 sets
     is "$(grep -c '"stand_in": true' out)" 2 "stand-ins"
     for points in 42906 3755 1393 1516 215; do says out "\"points\": $points,"; done
-    is "$(grep -c '"unused_points": 0,' out)" 5 "sets with every point in use"
+    is "$(grep -c '"points_in_no_triangle": 0,' out)" 5 "sets with every point in use"
     is "$(grep -c '"non_manifold_edges": 0,' out)" 5 "sets without non-manifold edges"
     is "$(header_count vertex hyperboloid.ply)" 215 "saved points"
     expect 2 table1 --volumes none
@@ -2301,7 +2306,7 @@ printed_commands_run_in_a_shell() {
         rm mesh.ply
         command=$(sed -n 's/.* makes one, \(.*\) explains .*/\1/p' err)
         sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
-        expect 1 why --failure unused_points:999 -- "$name"
+        expect 1 why --failure lost_points:999 -- "$name"
         command=$(sed -n 's/.*; \(spiraling-edge why .*\) lists those it has$/\1/p' err)
         sh -c "$command" >ran 2>&1 || fail "$command: $(cat ran)"
     done

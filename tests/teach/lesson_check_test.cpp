@@ -237,8 +237,8 @@ TEST_CASE("sentences of lessons that were false are found") {
     CHECK(has(claimed(sparse, "boundary_loops: > 0"), "it is 0"));
     CHECK(has(claimed(sparse, "second_layers: < B"), "it is 4"));
     const std::string torus = "input = \"scene:torus\"\ncompare = \"--rule next=start\"";
-    CHECK(has(claimed(torus, "unused_points: 0"), "it is 2"));
-    CHECK(has(claimed(torus, "unused_points: B"), "it is 2"));
+    CHECK(has(claimed(torus, "lost_points: 0"), "it is 2"));
+    CHECK(has(claimed(torus, "lost_points: B"), "it is 2"));
     const std::string spiral = "input = \"scene:figure-2\"\ncompare = \"--rule sphere=off\"";
     CHECK(has(claimed(spiral, "B thin_triangles: > 59"), "it is 13"));
     CHECK(has(claimed(spiral, "stage=skip: 0"), "it is 62"));

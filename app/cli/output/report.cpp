@@ -81,7 +81,7 @@ void addMesh(const MeshReport& mesh, Json& json) {
     json["inconsistent_edges"] = mesh.inconsistentEdges;
     json["degenerate_triangles"] = mesh.degenerateTriangles;
     json["flipped_triangles"] = mesh.flippedTriangles;
-    json["unused_points"] = mesh.unusedPoints;
+    json["points_in_no_triangle"] = mesh.unusedPoints;
     json["euler_characteristic"] = mesh.eulerCharacteristic;
     json["closed_manifold"] = mesh.closedManifold();
 }

@@ -51,7 +51,7 @@ struct CheckArguments {
                "--points", cloud,
                "The points that the mesh was made of: their normals show what is flipped (derived "
                "ones if they do not fit the points), their wall types show what is no hole, and "
-               "unused points are listed; with the options of the run, they are prepared as it "
+               "lost points are listed; with the options of the run, they are prepared as it "
                "prepared them, so that those it set aside are not listed")
             ->type_name("CLOUD");
         const std::size_t before = app.get_options().size();

@@ -88,10 +88,10 @@ struct RunArguments {
         addByteLimit(app, limit);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
-                     "the doctor would drop) and keep the best mesh: the fewest faults, at most "
-                     "one point in 200 more lost, no more openings closed; a point that it drops "
-                     "is a fault. Given normals that fit the points and agree stay as they are; at "
-                     "most 20 runs")
+                     "the doctor would drop) and keep the best mesh: faults at the fewest places, "
+                     "and in no count worse than that of --rules robust (docs/robust.md); a point "
+                     "that it drops is lost. Given normals that fit the points and agree stay as "
+                     "they are; at most 20 runs")
             ->excludes(app.get_option("--what-if"));
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")

@@ -259,7 +259,7 @@ std::string tableJson(const std::vector<Made>& all, const TableArguments& argume
                                 {"triangles", made.mesh.triangles},
                                 {"ideal_triangles", made.ideal()},
                                 {"seconds", made.seconds},
-                                {"unused_points", made.mesh.unusedPoints},
+                                {"points_in_no_triangle", made.mesh.unusedPoints},
                                 {"boundary_edges", made.mesh.boundaryEdges},
                                 {"boundary_loops", made.mesh.boundaryLoops},
                                 {"non_manifold_edges", made.mesh.nonManifoldEdges},

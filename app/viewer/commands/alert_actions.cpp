@@ -226,20 +226,21 @@ void switchOn(CommandContext& context, const Remedy& remedy) {
     context.ui.requests.resume = Resume::End;
 }
 
-std::optional<SettingsChange> bestChange(const CommandContext& context) {
-    const TrialJob& job = context.session.trials();
-    if (job.best() != nullptr) return job.best()->change;
-    constexpr SettingsChange kRobust{.rules = "robust"};
-    // It is the first change that is tried.
-    const bool untried = job.trials().tried.size() < 2;
-    const bool open = untried && context.session.input().spec().rules != kRobust.rules;
-    return open ? std::optional(kRobust) : std::nullopt;
+bool canFix(const CommandContext& context) {
+    const Session& session = context.session;
+    const bool whole =
+        session.input().spec().whatIf.empty() && session.model().params.start.empty();
+    const TrialJob& job = session.trials();
+    return whole && !session.alerts().search().sound() && (job.best() != nullptr || !job.ended());
 }
 
 void fixByTrials(CommandContext& context) {
-    const auto change = bestChange(context);
-    assert(change);
-    actions::requestSettings(context, withChange(context.session.input().spec(), *change));
+    TrialJob& job = context.session.trials();
+    context.ui.verdict.fixing = !job.ended();
+    if (context.ui.verdict.fixing) return job.start();
+    assert(job.best() != nullptr);
+    actions::requestSettings(context,
+                             withChange(context.session.input().spec(), job.best()->change));
     context.ui.requests.resume = Resume::End;
 }
 
@@ -254,8 +255,27 @@ void closeHoles(CommandContext& context, double width) {
     const RuleSetting* closes = findRuleSetting("closeholes");
     assert(closes != nullptr);
     if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.name = "robust";
+    context.ui.verdict.closing = {width, context.session.alerts().search().openLoops().count};
     context.ui.requests.rules = withRule(rules, "holewidth", width);
     context.ui.requests.resume = Resume::End;
+}
+
+std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
+    assert(alerts.done());
+    std::size_t wider = 0;
+    std::size_t open = 0;
+    for (const MeshFailure& each : alerts.found()->all) {
+        if (!isLoop(each)) continue;
+        ++open;
+        if (widthOf(each) > closing.width) ++wider;
+    }
+    const std::size_t closed = closing.before > open ? closing.before - open : 0;
+    std::string text = "Closed " + grouped(closed) + " of " + grouped(closing.before) +
+                       (closing.before == 1 ? " open loop" : " open loops");
+    if (wider > 0) text += "; " + grouped(wider) + " wider than " + shortNumber(closing.width);
+    const std::size_t refused = open - wider;
+    if (refused > 0) text += "; for " + grouped(refused) + " no filling without a fault was found";
+    return text + ".";
 }
 
 void showBeside(CommandContext& context, const Remedy& remedy) {

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "layout/panel_rects.h"
+#include "panel_state/side_panels.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -55,16 +56,20 @@ bool showsFinishedMesh(const CommandContext& context);
 /// Runs the input again with one more rule, or another set of rules, to its end: the place of the
 /// defect is visible there, since selection and camera stay.
 void switchOn(CommandContext& context, const Remedy& remedy);
-/// The change of settings that Fix makes: that of the best trial so far; before there is one, the
-/// rules of robust. Nothing if no change is known to help.
-std::optional<SettingsChange> bestChange(const CommandContext& context);
-/// Runs the input again with the settings of bestChange(), to its end. Requires one.
+/// True if Fix has something to do: the mesh is not sound, and other settings can be tried, or one
+/// of those tried is better.
+bool canFix(const CommandContext& context);
+/// Runs the input again, to its end, with the best settings when all have been tried or the user
+/// has ended the trials: the result is the same whenever it is called. Requires canFix().
 void fixByTrials(CommandContext& context);
 /// Loops that stay open: "5 open, up to 0.0178 across", in the unit of the file; empty if none do.
 std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
 /// the file; 0: as the rules say. With the rules of robust if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);
+/// What became of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
+/// without a fault was found.". Requires alerts of the new run.
+std::string closedText(const HoleClosing& closing, const AlertSearch& alerts);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);
 

@@ -7,6 +7,7 @@
 #include "commands/alert_actions.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
+#include "run/trial_settings.h"
 
 namespace se::view {
 
@@ -51,8 +52,19 @@ void AlertController::begin(const Options& options) {
     interactive_ = !options.onPaper() && options.benchFrames == 0;
 }
 
+/// Applies the best settings that were tried, where the user has asked for it before all were.
+void AlertController::fixWhenTried() {
+    const TrialJob& job = c_.session.trials();
+    if (!c_.ui.verdict.fixing || !job.ended()) return;
+    c_.ui.verdict.fixing = false;
+    if (job.best() != nullptr) return fixByTrials(c_);
+    if (job.complaint().empty() && !job.trials().tried.empty())
+        c_.session.messages().say(noneBetterText(job.trials()));
+}
+
 void AlertController::poll() {
     Session& session = c_.session;
+    fixWhenTried();
     if (!session.alerts().takeNews()) return;
     const std::string& source = session.input().spec().source;
     const bool fresh = std::exchange(source_, source) != source;
@@ -61,6 +73,9 @@ void AlertController::poll() {
         c_.ui.verdict = {};
     }
     reportChange();
+    if (const auto closing = std::exchange(c_.ui.verdict.closing, std::nullopt);
+        closing && session.alerts().search().done())
+        session.messages().say(closedText(*closing, session.alerts().search()));
     startTrials();
     if (!asked_.empty()) return showAsked();
     if (const std::string kept = document_.takeAlert(); !kept.empty())
@@ -98,11 +113,8 @@ void AlertController::reportChange() {
 /// what-ifs nor the points of a given start are in the way.
 void AlertController::startTrials() {
     const Session& session = c_.session;
-    const bool faulty = !session.alerts().search().sound();
     const bool quick = session.model().points.size() <= kManyForTrials;
-    const bool whole =
-        session.input().spec().whatIf.empty() && session.model().params.start.empty();
-    if (interactive_ && faulty && quick && whole) c_.session.trials().start();
+    if (interactive_ && quick && canFix(c_)) c_.session.trials().start();
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.

@@ -26,6 +26,7 @@ class AlertController {
 
   private:
     void chooseOfGallery();
+    void fixWhenTried();
     void reportChange();
     void startTrials();
     void showAsked();

@@ -259,6 +259,9 @@ void DocumentController::takeUp() {
 
 void DocumentController::arrive() {
     takeUp();
+    // Other settings of the same input are the user's change, of another one its beginning.
+    const std::string& source = c_.session.input().spec().source;
+    if (arrival_.ofSession || !arrival_.file.empty() || source != keptSpec_.source) keepSettings();
     arrival_.pending = false;
     alert_ = std::exchange(arrival_.alert, {});
     placed_ = !arrival_.goTo.empty() || arrival_.camera;
@@ -302,12 +305,13 @@ void DocumentController::warn() {
 
 void DocumentController::carryOut(UiRequests& requests) {
     answer();
+    if (std::exchange(c_.ui.mesh.justSaved, false)) keepSettings();
     if (std::exchange(requests.saveSession, false)) save();
     if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
     // No file was named, or it could not be written: the session stays open.
     if (afterSaving_ && !c_.ui.fileBrowser) {
         const Leave to = *std::exchange(afterSaving_, std::nullopt);
-        if (unsaved().empty()) go(to);
+        if (unsaved().empty() && !hasNewSettings()) go(to);
     }
     if (!requests.open.empty()) leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     if (requests.fixes || requests.leftOut || requests.settings) takeChanges(requests);
@@ -326,7 +330,9 @@ void DocumentController::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
     const bool stays =
         to.what == LeaveFor::Open && !to.spec && (isVolumePath(to.path) || isTraceFile(to.path));
-    const std::string atStake = unsaved();
+    std::string atStake = unsaved();
+    if (to.what != LeaveFor::Reload && hasNewSettings())
+        atStake = atStake.empty() ? "settings of the run" : "settings of the run, " + atStake;
     if (atStake.empty() || stays) return go(to);
     c_.playback.pause();
     c_.ui.leaving.ask(std::move(to), atStake);
@@ -427,12 +433,25 @@ void DocumentController::saveAs(const std::string& path) {
     c_.ui.sessionPath = path;
     original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
     saved_ = annotationsOf(c_.ui);
+    keepSettings();
     note(path);
     c_.session.messages().say("Saved " + path + ".");
 }
 
 std::string DocumentController::unsaved() const {
     return differenceOf(annotationsOf(c_.ui), saved_);
+}
+
+void DocumentController::keepSettings() { keptSpec_ = c_.session.input().spec(); }
+
+bool DocumentController::hasNewSettings() const {
+    if (!c_.session.ready()) return false;
+    InputSpec now = c_.session.input().spec();
+    // A lesson has settings of its own, and those of other inputs come with them.
+    if (c_.ui.lesson.walk.isOpen() || now.source != keptSpec_.source) return false;
+    now.points = keptSpec_.points;
+    now.maxBytes = keptSpec_.maxBytes;
+    return !(now == keptSpec_);
 }
 
 void DocumentController::note(const std::string& file) {

@@ -67,6 +67,8 @@ class DocumentController {
     const Status& placeStatus() const { return placeStatus_; }
     /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
     std::string unsaved() const;
+    /// The settings of the run are saved: with its mesh, say.
+    void keepSettings();
     /// Shows the queued notices.
     void warn();
     /// Queues a notice for when the input is open, and prints it on standard error at once.
@@ -98,6 +100,8 @@ class DocumentController {
         std::string original;
     };
 
+    /// The run has other settings than when its input was opened or saved.
+    bool hasNewSettings() const;
     /// Leaves at once, or asks first if something would be lost.
     void leave(Leave to);
     void go(const Leave& to);
@@ -135,6 +139,7 @@ class DocumentController {
     std::string annotatedSource_;       ///< The source of the current annotations.
     std::string original_;              ///< The open session file, as it was read.
     Annotations saved_;                 ///< Annotations in the session file.
+    InputSpec keptSpec_;                ///< The settings when the input was opened or saved.
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;

@@ -49,6 +49,7 @@ void MeshController::takeOutcome(const Result<SavedMesh>& outcome) {
     const SavedMesh& saved = outcome.value();
     form.savedPath = saved.target.path;
     form.savedSource = c_.session.input().spec().source;
+    form.justSaved = true;
     if (dialogOpen()) c_.ui.fileBrowser = false;
     c_.session.messages().say(savedText(saved));
 }

@@ -98,6 +98,7 @@ struct MeshForm {
     bool justAsked = false;   ///< The button No gets the keyboard focus.
     std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
     std::string savedSource;  ///< A source, see InputSpec.
+    bool justSaved = false;   ///< The settings of the run are in a file, with its mesh.
     std::string copied;       ///< The command that was copied last.
 
     /// True while a question or the progress replaces the fields.

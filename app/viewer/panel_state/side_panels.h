@@ -115,8 +115,16 @@ struct AlertsPanel {
 };
 
 /// The card over the view that sums up the finished mesh.
+/// A request to close holes, answered when the new mesh has been checked.
+struct HoleClosing {
+    double width = 0.0;      ///< The largest hole to close, scene units.
+    std::size_t before = 0;  ///< Open loops before.
+};
+
 struct VerdictCard {
     bool closed = false;  ///< By the user, until another input is opened.
+    bool fixing = false;  ///< The best settings are applied when all are tried.
+    std::optional<HoleClosing> closing;
 };
 
 struct DoctorPanel {

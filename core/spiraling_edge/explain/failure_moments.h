@@ -54,7 +54,7 @@ struct RunFailureSearch {
 
 /// All failures of a run: those that inspectWithTotals() finds in its mesh, with its limits, and
 /// the rings that were left over or that it was stopped at, in the order of failureClasses(). Those
-/// that no step created are counted, but not followed; of a stopped run, as unused points that it
+/// that no step created are counted, but not followed; of a stopped run, as lost points that it
 /// did not reach, they are left out. Where following all of them through the run exceeds
 /// kMomentWork and kMomentWorkPerEvent, the first of each class are taken, an equal number of each
 /// where there are enough, at least one. Fails if cancelled. Two runs and an inspection, or three

@@ -47,7 +47,7 @@ bool sameProblem(const FailureClass& a, const FailureClass& b) {
     const auto bothOf = [&](std::string_view one, std::string_view other) {
         return (a.name == one || a.name == other) && (b.name == one || b.name == other);
     };
-    return &a == &b || bothOf("unused_points", "isolated_points") || bothOf("holes", "openings");
+    return &a == &b || bothOf("lost_points", "isolated_points") || bothOf("holes", "openings");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::vector<FaultPlace> faultPlaces(const PointSet& points, std::span<const Mesh
                                     double meanEdge);
 
 /// Description of the faults at a place, the most severe first, with at most three classes: "1 hole
-/// of 3 edges, 2 unused points".
+/// of 3 edges, 2 lost points".
 std::string describe(const FaultPlace& place, std::span<const MeshFailure> failures);
 
 }  // namespace se

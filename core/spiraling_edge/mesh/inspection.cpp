@@ -203,8 +203,8 @@ constexpr FailureClass kClasses[] = {
     {"holes", "hole", "A boundary loop in the middle of the surface.", true, 2, inspect::holes},
     {"small_components", "small component", "A piece of a few triangles beside a larger one.", true,
      4, inspect::smallComponents},
-    {"unused_points", "unused point", "A point is in no triangle, though the surface passes by.",
-     true, 3, inspect::unusedPoints},
+    {"lost_points", "lost point", "A point is in no triangle, though the surface passes by.", true,
+     3, inspect::unusedPoints},
     {"isolated_points", "isolated point", "A point is in no triangle, and far from all.", true, 3,
      inspect::isolatedPoints},
     {"inward_pieces", "inward piece", "A closed piece of the surface faces inward.", true, 2,
@@ -238,6 +238,8 @@ std::string list(const std::vector<Index>& numbers) {
 std::span<const FailureClass> failureClasses() { return kClasses; }
 
 const FailureClass* findFailureClass(std::string_view name) {
+    // Sessions, lessons and queries of version 0.2 name it so.
+    if (name == "unused_points") name = "lost_points";
     const auto found = std::find_if(std::begin(kClasses), std::end(kClasses),
                                     [&](const FailureClass& c) { return c.name == name; });
     return found == std::end(kClasses) ? nullptr : found;

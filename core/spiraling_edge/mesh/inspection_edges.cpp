@@ -1,5 +1,5 @@
 /// Checks by edges and points. Sides are sorted by edge once for all of them; small components and
-/// unused points are compared with the points near them by a grid. O(t log t).
+/// lost points are compared with the points near them by a grid. O(t log t).
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -128,7 +128,7 @@ MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangle
     verdict.points = points.size();
     verdict.usedPoints = inspection.report.usedPoints;
     verdict.lost =
-        totalOf(verdict.totals, "unused_points") + totalOf(verdict.totals, "isolated_points");
+        totalOf(verdict.totals, "lost_points") + totalOf(verdict.totals, "isolated_points");
     verdict.twins = inspection.twins;
     verdict.pieces = inspection.report.components;
     for (const MeshFailure& each : inspection.failures) {

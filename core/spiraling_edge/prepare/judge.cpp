@@ -247,8 +247,14 @@ Judge judged(const PointFile& file, const PrepareOptions& options, const PointSe
     const std::vector<Vec3> given = rightNormals(file, around.value(), threads, *judge);
     judge->stray =
         strayPoints(file.position, around.value().present, around.value().nearest, threads);
-    Result<Prepared> prepared =
-        preparedFor(file, options, *judge, partOf(progress, kMeasuredDone, kPreparedDone));
+    // Lists by normals that contradict each other would end at the borders of patches.
+    PointFile agreeing;
+    if (judge->flipped > 0) {
+        agreeing = file;
+        agreeing.normal = given;
+    }
+    Result<Prepared> prepared = preparedFor(judge->flipped > 0 ? agreeing : file, options, *judge,
+                                            partOf(progress, kMeasuredDone, kPreparedDone));
     if (!prepared) return prepared.error();
     PointSet& points = prepared.value().points;
     judge->noise.assign(points.size(), false);

@@ -24,7 +24,7 @@ constexpr std::string_view kInRun[] = {"non_manifold_edges",
                                        "flipped_triangles",
                                        "slivers",
                                        "holes",
-                                       "unused_points",
+                                       "lost_points",
                                        "leftover_rings",
                                        "triangle_cap"};
 

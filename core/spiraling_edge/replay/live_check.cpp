@@ -109,7 +109,7 @@ class LiveCheck::Checker {
 
   private:
     void checkDone(Index p) {
-        if (!used_[p]) add("unused_points", kNone, kNone, {p});
+        if (!used_[p]) add("lost_points", kNone, kNone, {p});
         if (!isOneFan(p)) add("non_manifold_vertices", kNone, kNone, {p});
         trianglesAt_[p] = {};  // A DONE point gets no more triangles (§4).
     }
@@ -280,7 +280,7 @@ std::string describe(const LiveFailure& failure) {
     const std::string_view kind = failure.kind->name;
     const std::string made = "Triangle " + std::to_string(failure.triangle);
     const std::string other = std::to_string(failure.other);
-    if (kind == "unused_points") return "Point " + names + " is DONE and in no triangle.";
+    if (kind == "lost_points") return "Point " + names + " is DONE and in no triangle.";
     if (kind == "non_manifold_vertices")
         return "The triangles about point " + names + " are more than one fan.";
     if (kind == "non_manifold_edges")

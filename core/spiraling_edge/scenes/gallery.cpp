@@ -155,7 +155,7 @@ constexpr std::array kGallery{
          "Where every second point is missing, the next point is farther than the radius "
          "of the lists: two points find only each other, over 180 degrees apart.",
          sparseSpot},
-        "unused_points",
+        "lost_points",
         "258.twopoint.1",
         "6.4",
         "This situation can arise when the neighboring points lie just outside the search "
@@ -225,22 +225,23 @@ constexpr std::array kGallery{
         "the first point, thus providing an orientation for the triangulation that is "
         "consistent across the surface.",
         "--orient turns the normals to agree."},
-    FailureScene{{"near-duplicates", "Points given twice",
-                  "Every fifteenth point has a copy nearly at its place: the two compete for the "
-                  "same edges, and one of them is stranded.",
-                  nearDuplicates},
-                 "unused_points",
-                 "228.strand.1",
-                 "3",
-                 "The algorithm also assumes that there is only one point at any particular "
-                 "location.",
-                 "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates."},
+    FailureScene{
+        {"near-duplicates", "Points given twice",
+         "Every fifteenth point has a copy nearly at its place: at pivot 29 a triangle takes "
+         "both, and has no height.",
+         nearDuplicates},
+        "degenerate_triangles",
+        "29.sphere.5",
+        "3",
+        "The algorithm also assumes that there is only one point at any particular "
+        "location.",
+        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates."},
     FailureScene{
         {"stranded-point", "Stranded points",
          "Three points are passed by at every pivot around them, and their neighbors are "
          "DONE before one of them begins.",
          strandedPoint},
-        "unused_points",
+        "lost_points",
         "98.strand.1",
         "4",
         "In the second case, the algorithm has rejected the point in the triangulations of "

@@ -56,7 +56,7 @@ TEST_CASE("cause inversion: turning the decision called unavoidable makes the fa
                 toString(failure.moments.unavoidable.event.address) == each.address)
                 CHECK(inversion.outcome != Inversion::NoEffect);
             // A lost point that can be kept is a point that is used.
-            if (failure.failure.kind->name == "unused_points")
+            if (failure.failure.kind->name == "lost_points")
                 CHECK(inversion.outcome != Inversion::NoEffect);
             if (!failure.failure.kind->fault) continue;
             gone += isGone(inversion) ? 1 : 0;
@@ -218,7 +218,7 @@ TEST_CASE("cause inversion: a point outside all sectors cannot be kept, and ther
     const auto inversions = invertCauses(points, paper(), failures, sampleOfEach(failures, 100));
     REQUIRE(inversions.ok());
     for (std::size_t i = 0; i < failures.size(); ++i) {
-        if (failures[i].failure.kind->name != "unused_points") continue;
+        if (failures[i].failure.kind->name != "lost_points") continue;
         CHECK(inversions.value()[i].outcome == Inversion::NotInvertible);
         CHECK(inversions.value()[i].reason == "The point lies outside of the free sector.");
     }

@@ -175,7 +175,7 @@ TEST_CASE("ledger: a point that no later fan could hold fell at its own test") {
     const PointSet points = hexagon({polar(60, 1.8)});
     CHECK(causeOf(points, Subject::point(7)) == "1.sort.8");
     CHECK(causeOf(points, Subject::edge(0, 7)) == "1.sort.8");
-    const RunFailure failure = failureAt(points, "unused_points", {7});
+    const RunFailure failure = failureAt(points, "lost_points", {7});
     CHECK(toString(failure.moments.touched.event.address) == "1.sort.7");
     CHECK(toString(failure.moments.unavoidable.event.address) == "1.sort.8");
     CHECK(failure.moments.created.event.address.stage == Stage::Strand);
@@ -411,7 +411,7 @@ TEST_CASE("moments: a point that start or end moved past fell with the first mov
         const auto all = failuresOfRun(points, paper());
         REQUIRE(all.ok());
         for (const RunFailure& each : all.value()) {
-            if (each.failure.kind->name != "unused_points") continue;
+            if (each.failure.kind->name != "lost_points") continue;
             const Event& cause = each.moments.unavoidable.event;
             const auto* dropped = std::get_if<DropEvidence>(&cause.evidence);
             CHECK_FALSE((dropped != nullptr && dropped->verdict == Verdict::Outside));

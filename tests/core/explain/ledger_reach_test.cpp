@@ -37,7 +37,7 @@ class Missing {
         }
     }
 
-    /// A random unused point; nothing if every point is used.
+    /// A random lost point; nothing if every point is used.
     std::optional<Subject> point() {
         if (unused_.empty()) return {};
         return Subject::point(unused_[random_.below(unused_.size())]);
@@ -108,7 +108,7 @@ constexpr std::size_t kEach = kSanitized ? 50 : 1000;
 }  // namespace
 
 TEST_CASE(
-    "ledger: 1,000 unused points, missing edges and triangles each were kept out by something") {
+    "ledger: 1,000 lost points, missing edges and triangles each were kept out by something") {
     Asked asked;
     std::uint64_t seed = 1;
     for (const FailureScene& each : failureScenes()) {

@@ -92,7 +92,7 @@ Evidence stranded(Index p) { return StrandEvidence{p, false}; }
 // ---- points in no triangle ----------------------------------------------------------------------
 
 TEST_CASE("moment finder: a point was lost at its last test, not where it was found DONE later") {
-    Followed lost("unused_points", {4});
+    Followed lost("lost_points", {4});
     lost.add("1.sort.1", 0, sorted(4, Verdict::Kept));
     lost.add("1.sort.2", 0, sorted(4, Verdict::SameAngle));
     lost.add("2.strand.1", kNone, stranded(4));
@@ -102,20 +102,20 @@ TEST_CASE("moment finder: a point was lost at its last test, not where it was fo
 }
 
 TEST_CASE("moment finder: a full turn of the point itself counts only where no test refused it") {
-    Followed refused("unused_points", {4});
+    Followed refused("lost_points", {4});
     refused.add("1.sort.1", 0, sorted(4, Verdict::SameAngle));
     refused.add("2.twopoint.1", 4, fanOfTwo(360.0, Verdict::Discarded));
     refused.add("3.done.1", 5, offRing(4));
     CHECK(refused.unavoidable() == "1.sort.1");
 
-    Followed alone("unused_points", {4});
+    Followed alone("lost_points", {4});
     alone.add("2.seed.1", kNone, SeedEvidence{4, 5, 1.0});
     alone.add("2.twopoint.1", 4, fanOfTwo(360.0, Verdict::Discarded));
     alone.add("3.done.1", 5, offRing(4));
     CHECK(alone.unavoidable() == "2.twopoint.1");
 
     // A fan of its own over 180 degrees is a refusal like any other.
-    Followed wide("unused_points", {4});
+    Followed wide("lost_points", {4});
     wide.add("1.sort.1", 0, sorted(4, Verdict::SameAngle));
     wide.add("2.twopoint.1", 4, fanOfTwo(200.0, Verdict::Discarded));
     wide.add("3.done.1", 5, offRing(4));
@@ -123,7 +123,7 @@ TEST_CASE("moment finder: a full turn of the point itself counts only where no t
 }
 
 TEST_CASE("moment finder: a point that no test saw was lost with the last neighbor before it") {
-    Followed lost("unused_points", {4});
+    Followed lost("lost_points", {4});
     lost.add("1.ring.1", 0, offRing(5));
     lost.add("2.strand.1", kNone, stranded(4));
     lost.add("3.ring.1", 0, offRing(6));

@@ -39,7 +39,7 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     PointFile file = closedFamilies(3.0)[0].sample(4);
     const Index planted = 100;
     file.normal[planted] = -file.normal[planted];
-    const auto fails = failsBy("unused_points");
+    const auto fails = failsBy("lost_points");
     REQUIRE(fails(file));
     const auto reduced = reduceFully(file, file.position[planted], fails);
     REQUIRE(reduced.ok());

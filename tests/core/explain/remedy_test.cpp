@@ -115,7 +115,7 @@ TEST_CASE("remedy: a hole that has become smaller is still there") {
     smaller.points = {3, 8, 9};
     CHECK_FALSE(isStillThere(hole, {smaller}));
     MeshFailure unused;
-    unused.kind = findFailureClass("unused_points");
+    unused.kind = findFailureClass("lost_points");
     unused.points = {7};
     MeshFailure isolated = unused;
     isolated.kind = findFailureClass("isolated_points");

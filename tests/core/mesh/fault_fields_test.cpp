@@ -52,13 +52,20 @@ TEST_CASE("fault fields: the most severe fault of a point, by its class from 1, 
 }
 
 TEST_CASE("fault fields: the numbers of the classes are those of docs/file-formats.md") {
-    const auto numbered = {"non_manifold_edges",   "non_manifold_vertices",
-                           "inconsistent_edges",   "duplicate_triangles",
-                           "degenerate_triangles", "intersecting_triangles",
-                           "folded_edges",         "second_layers",
-                           "flipped_triangles",    "holes",
-                           "small_components",     "unused_points",
-                           "isolated_points",      "inward_pieces",
+    const auto numbered = {"non_manifold_edges",
+                           "non_manifold_vertices",
+                           "inconsistent_edges",
+                           "duplicate_triangles",
+                           "degenerate_triangles",
+                           "intersecting_triangles",
+                           "folded_edges",
+                           "second_layers",
+                           "flipped_triangles",
+                           "holes",
+                           "small_components",
+                           "lost_points",
+                           "isolated_points",
+                           "inward_pieces",
                            "spikes"};
     double number = 0.0;
     for (const char* each : numbered) CHECK(numberOf(each) == ++number);
@@ -80,9 +87,8 @@ TEST_CASE("fault fields: a PLY has them, for all points and for used points, and
     const PointSet points = prepared(file);
     const auto mesh = runAll(points, paper()).state.mesh();
     const std::vector<MeshFailure> failures = inspectMesh(points, mesh);
-    REQUIRE(std::any_of(failures.begin(), failures.end(), [](const MeshFailure& each) {
-        return each.kind->name == "unused_points";
-    }));
+    REQUIRE(std::any_of(failures.begin(), failures.end(),
+                        [](const MeshFailure& each) { return each.kind->name == "lost_points"; }));
     // Those of an earlier mesh are replaced.
     file.attributes = {
         {std::string(kFaultField), ScalarType::Double, std::vector<double>(points.size(), 99.0)},

@@ -34,9 +34,8 @@ using Positions = std::vector<std::size_t>;
 TEST_CASE("places: a fault with all less severe ones nearer than three mean edges, or connected") {
     const PointSet points = alongX({0, 2.9, 5.7, 100, 200, 202.9});
     const std::vector<MeshFailure> failures{
-        failureAt("unused_points", {0}), failureAt("unused_points", {1}),
-        failureAt("unused_points", {2}), failureAt("folded_edges", {3, 4}),
-        failureAt("flipped_triangles", {5})};
+        failureAt("lost_points", {0}), failureAt("lost_points", {1}), failureAt("lost_points", {2}),
+        failureAt("folded_edges", {3, 4}), failureAt("flipped_triangles", {5})};
     const auto places = faultPlaces(points, failures, 1.0);
     REQUIRE(places.size() == 3);
     CHECK(places[0].faults == Positions{0, 1});
@@ -53,8 +52,8 @@ TEST_CASE("places: holes come first, the longest before the others, flipped tria
     const std::vector<MeshFailure> failures{failureAt("flipped_triangles", {0}),
                                             failureAt("holes", {1}, 3.0),
                                             failureAt("holes", {2}, 5.0),
-                                            failureAt("unused_points", {3}),
-                                            failureAt("unused_points", {4}),
+                                            failureAt("lost_points", {3}),
+                                            failureAt("lost_points", {4}),
                                             failureAt("intersecting_triangles", {4, 5}),
                                             failureAt("slivers", {6})};
     const auto places = faultPlaces(points, failures, 1.0);
@@ -62,7 +61,7 @@ TEST_CASE("places: holes come first, the longest before the others, flipped tria
     for (const FaultPlace& place : places) first.push_back(place.faults.front());
     // A sliver is no fault.
     CHECK(first == Positions{2, 1, 3, 4, 0});
-    CHECK(describe(places[3], failures) == "1 unused point, 1 intersecting pair");
+    CHECK(describe(places[3], failures) == "1 lost point, 1 intersecting pair");
 }
 
 TEST_CASE("places: as if all pairs of points of all faults were compared") {
@@ -133,8 +132,8 @@ TEST_CASE("places: a hole is described by its edges, several by those of the lon
     failures.push_back(failureAt("non_manifold_vertices", {1}));
     CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) ==
           "2 holes of up to 4 edges, 2 non-manifold vertices");
-    failures.push_back(failureAt("unused_points", {3}));
+    failures.push_back(failureAt("lost_points", {3}));
     failures.push_back(failureAt("folded_edges", {1, 2}));
     CHECK(describe(faultPlaces(points, failures, 1.0)[0], failures) ==
-          "2 holes of up to 4 edges, 1 unused point, 2 non-manifold vertices, 1 other");
+          "2 holes of up to 4 edges, 1 lost point, 2 non-manifold vertices, 1 other");
 }

@@ -72,7 +72,8 @@ TEST_CASE("inspection: without normals and types nothing is flipped") {
     Faces inverse = kOctahedron;
     for (Triangle& t : inverse) std::swap(t.b, t.c);
     CHECK(countsOf(points, inverse) == Counts{{"inward_pieces", 1}});
-    CHECK(countsOf(octahedron(), inverse) == Counts{{"flipped_triangles", 8}, {"inward_pieces", 1}});
+    CHECK(countsOf(octahedron(), inverse) ==
+          Counts{{"flipped_triangles", 8}, {"inward_pieces", 1}});
 }
 
 TEST_CASE("inspection: a missing triangle is a hole with its length and area") {
@@ -261,7 +262,7 @@ TEST_CASE("inspection: a few triangles within two edges of a larger piece, point
     s.points.setAside.back() = true;
     const Counts counts = countsOf(s.points, s.triangles);
     CHECK(counts.at("small_components") == 1);
-    CHECK(counts.at("unused_points") == 1);
+    CHECK(counts.at("lost_points") == 1);
     CHECK(counts.at("isolated_points") == 1);
     CHECK(counts.at("openings") == 3);
     CHECK(counts.count("holes") == 0);
@@ -406,7 +407,7 @@ TEST_CASE("inspection: a point that no mesh can have is not missing in it") {
     points.normal.push_back(Vec3(0.0));
     CHECK(countsOf(points, kOctahedron).empty());
     points.normal.back() = {1, 0, 0};
-    CHECK(countsOf(points, kOctahedron) == Counts{{"unused_points", 1}});
+    CHECK(countsOf(points, kOctahedron) == Counts{{"lost_points", 1}});
 }
 
 TEST_CASE("inspection: a needle is no sliver as well") {

@@ -35,9 +35,10 @@ Watched watch(const PointSet& points, const Params& params) {
 /// True for a class that a single triangle or point decides.
 bool isLive(const MeshFailure& failure) {
     constexpr std::array<std::string_view, 8> kLive{
-        "non_manifold_edges",   "inconsistent_edges",     "duplicate_triangles",
-        "degenerate_triangles", "intersecting_triangles", "folded_edges",
-        "flipped_triangles",    "unused_points"};
+        "non_manifold_edges",     "inconsistent_edges",
+        "duplicate_triangles",    "degenerate_triangles",
+        "intersecting_triangles", "folded_edges",
+        "flipped_triangles",      "lost_points"};
     return std::find(kLive.begin(), kLive.end(), failure.kind->name) != kLive.end();
 }
 

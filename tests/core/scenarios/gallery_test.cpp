@@ -116,7 +116,7 @@ TEST_CASE("gallery: the decisions match the scenes") {
     CHECK(evidenceAt<LimitEvidence>("tee-at-wall").verdict == Verdict::Moved);
     CHECK(evidenceAt<ReciprocalEvidence>("wrong-lists").verdict == Verdict::Kept);
     CHECK_FALSE(evidenceAt<StrandEvidence>("stranded-point").isolated);
-    CHECK_FALSE(evidenceAt<StrandEvidence>("near-duplicates").isolated);
+    CHECK(evidenceAt<SphereEvidence>("near-duplicates").verdict == Verdict::InsideSphere);
     const PointSet sheets = prepared(galleryScene("close-sheets").scene.build());
     const auto t = evidenceAt<InsertEvidence>("close-sheets");
     CHECK(t.corner);

@@ -8,6 +8,7 @@
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "run/trial_settings.h"
 #include "spiraling_edge/prepare/judge.h"
 
 #include <doctest/doctest.h>
@@ -292,19 +293,23 @@ TEST_CASE(
     const FailingFile file;
     AlertApp app(file.path.string());
     const std::string before = verdictText(app.session.alerts().search());
-    CHECK(before.find(" at ") != std::string::npos);
+    CHECK(before.find(" of ") != std::string::npos);
     app.session.moves().toEnd();
     app.session.waitUntilDone();
     const std::size_t trianglesBefore = app.session.shownTriangles().size();
     const std::size_t placesBefore = app.session.alerts().search().places().size();
-    // Without a trial yet, the rules of robust.
-    CHECK(bestChange(app.context) == SettingsChange{.rules = "robust"});
-    app.session.trials().start();
+    // Before all settings are tried it waits for them.
+    const InputSpec& spec = app.session.input().spec();
+    app.session.trials().open(app.session.input().file(),
+                              settingsOf(spec, *app.session.input().file()));
+    CHECK(canFix(app.context));
+    fixByTrials(app.context);
+    CHECK(app.ui.verdict.fixing);
     app.session.waitUntilDone();
     REQUIRE(app.session.trials().best() != nullptr);
     const Trial best = *app.session.trials().best();
-    CHECK(bestChange(app.context) == best.change);
-    fixByTrials(app.context);
+    app.alerts.poll();
+    CHECK_FALSE(app.ui.verdict.fixing);
     app.document.carryOut(app.ui.requests);
     app.arrive();
     const std::string after = verdictText(app.session.alerts().search());

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "run/rule_set.h"
+
 using namespace se;
 using namespace se::view;
 namespace fs = std::filesystem;
@@ -92,6 +94,29 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
     CHECK_FALSE(app.ui.breakpoints.front().logOnly);
     CHECK(app.ui.watch.expressions == std::vector<std::string>{"ring"});
     CHECK(app.ui.notes.empty());
+}
+
+TEST_CASE("Other settings than those of the opening are asked about, until they are saved") {
+    LeavingApp app;
+    const auto runByRobust = [&] {
+        app.ui.requests.rules = withRule(rulesOf(app.session.input().spec()), "fill", 1.0);
+        app.frame();
+    };
+    runByRobust();
+    app.quit();
+    REQUIRE(app.ui.leaving.asked);
+    CHECK(app.ui.leaving.atStake == "settings of the run");
+    app.answer(LeaveAnswer::Cancel);
+    // Running again asks nothing: the settings stay.
+    app.ui.requests.reload = true;
+    app.frame();
+    CHECK_FALSE(app.ui.leaving.asked);
+    // With the mesh they are saved.
+    app.ui.mesh.justSaved = true;
+    app.frame();
+    app.quit();
+    CHECK_FALSE(app.ui.leaving.asked);
+    CHECK(app.ui.quitting);
 }
 
 TEST_CASE("Opening and reloading ask as well, discarding restores the content of the file") {

@@ -66,9 +66,14 @@ start() {
 }
 
 # stop: Ctrl+Q; the program quits with exit code 0.
+# Settings that the script has changed are not kept.
 stop() {
     press ctrl+q
-    for _ in $(seq $looks); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
+    for _ in $(seq $looks); do
+        kill -0 "$program" 2>/dev/null || break
+        if matches asks true; then click_on "leave discard"; fi
+        sleep 0.05
+    done
     kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not quit"
     wait "$program"
     local code=$?

@@ -72,7 +72,7 @@ stop
 # An input beyond the memory is an error message, not a crash.
 (
     ulimit -v 3000000
-    refused 3 "Out of memory." /dev/zero
+    refused 3 "Out of memory." /dev/zero --most-bytes 100000000000
 ) || exit 1
 
 # A tangled run: the first alerts, and a note about more.

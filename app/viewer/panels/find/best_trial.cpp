@@ -13,7 +13,8 @@ void drawBestTrial(const PanelContext& context, const std::string& name) {
         wrappedText("Other settings were tried: " + wordsOf(best->change) + ". Now " +
                     headlineOf(job.trials().tried.front().verdict) + "; then " +
                     headlineOf(best->verdict) + ".");
-        if (smallButton(context, "Fix", name, "Run again with these settings, to the end"))
+        if (job.ended() &&
+            smallButton(context, "Fix", name, "Run again with these settings, to the end"))
             fixByTrials(context.commands);
         ImGui::Spacing();
     } else if (job.busy()) {

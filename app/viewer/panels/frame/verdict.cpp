@@ -87,11 +87,14 @@ void drawTrials(const PanelContext& context) {
     }
     const std::vector<Trial>& tried = job.trials().tried;
     if (const Trial* best = job.best()) {
-        wrappedText("Better: " + wordsOf(best->change));
+        const std::string when = job.busy() ? "Better so far: " : "Better: ";
+        wrappedText(when + wordsOf(best->change) + ". Then: " + headlineOf(best->verdict) + ".");
         drawNumbers(context, tried.front().verdict, best->verdict);
     }
     if (job.busy()) {
-        if (progressAndStop(context, job.share(), job.trying().c_str(), "verdict stop")) job.stop();
+        const std::string doing =
+            context.state<VerdictCard>().fixing ? "Fix: " + job.trying() : job.trying();
+        if (progressAndStop(context, job.share(), doing.c_str(), "verdict stop")) job.stop();
     } else if (!job.complaint().empty()) {
         dimText(job.complaint());
     } else if (job.best() == nullptr && !tried.empty()) {
@@ -141,10 +144,13 @@ std::vector<CardAction> actionsOf(const PanelContext& context, const AlertSearch
              "Every decision about the shown fault, in the panel Ledger: " + context.key("ask.why"),
              askWhyShown});
     }
-    const auto change = alerts.sound() ? std::nullopt : bestChange(context.commands);
-    if (change) {
-        list.push_back({"Fix", "verdict fix", "Run again, to the end: " + wordsOf(*change),
-                        [](const PanelContext& c) { fixByTrials(c.commands); }});
+    if (canFix(context.commands) && !context.state<VerdictCard>().fixing) {
+        const TrialJob& job = context.session().trials();
+        const std::string what = job.ended()
+                                     ? "Run again, to the end: " + wordsOf(job.best()->change)
+                                     : "Try other settings, then run again with the best of them";
+        list.push_back(
+            {"Fix", "verdict fix", what, [](const PanelContext& c) { fixByTrials(c.commands); }});
     }
     list.push_back({"Save mesh...", "verdict save", context.key("file.savemesh"),
                     [](const PanelContext& c) { c.run("file.savemesh"); }});
