@@ -63,7 +63,7 @@ std::vector<Vec3> gridOf(int columns, int rows, double along, double across) {
 }  // namespace
 
 TEST_CASE("strays: a point far over a sphere is one, at any distance") {
-    for (const double radius : {1.6, 2.0, 3.0, 5.0, 1e3, 1e7, 1e100, kLargest})
+    for (const double radius : {1.45, 2.0, 3.0, 5.0, 1e3, 1e7, 1e100, kLargest})
         CHECK_MESSAGE(straysBeside({{0, 0, radius}}) == std::vector<Index>{0}, radius);
     CHECK(straysBeside({{0, 0, 0}}) == std::vector<Index>{0});
     CHECK(straysBeside({}).empty());
