@@ -64,6 +64,8 @@ void NeighborArguments::addTo(CLI::App& app) {
     app.add_flag("--keep-noise", keepNoise_,
                  "Keep all points where noise is as wide as the spacing (--rules robust sets "
                  "aside those above or below others)");
+    app.add_flag("--keep-strays", keepStrays_,
+                 "Keep points far from all others (--rules corrected and robust set them aside)");
 }
 
 NeighborOptions NeighborArguments::options() const {
@@ -223,6 +225,7 @@ RunSettings settingsFrom(const RuleArguments& rules, const NeighborArguments& ne
     settings.whatIf = rules.params().whatIf;
     settings.keepOpposing = neighbors.keepOpposing();
     settings.keepNoise = neighbors.keepNoise();
+    settings.keepStrays = neighbors.keepStrays();
     settings.prepare = derived.options(neighbors.options(), file);
     return settings;
 }
@@ -231,6 +234,7 @@ Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors
     Params params = rules.params();
     if (neighbors.keepOpposing()) params.dropOpposingNormals = false;
     if (neighbors.keepNoise()) params.setNoiseAside = false;
+    if (neighbors.keepStrays()) params.setStraysAside = false;
     return params;
 }
 

@@ -31,7 +31,7 @@ void addByteLimit(CLI::App& app, ByteLimit& limit);
 WallBox boxFromText(const std::string& text);
 
 /// Options for missing neighbor lists: --neighbors, --radius, --reach, --symmetric,
-/// --keep-opposing, --keep-noise.
+/// --keep-opposing, --keep-noise, --keep-strays.
 class NeighborArguments {
   public:
     void addTo(CLI::App& app);
@@ -39,6 +39,7 @@ class NeighborArguments {
     NeighborOptions options() const;
     bool keepOpposing() const { return keepOpposing_; }
     bool keepNoise() const { return keepNoise_; }
+    bool keepStrays() const { return keepStrays_; }
 
   private:
     std::optional<std::size_t> count_;
@@ -47,6 +48,7 @@ class NeighborArguments {
     bool symmetric_ = false;
     bool keepOpposing_ = false;
     bool keepNoise_ = false;
+    bool keepStrays_ = false;
 };
 
 /// Options for what is derived from the points: --orient, --derive-normals, --scanner,
@@ -73,7 +75,7 @@ class DerivedArguments {
 class RuleArguments {
   public:
     void addTo(CLI::App& app);
-    /// Adds --rules alone: of the rules the set decides whether noise is set aside.
+    /// Adds --rules alone: of the rules the set decides whether noise and strays are set aside.
     void addSetTo(CLI::App& app);
     /// Throws Failure if there is no such set or rule.
     Params params() const;

@@ -125,6 +125,7 @@ void addPreparing(CLI::App& app, Options& o, RawInput& raw) {
                  "Keep neighbors whose normal opposes that of the point");
     app.add_flag("--keep-noise", o.input.keepNoise,
                  "Keep all points where noise is as wide as the spacing");
+    app.add_flag("--keep-strays", o.input.keepStrays, "Keep points far from all others");
     auto* orient = app.add_flag("--orient", raw.orient,
                                 "Flip normals of the file so that they agree with each other");
     app.add_flag("--derive-normals", raw.deriveNormals,

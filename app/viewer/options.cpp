@@ -309,6 +309,7 @@ Status adoptSession(Options& o) {
     if (!o.wallsGiven) o.input.walls = kept.walls;
     o.input.keepOpposing = o.input.keepOpposing || kept.keepOpposing;
     o.input.keepNoise = o.input.keepNoise || kept.keepNoise;
+    o.input.keepStrays = o.input.keepStrays || kept.keepStrays;
     o.input.rim = o.input.rim || kept.rim;
     if (!o.rulesGiven) {
         o.input.rules = kept.rules;

@@ -129,6 +129,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
                          {"zero_normals", report.zeroNormals},
                          {"duplicates", report.duplicatePoints},
                          {"noise", report.noisyPoints},
+                         {"strays", report.strays},
                          {"dropped", report.leftOut}};
     json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
@@ -161,6 +162,7 @@ void addRules(const RunOutcome& outcome, Json& json) {
         rules[std::string(rule.name)] = ruleJson(rule, rule.get(outcome.params));
     rules["drop_opposing_normals"] = outcome.params.dropOpposingNormals;
     rules["set_noise_aside"] = outcome.params.setNoiseAside;
+    rules["set_strays_aside"] = outcome.params.setStraysAside;
     json["rules"] = rules;
 }
 

@@ -55,6 +55,7 @@ std::string setAsideSentence(const PrepareReport& report) {
     add(report.nonFinitePoints, "not finite");
     add(report.zeroNormals, "without a normal direction");
     add(report.duplicatePoints, "copies of another point");
+    add(report.strays, "far from all others");
     add(report.noisyPoints, "above or below others, where noise is as wide as the spacing");
     add(report.leftOut, "that the doctor proposes to drop");
     return text;

@@ -119,6 +119,7 @@ void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) 
         if (each.name == "symmetric") options["symmetric"] = true;
         if (each.name == "keep-opposing") options["keep_opposing"] = true;
         if (each.name == "keep-noise") options["keep_noise"] = true;
+        if (each.name == "keep-strays") options["keep_strays"] = true;
         if (each.name == "orient") options["normals"] = "oriented";
         if (each.name == "derive-normals") options["normals"] = "derived";
         if (each.name == "derive-rim") options["rim"] = true;

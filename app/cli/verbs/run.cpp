@@ -264,7 +264,8 @@ std::string emptinessSentence(const RunOutcome& outcome) {
         return fmt::format("the run made no triangle of {}", counted(points, "point"));
     const PrepareReport& prepared = outcome.prepared;
     const std::size_t setAside = prepared.nonFinitePoints + prepared.zeroNormals +
-                                 prepared.duplicatePoints + prepared.noisyPoints + prepared.leftOut;
+                                 prepared.duplicatePoints + prepared.noisyPoints + prepared.strays +
+                                 prepared.leftOut;
     if (setAside <= outcome.mesh.usedPoints) return {};
     return fmt::format("more points were set aside ({}) than used ({})", setAside,
                        outcome.mesh.usedPoints);

@@ -149,6 +149,7 @@ void bringBack(CommandContext& context, const AsidePoints& group) {
         requests.fixes = std::move(fixes);
     }
     if (group.reason == AsideReason::Noise) requests.rules = withRule(rulesOf(spec), "noise", 0.0);
+    if (group.reason == AsideReason::Stray) requests.rules = withRule(rulesOf(spec), "strays", 0.0);
 }
 
 namespace actions {

@@ -12,7 +12,8 @@ namespace {
 
 /// True if the points would be prepared in the same way.
 bool sameInput(const Params& a, const Params& b) {
-    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside;
+    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside &&
+           a.setStraysAside == b.setStraysAside;
 }
 
 Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {

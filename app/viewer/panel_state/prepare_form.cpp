@@ -51,6 +51,7 @@ void PrepareForm::take(const InputSpec& spec, const Model& model) {
     symmetric = spec.neighbors.symmetric;
     keepOpposing = spec.keepOpposing;
     keepNoise = spec.keepNoise;
+    keepStrays = spec.keepStrays;
     rim = spec.rim;
     normals = spec.normals;
     for (int i = 0; spec.scanner && i < 3; ++i)
@@ -134,6 +135,7 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     }
     base.keepOpposing = keepOpposing;
     base.keepNoise = keepNoise;
+    base.keepStrays = keepStrays;
     base.rim = rim;
     // The choice made here replaces the one of a fix, unless they agree.
     std::erase_if(base.fixes, [this](const std::string& name) {

@@ -29,6 +29,7 @@ struct PrepareForm {
     BoxFields box{};
     bool rim = false;
     bool keepNoise = false;
+    bool keepStrays = false;
     std::string complaint;
 
     /// Starts with the options of `spec`, including the doctor's fixes; the box with that around

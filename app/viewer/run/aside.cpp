@@ -27,6 +27,8 @@ constexpr std::array kReasons = {
     ReasonRow{AsideReason::NoPlane, "no_plane", "set aside: no plane fits their neighbors", ""},
     ReasonRow{AsideReason::Noise, "noise", "set aside for noise",
               "Turns the rule noise off, and runs with all points."},
+    ReasonRow{AsideReason::Stray, "strays", "set aside: far from all others",
+              "Turns the rule strays off, and runs with them."},
 };
 
 const ReasonRow& rowOf(AsideReason reason) {
@@ -35,7 +37,7 @@ const ReasonRow& rowOf(AsideReason reason) {
     return row;
 }
 
-AsideReason reasonOf(Fitness fitness, const Vec3& normal) {
+AsideReason reasonOf(const PointSet& points, Index p, Fitness fitness) {
     switch (fitness) {
         case Fitness::NonFinite:
             return AsideReason::NotFinite;
@@ -44,7 +46,8 @@ AsideReason reasonOf(Fitness fitness, const Vec3& normal) {
         case Fitness::Usable:
             break;
     }
-    return normal == Vec3(0.0) ? AsideReason::NoPlane : AsideReason::Noise;
+    if (!points.stray.empty() && points.stray[p]) return AsideReason::Stray;
+    return points.normal[p] == Vec3(0.0) ? AsideReason::NoPlane : AsideReason::Noise;
 }
 
 }  // namespace
@@ -57,8 +60,7 @@ std::vector<AsidePoints> asideOf(const PointSet& points) {
     for (Index p = 0; p < points.setAside.size(); ++p) {
         if (!points.setAside[p]) continue;
         if (fitness.empty()) fitness = fitnessOf(points.position);
-        AsidePoints& group =
-            byReason[static_cast<std::size_t>(reasonOf(fitness[p], points.normal[p]))];
+        AsidePoints& group = byReason[static_cast<std::size_t>(reasonOf(points, p, fitness[p]))];
         group.points.push_back(p);
         ++group.count;
     }

@@ -17,6 +17,7 @@ enum class AsideReason : std::uint8_t {
     Copy,       ///< Another point has the same position.
     NoPlane,    ///< No plane fits the neighbors, to derive a normal from.
     Noise,      ///< Others lie nearer to the middle of the noise.
+    Stray,      ///< Far from all others.
 };
 
 /// The points with one reason.

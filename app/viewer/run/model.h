@@ -81,6 +81,7 @@ struct InputSpec {
     bool rim = false;           ///< Find where the surface ends without a wall (rim.h).
     bool keepOpposing = false;  ///< Overrides the rules: also neighbors with opposing normals.
     bool keepNoise = false;     ///< Overrides the rules: no point is set aside for noise.
+    bool keepStrays = false;    ///< Overrides the rules: no point is set aside as a stray.
     /// Points of `source`, if in memory already: then nothing is read or sampled.
     std::shared_ptr<const PointFile> points = nullptr;
     std::vector<WhatIf> whatIf = {};   ///< Decisions that the user overrides.

@@ -28,6 +28,7 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules) {
     };
     if (chosen("opposing")) spec.keepOpposing = false;
     if (chosen("noise")) spec.keepNoise = false;
+    if (chosen("strays")) spec.keepStrays = false;
     spec.rules = rules.name;
     spec.choices = rules.choices;
     spec.whatIf = rules.whatIf;
@@ -35,7 +36,8 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules) {
 }
 
 Result<Params> paramsOf(const InputSpec& spec) {
-    RunSettings settings{spec.rules, spec.choices, spec.whatIf, spec.keepOpposing, spec.keepNoise};
+    RunSettings settings{spec.rules,        spec.choices,   spec.whatIf,
+                         spec.keepOpposing, spec.keepNoise, spec.keepStrays};
     settings.start = spec.start;
     if (settings.start.empty() && isScene(spec.source))
         settings.start = startOfScene(spec.source.substr(kScenePrefix.size()));

@@ -14,6 +14,7 @@ RunSettings settingsOf(const InputSpec& spec, const PointFile& given) {
     settings.whatIf = spec.whatIf;
     settings.keepOpposing = spec.keepOpposing;
     settings.keepNoise = spec.keepNoise;
+    settings.keepStrays = spec.keepStrays;
     settings.prepare = prepareOptions(withFixOptions(spec), {}, given);
     return settings;
 }

@@ -157,6 +157,7 @@ std::string runOptions(const InputSpec& spec) {
     flag(spec.neighbors.symmetric, "--symmetric");
     flag(spec.keepOpposing, "--keep-opposing");
     flag(spec.keepNoise, "--keep-noise");
+    flag(spec.keepStrays, "--keep-strays");
     flag(spec.normals == NormalSource::Oriented, "--orient");
     flag(spec.normals == NormalSource::Derived, "--derive-normals");
     text += scannerOption(spec.scanner);

@@ -122,7 +122,8 @@ Complaint readPreparing(const json& options, InputSpec& out) {
     for (const auto& [name, on] : {std::pair{"symmetric", &lists.symmetric},
                                    {"rim", &out.rim},
                                    {"keep_opposing", &out.keepOpposing},
-                                   {"keep_noise", &out.keepNoise}})
+                                   {"keep_noise", &out.keepNoise},
+                                   {"keep_strays", &out.keepStrays}})
         if (!readField(options, name, *on))
             return expected(std::string("options.") + name, "true or false");
     return std::nullopt;
@@ -211,6 +212,7 @@ void preparingToJson(const InputSpec& input, json& options) {
     writeField(options, "rim", input.rim, true);
     writeField(options, "keep_opposing", input.keepOpposing, true);
     writeField(options, "keep_noise", input.keepNoise, true);
+    writeField(options, "keep_strays", input.keepStrays, true);
 }
 
 json ruleToJson(const RuleValue& rule) {

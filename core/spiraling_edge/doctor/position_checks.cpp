@@ -5,6 +5,7 @@
 
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/strays.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se {
@@ -69,14 +70,14 @@ double spacingAround(const ExaminedFile& examined, Index p, std::vector<double>&
     return medianOf(room);
 }
 
-/// Points far from all others, by the second nearest point, so that isolated pairs are found, too:
-/// two make no triangle.
-std::vector<bool> farPoints(const ExaminedFile& examined) {
-    std::vector<bool> far(examined.size(), false);
+/// Of the strays, those far by the second nearest point as well: single ones and pairs. The rest is
+/// found on clean sets, too.
+std::vector<bool> farStrays(const ExaminedFile& examined) {
+    std::vector<bool> far = strayPoints(examined.file.position, examined.present, examined.nearest);
     std::vector<double> room;
     for (Index p = 0; p < examined.size(); ++p) {
         const auto list = examined.nearest[p];
-        if (list.size() < 6) continue;  // Too small a set for a spacing.
+        if (!far[p] || list.size() < 2) continue;
         far[p] = examined.distance(p, list[1]) > kFar * spacingAround(examined, p, room);
     }
     return far;
@@ -120,15 +121,9 @@ std::vector<bool> scatteredPoints(const ExaminedFile& examined) {
 }  // namespace
 
 std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
-    const std::vector<bool> far = farPoints(examined);
-    std::vector<bool> wanted(examined.size(), false);
-    for (Index p = 0; p < examined.size(); ++p) {
-        if (far[p]) continue;
-        for (const Index q : examined.nearest[p]) wanted[q] = true;
-    }
+    const std::vector<bool> far = farStrays(examined);
     const std::vector<bool> scattered = scatteredPoints(examined);
-    auto points = pointsWhere(examined.size(),
-                              [&](Index p) { return (far[p] && !wanted[p]) || scattered[p]; });
+    auto points = pointsWhere(examined.size(), [&](Index p) { return far[p] || scattered[p]; });
     return findingAt(std::move(points), Severity::Warning,
                      "off the surface: far from the others, and in no list of the 12 nearest but "
                      "each other's");

@@ -43,6 +43,7 @@ Result<Params> paramsOf(const RunSettings& settings) {
         return known.error();
     if (settings.keepOpposing) params->dropOpposingNormals = false;
     if (settings.keepNoise) params->setNoiseAside = false;
+    if (settings.keepStrays) params->setStraysAside = false;
     params->whatIf = settings.whatIf;
     params->start = settings.start;
     return *params;
@@ -51,6 +52,7 @@ Result<Params> paramsOf(const RunSettings& settings) {
 PrepareOptions prepareOptionsFor(PrepareOptions options, const Params& params) {
     options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
     options.setNoiseAside = params.setNoiseAside;
+    options.setStraysAside = params.setStraysAside;
     return options;
 }
 

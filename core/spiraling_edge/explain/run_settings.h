@@ -19,6 +19,7 @@ struct RunSettings {
     std::vector<WhatIf> whatIf = {};
     bool keepOpposing = false;    ///< Overrides the rules: also neighbors with opposing normals.
     bool keepNoise = false;       ///< Overrides the rules: no point is set aside for noise.
+    bool keepStrays = false;      ///< Overrides the rules: no point is set aside as a stray.
     PrepareOptions prepare = {};  ///< For prepareOptionsFor(), which the rules have a part in.
     /// Checks of the doctor whose points are set aside; proposedDrop() finds them.
     std::vector<std::string> drops = {};
@@ -27,7 +28,7 @@ struct RunSettings {
 /// The params of the settings. Fails if there is no such set or rule.
 Result<Params> paramsOf(const RunSettings& settings);
 /// The options with what the rules decide: whether opposing normals are left out of lists, and
-/// noise is set aside.
+/// noise and strays are set aside.
 PrepareOptions prepareOptionsFor(PrepareOptions options, const Params& params);
 
 /// A change of settings. What is empty stays as it is.

@@ -1,4 +1,5 @@
-/// The order of the derivations: usable points, normals, their sides, types, lists, noise, rims.
+/// The order of the derivations: usable points, strays, normals, their sides, types, lists, noise,
+/// rims.
 /// Each piece is derived only if absent or requested, and timed.
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -14,6 +15,7 @@
 #include "spiraling_edge/prepare/normals.h"
 #include "spiraling_edge/prepare/orientation.h"
 #include "spiraling_edge/prepare/rim.h"
+#include "spiraling_edge/prepare/strays.h"
 
 namespace se {
 namespace {
@@ -29,6 +31,8 @@ class Preparation {
         set_.position = file_.position;
         takeTypes();
         setAsideUnusable();
+        if (Status status = takeStraysAside(); !status) return status.error();
+        derives_ = options_.normals == NormalSource::Derived || lacksNormals(file_.normal, usable_);
         if (Status status = makeNormals(); !status) return status.error();
         Result<NeighborLists> lists = makeLists();
         if (!lists) return lists.error();
@@ -104,7 +108,24 @@ class Preparation {
             if (usable_[p]) ++report_.leftOut;
             usable_[p] = false;
         }
-        derives_ = options_.normals == NormalSource::Derived || lacksNormals(file_.normal, usable_);
+    }
+
+    /// Sets strays aside, by positions alone: no normal is derived from them.
+    Status takeStraysAside() {
+        if (!options_.setStraysAside) return success();
+        Result<NeighborLists> nearest = findNearest(kNearestOfStrays, upTo(kStraysDone));
+        if (!nearest) return nearest.error();
+        set_.stray =
+            strayPoints(set_.position, usable_, nearest.value(), options_.neighbors.threads);
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (!set_.stray[p]) continue;
+            usable_[p] = false;
+            ++report_.strays;
+        }
+        if (report_.strays > 0) return success();
+        set_.stray.clear();
+        nearest_ = std::move(nearest.value());
+        return success();
     }
 
     /// The normals of the file, of unit length, with those that have no direction completed.
@@ -165,12 +186,19 @@ class Preparation {
         return success();
     }
 
-    /// The nearest points, with any normals.
+    /// The nearest points for planes, those of the search for strays where they are the same.
     Result<NeighborLists> listsForNormals() {
+        if (derives_ && nearest_ && options_.planeNeighbors == kNearestOfStrays)
+            return std::move(*std::exchange(nearest_, std::nullopt));
+        return findNearest(options_.planeNeighbors, upTo(kNearestDone));
+    }
+
+    /// The `count` nearest points of each, with any normals.
+    Result<NeighborLists> findNearest(std::size_t count, const Progress& progress) const {
         NeighborOptions nearest = options_.neighbors;
-        nearest.reach = KNearest{options_.planeNeighbors};
+        nearest.reach = KNearest{count};
         nearest.dropOpposingNormals = false;
-        return findNeighbors(set_.position, {}, usable_, nearest, upTo(kNearestDone));
+        return findNeighbors(set_.position, {}, usable_, nearest, progress);
     }
 
     /// Returns their number.
@@ -294,7 +322,10 @@ class Preparation {
         return (rims ? 0.65 : 1.0) * (options_.neighbors.symmetric ? 0.85 : 1.0);
     }
 
+    /// Length of the lists that strayPoints() asks for.
+    static constexpr std::size_t kNearestOfStrays = 12;
     /// Shares of the whole work when normals are derived.
+    static constexpr double kStraysDone = 0.15;
     static constexpr double kNearestDone = 0.3;
     static constexpr double kPlanesDone = 0.35;
     static constexpr double kNormalsDone = 0.5;
@@ -306,8 +337,9 @@ class Preparation {
     PointSet& set_ = prepared_.points;
     PrepareReport& report_ = prepared_.report;
     std::vector<bool> usable_;
-    bool derives_ = false;  ///< All normals are derived.
-    double done_ = 0.0;     ///< Share of the whole work.
+    std::optional<NeighborLists> nearest_;  ///< Of all usable points, where no stray is among them.
+    bool derives_ = false;                  ///< All normals are derived.
+    double done_ = 0.0;                     ///< Share of the whole work.
 };
 
 }  // namespace

@@ -75,6 +75,9 @@ struct PrepareOptions {
     /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
     /// and normals averaged (setNoiseAside(), noise.h) until it does not.
     bool setNoiseAside = false;
+    /// Points far from all others (strayPoints(), strays.h) are set aside before anything is
+    /// derived.
+    bool setStraysAside = false;
     /// Points to set aside at the user's request, ascending.
     std::vector<Index> leaveOut = {};
 };
@@ -119,6 +122,7 @@ struct PrepareReport {
     bool neighborsComputed = false;
     double noise = 0.0;  ///< noiseAlongNormals() before any point was set aside; 0: not measured.
     std::size_t noisyPoints = 0;  ///< Set aside: the others lie nearer to the middle of the noise.
+    std::size_t strays = 0;       ///< Set aside: far from all others.
     DerivedPieces derived;        ///< Derived pieces other than lists.
 };
 

@@ -40,6 +40,8 @@ class Reaches {
         std::vector<double> others;
         others.reserve(nearest_[p].size());
         for (const Index q : nearest_[p]) others.push_back(reach_[q]);
+        if (reach_[p] > kStrayLimits.farOfAll * *std::max_element(others.begin(), others.end()))
+            return true;
         const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
         std::nth_element(others.begin(), middle, others.end());
         return reach_[p] > kStrayLimits.far * *middle;

@@ -24,6 +24,7 @@ Params corrected() {
     Params params;
     RobustRules& r = params.robust;
     r.tangent = r.unblocked = r.stepBack = r.wallsDone = true;
+    params.setStraysAside = true;
     return params;
 }
 

@@ -226,6 +226,8 @@ struct Params {
     bool dropOpposingNormals = true;
     /// Points are left out where noise is as wide as their spacing (see noise.h). On in `robust`.
     bool setNoiseAside = false;
+    /// Points far from all others are left out (see strays.h). On in `corrected` and `robust`.
+    bool setStraysAside = false;
     /// Overrides of single decisions by the user; empty: the rules decide everything.
     std::vector<WhatIf> whatIf = {};
     /// The state that the run begins with; empty: nothing is made yet.

@@ -137,8 +137,9 @@ std::optional<DropPatchEvidence> dropNextFans(RepairState& repair);
 
 /// RobustRules::reinsert: puts the next stranded point in the place of triangles it lies over, onto
 /// a side of the border or beside it, if no new triangle has a fault; from kSettlingRound on, else
-/// where the mesh has the fewest faults, but no more than before, the point counted. Nothing if no
-/// point is left to try.
+/// where the mesh has the fewest faults, but no more than before, the point counted. A point stays
+/// out if none of the mesh that it lists is within three spacings, by the spacing there (the
+/// distance to the sixth neighbor). Nothing if no point is left to try.
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& repair);
 
 /// RobustRules::closeHoles: fills the next hole (isOpening(), boundary_loop.h) of at most

@@ -271,6 +271,8 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "cap", "8", "the run stops above this many triangles per point", 2.0, 64.0, "per point")),
     beyondPaper(choice<&Params::setNoiseAside>(
         "noise", "3", "points are set aside where noise is as wide as their spacing", "")),
+    beyondPaper(choice<&Params::setStraysAside>("strays", "4",
+                                                "points far from all others are set aside", "")),
     robust<&RobustRules::tangent>("tangent", "6.1",
                                   "angles are measured in the tangent plane of the pivot"),
     robust<&RobustRules::unblocked>("unblocked", "6.1",

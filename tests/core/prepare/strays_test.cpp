@@ -4,10 +4,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/replay/reconstruct.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/shared_data.h"
@@ -60,10 +64,30 @@ std::vector<Vec3> gridOf(int columns, int rows, double along, double across) {
     return position;
 }
 
+/// An even sphere with normals, and other points put before it, with normals up.
+PointFile sphereFileWith(const std::vector<Vec3>& others) {
+    PointFile file;
+    file.position = evenSphere();
+    file.normal = file.position;
+    file.position.insert(file.position.begin(), others.begin(), others.end());
+    file.normal.insert(file.normal.begin(), others.size(), Vec3(0, 0, 1));
+    return file;
+}
+
+/// The points as prepared by `spiraling-edge run` with these rules.
+Prepared preparedBy(const char* rules, const PointFile& file, PrepareOptions options = {}) {
+    options = prepareOptionsFor(std::move(options), *paramsByName(rules));
+    Result<Prepared> result = prepare(file, options);
+    REQUIRE_MESSAGE(result.ok(), result.error().message);
+    return std::move(result.value());
+}
+
+constexpr const char* kSettingAside[] = {"corrected", "robust"};
+
 }  // namespace
 
 TEST_CASE("strays: a point far over a sphere is one, at any distance") {
-    for (const double radius : {1.6, 2.0, 3.0, 5.0, 1e3, 1e7, 1e100, kLargest})
+    for (const double radius : {1.45, 2.0, 3.0, 5.0, 1e3, 1e7, 1e100, kLargest})
         CHECK_MESSAGE(straysBeside({{0, 0, radius}}) == std::vector<Index>{0}, radius);
     CHECK(straysBeside({{0, 0, 0}}) == std::vector<Index>{0});
     CHECK(straysBeside({}).empty());
@@ -153,4 +177,105 @@ TEST_CASE("strays: the same ones at any scale and place, and for any number of t
         for (Vec3& at : scaled) at *= scale;
         CHECK(straysOf(scaled) == strays);
     }
+}
+
+// ---- before a run -------------------------------------------------------------------------------
+
+TEST_CASE("strays: corrected and robust set them aside, and mesh the rest as if they were not") {
+    const std::vector<std::vector<Vec3>> cases{{{0, 0, 1.45}}, {{0, 0, 2}},
+                                               {{0, 0, 3}},    {{0, 0, 5}},
+                                               {{1e7, 0, 0}},  {{0, 0, 3}, {0, 0, 3.1}}};
+    for (const char* rules : kSettingAside) {
+        for (const std::vector<Vec3>& strays : cases) {
+            INFO(rules, ", ", strays.size(), " at ", strays.front().x, ", ", strays.front().z);
+            const Prepared prepared = preparedBy(rules, sphereFileWith(strays));
+            const PointSet& points = prepared.points;
+            CHECK(prepared.report.strays == strays.size());
+            for (Index p = 0; p < points.size(); ++p) {
+                CHECK(points.setAside[p] == (p < strays.size()));
+                CHECK(points.stray[p] == (p < strays.size()));
+                CHECK(points.neighbors[p].empty() == (p < strays.size()));
+            }
+            const State state = reconstruct(points, *paramsByName(rules)).state;
+            const std::vector<Triangle>& mesh = state.mesh();
+            CHECK(mesh.size() == 2 * 600 - 4);
+            CHECK(describeFaults(points, mesh) == "");
+        }
+    }
+}
+
+TEST_CASE("strays: paper and printed keep them, and so do the others if they are told to") {
+    const PointFile file = sphereFileWith({{0, 0, 3}});
+    for (const char* rules : {"paper", "printed"}) {
+        const Prepared prepared = preparedBy(rules, file);
+        CHECK(prepared.report.strays == 0);
+        CHECK(prepared.points.stray.empty());
+        CHECK_FALSE(prepared.points.setAside[0]);
+        CHECK_FALSE(prepared.points.neighbors[0].empty());
+    }
+    RunSettings settings;
+    for (const char* rules : kSettingAside) {
+        settings.rules = rules;
+        settings.keepStrays = true;
+        CHECK_FALSE(paramsOf(settings).value().setStraysAside);
+        settings.keepStrays = false;
+        CHECK(paramsOf(settings).value().setStraysAside);
+        settings.choices = {{"strays", 0.0}};
+        CHECK_FALSE(paramsOf(settings).value().setStraysAside);
+        settings.choices.clear();
+    }
+}
+
+TEST_CASE("strays: nothing is derived from them") {
+    PointFile with = sphereFileWith({{0, 0, 2}, {0, 0, -4}});
+    PointFile without = sphereFileWith({});
+    for (const NormalSource normals : {NormalSource::Derived, NormalSource::Oriented}) {
+        PrepareOptions options;
+        options.normals = normals;
+        const Prepared a = preparedBy("robust", with, options);
+        const Prepared b = preparedBy("robust", without, options);
+        REQUIRE(a.report.strays == 2);
+        CHECK(std::equal(a.points.normal.begin() + 2, a.points.normal.end(),
+                         b.points.normal.begin()));
+        CHECK(a.report.noise == b.report.noise);
+        CHECK(a.report.derived.normalComponents == 1);
+        CHECK(a.report.derived.planelessPoints == 0);
+        CHECK(preparedBy("paper", with, options).report.strays == 0);
+    }
+}
+
+TEST_CASE("strays: they are taken out of lists from the file") {
+    PointFile file = sphereFileWith({{0, 0, 3}});
+    for (Index p = 0; p < file.position.size(); ++p) {
+        std::vector<Index> list = {(p + 1) % 601, (p + 2) % 601};
+        if (p > 2) list.push_back(0);
+        file.neighbors.append(list);
+    }
+    const Prepared prepared = preparedBy("robust", file);
+    CHECK(prepared.report.strays == 1);
+    CHECK_FALSE(prepared.report.neighborsComputed);
+    CHECK(prepared.points.neighbors[0].empty());
+    for (const Index q : prepared.points.neighbors.ids) CHECK(q != 0);
+    CHECK(preparedBy("paper", file).points.neighbors[5].size() == 3);
+}
+
+TEST_CASE("strays: of the shared sets few points are strays") {
+    const std::map<std::string, std::size_t> known{{"femur", 1},
+                                                   {"mannequin_devil", 21},
+                                                   {"seven_parts", 1},
+                                                   {"street_lidar", 25},
+                                                   {"table1_lobster", 1}};
+    const std::filesystem::path folder = sharedFile("points");
+    if (folder.empty()) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().stem().string();
+        const auto file = readPoints(entry.path());
+        REQUIRE_MESSAGE(file.ok(), name);
+        const auto row = known.find(name);
+        CHECK_MESSAGE(
+            straysOf(file.value().position).size() == (row == known.end() ? 0 : row->second), name);
+    }
+    const auto ten = sharedPoints("hazards/stray_points.ply");
+    REQUIRE(ten);
+    CHECK(straysOf(ten->position).size() == 10);
 }

@@ -176,6 +176,29 @@ TEST_CASE("reinsert: where one triangle has no room, the point takes the place o
     CHECK(reportMesh(points, m.triangles).eulerCharacteristic == 1);
 }
 
+TEST_CASE("reinsert: a point beyond three local spacings of the mesh stays out") {
+    // The sixth neighbor is 1.4 away within the grid, 2 at its border.
+    const auto reaches = [](const Vec3& x) {
+        const PointSet points = gridWith(x, {0, 0, 1});
+        bool everyRound = true;
+        bool anyRound = false;
+        for (std::uint32_t round = 0; round < kRepairRounds; ++round) {
+            RepairState m = beginRepair(points.size(), gridWithout({}));
+            m.round = round;
+            const bool in = !reinsertAll(points, m).empty();
+            everyRound = everyRound && in;
+            anyRound = anyRound || in;
+        }
+        CHECK(everyRound == anyRound);
+        return anyRound;
+    };
+    CHECK(reaches({3.4, 3.2, 0.1}));
+    CHECK(reaches({3.5, -2.0, 0.0}));
+    CHECK(reaches({3.5, -5.5, 0.0}));
+    CHECK_FALSE(reaches({3.5, -6.5, 0.0}));
+    CHECK_FALSE(reaches({3.5, -60.0, 0.0}));
+}
+
 TEST_CASE("reinsert: a place does not grow to a point of two fans") {
     const Triangles before = gridWithout({});
     const PointSet points = gridWith({2.6, 2.3, 1.0}, {0.6, 0.2, 1.0});

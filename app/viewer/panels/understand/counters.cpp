@@ -61,6 +61,7 @@ void drawInput(const PanelContext& context) {
     if (derived.completedNormals > 0) warn(context, "normals derived", derived.completedNormals);
     if (report.duplicatePoints > 0) warn(context, "duplicates", report.duplicatePoints);
     if (report.noisyPoints > 0) warn(context, "noise", report.noisyPoints);
+    if (report.strays > 0) warn(context, "strays", report.strays);
     if (report.droppedListEntries > 0) count(context, "list cleaned", report.droppedListEntries);
     endValues();
 }

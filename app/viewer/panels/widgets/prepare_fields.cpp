@@ -167,9 +167,11 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
     entered = drawNormals(fields) || entered;
     entered = drawWalls(fields) || entered;
     ImGui::Spacing();
-    heading(context, "Noise");
+    heading(context, "Noise and strays");
     toggle(fields, "Keep all points of noisy input", form.keepNoise,
            "Robust rules set aside points that lie above or below others (--keep-noise)");
+    toggle(fields, "Keep points far from all others", form.keepStrays,
+           "Corrected and robust rules set them aside (--keep-strays)");
     return entered;
 }
 

@@ -87,6 +87,7 @@ std::string differenceText(const InputSpec& a, const InputSpec& b) {
     added(a.rim, b.rim, "rims found", "no rims");
     added(a.keepOpposing, b.keepOpposing, "opposing normals kept", "opposing normals dropped");
     added(a.keepNoise, b.keepNoise, "noise kept", "noise set aside");
+    added(a.keepStrays, b.keepStrays, "strays kept", "strays set aside");
     if (a.fixes != b.fixes) append(text, b.fixes.empty() ? "not repaired" : "repaired");
     return text.empty() ? "the same" : text;
 }

@@ -1,6 +1,7 @@
 /// RobustRules::reinsert: a stranded point gets the place of a triangle nearby, and of as many of
 /// its neighbors as must go with it so that none of the new triangles has a fault; or a side at the
-/// border, which it divides or is joined to. Of all places the one with the best angles is taken.
+/// border, which it divides or is joined to. Of all places the one with the best angles is taken. A
+/// point farther than three local spacings from the mesh stays out.
 /// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
 #include <algorithm>
 #include <array>
@@ -14,6 +15,8 @@
 namespace se {
 namespace {
 
+/// Farthest that a point may be from the mesh, in local spacings.
+constexpr double kReach = 3.0;
 /// Largest number of triangles that make room for a point.
 constexpr std::size_t kMaxGone = 8;
 constexpr std::size_t kMaxMade = kMaxGone + 2;
@@ -373,6 +376,24 @@ class PlaceSearch {
     Insertion best_;
 };
 
+/// The distance of a point to its sixth neighbor, or to its last; 0 for an empty list.
+double spacingAt(const PointSet& points, Index p) {
+    const auto list = points.neighbors[p];
+    if (list.empty()) return 0.0;
+    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
+    return glm::distance(points.position[sixth], points.position[p]);
+}
+
+/// True if a point lists one of the mesh that is near, by the spacing there. Its own is wide if it
+/// is far from all others.
+bool isWithinReach(const PointSet& points, const RepairState& m, Index x) {
+    const auto list = points.neighbors[x];
+    return std::any_of(list.begin(), list.end(), [&](Index q) {
+        return m.sideOf[q] != kNone && glm::distance(points.position[q], points.position[x]) <=
+                                           kReach * spacingAt(points, q);
+    });
+}
+
 bool putWithoutFault(const PointSet& points, RepairState& m, Index x) {
     const std::optional<Change> change = PlaceSearch(points, m, x).find();
     if (change) change->apply(m);
@@ -388,7 +409,7 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
     const Index end = m.round < kSettlingRound ? count : 2 * count;
     for (; m.next < end; ++m.next) {
         const Index x = points.inOrder(m.next % count);
-        if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
+        if (m.sideOf[x] != kNone || !isWithinReach(points, m, x)) continue;
         const bool found =
             m.next < count ? putWithoutFault(points, m, x) : putAtLeastCost(points, m, x);
         if (!found) continue;
