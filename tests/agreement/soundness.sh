@@ -24,9 +24,9 @@ reported() {
 # counted NAME: as reported, or, where the report judges by other normals than those of the mesh, as `check` counts the
 # mesh alone, for classes that go by normals.
 counted() {
-    if grep -q '"judged": "' "$work/report.json" && [[ $1 == faults.@(flipped|second_layers) ]]; then
+    if grep -q '"judged": "' "$work/report.json" && [[ $1 == faults.@(flipped_triangles|second_layers) ]]; then
         "$program" check "$work/mesh.ply" --json >"$work/check.json" || true
-        grep -oE "\"${1#faults.}(_triangles)?\": [0-9]+" "$work/check.json" | grep -oE '[0-9]+$'
+        grep -oE "\"${1#faults.}\": [0-9]+" "$work/check.json" | grep -oE '[0-9]+$'
     else
         reported "$1"
     fi
@@ -44,23 +44,29 @@ for input in "${inputs[@]}"; do
         [ $# = 0 ] || echo "$(basename "$input"), $rules: $line"
         while read -r ours theirs; do
             # Their triangles touch and overlap in planes: see soundness_check.cpp.
-            [[ $ours != faults.intersecting || $input != scene:@(tee-at-wall|close-sheets) ]] || continue
+            [[ $ours != faults.intersecting_triangles || $input != scene:@(tee-at-wall|close-sheets) ]] || continue
             if [ "$(counted "$ours")" != "$(found "$theirs" "$line")" ]; then
                 echo "$input --rules $rules: $ours is $(counted "$ours"), but: $line"
                 bad=1
             fi
         done <<'NAMES'
-faults.non_manifold_edge non_manifold_edges
+faults.non_manifold_edges non_manifold_edges
 faults.non_manifold_vertices non_manifold_vertices
-faults.inconsistent_edge inconsistent_edges
-faults.degenerate needles
-faults.intersecting intersecting
-faults.folded folded
+faults.inconsistent_edges inconsistent_edges
+faults.degenerate_triangles needles
+faults.intersecting_triangles intersecting
+faults.folded_edges folded
 faults.second_layers second_layers
-faults.flipped flipped
+faults.flipped_triangles flipped
 faults.holes holes
 faults.small_components small_components
-fidelity.open_loops openings
+boundary_loops loops
+verdict.hole_edges hole_edges
+verdict.pieces_facing_in inward
+verdict.points_lost lost
+verdict.points_not_covered uncovered
+verdict.pieces_of_points pieces
+verdict.twin_points twins
 components components
 points_in_no_triangle unused
 NAMES

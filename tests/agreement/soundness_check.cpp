@@ -255,6 +255,10 @@ struct Counts {
     long nonManifoldEdges = 0, nonManifoldPoints = 0, inconsistent = 0, needles = 0, flipped = 0;
     long intersecting = 0, folded = 0, layers = 0, holes = 0, openings = 0;
     long components = 0, smallComponents = 0, unused = 0;
+    // Of the verdict.
+    long loops = 0, holeEdges = 0, inward = 0, twins = 0, lost = 0, uncovered = 0;
+    long pieces = 0;
+    std::vector<bool> besideHole;  ///< Per point.
 };
 
 int find(std::vector<int>& parent, int i) {
@@ -356,7 +360,103 @@ void countLoops(const Mesh& mesh, const std::vector<Border>& border, Counts& n) 
         const bool opening = isOpening(mesh, loop, triangles);
         n.openings += opening;
         n.holes += !opening;
+        ++n.loops;
+        if (opening) continue;
+        n.holeEdges += long(loop.size());
+        for (const Border& side : loop) n.besideHole[side.from] = n.besideHole[side.to] = true;
     }
+}
+
+// ---- the verdict --------------------------------------------------------------------------------
+
+/// The 12 nearest of each point, copies left out, nearest first.
+std::vector<std::vector<int>> nearestOf(const Mesh& mesh, const std::vector<bool>& copy) {
+    std::vector<std::vector<int>> nearest(mesh.point.size());
+    for (std::size_t p = 0; p < nearest.size(); ++p) {
+        if (copy[p]) continue;
+        std::vector<std::pair<double, int>> all;
+        for (std::size_t q = 0; q < nearest.size(); ++q) {
+            const V d = mesh.point[q] - mesh.point[p];
+            if (q != p && !copy[q]) all.push_back({dot(d, d), int(q)});
+        }
+        const std::size_t count = std::min<std::size_t>(12, all.size());
+        std::partial_sort(all.begin(), all.begin() + std::ptrdiff_t(count), all.end());
+        for (std::size_t i = 0; i < count; ++i) nearest[p].push_back(all[i].second);
+    }
+    return nearest;
+}
+
+/// The distance from a point to the nearest point of a triangle, by trying all of its features.
+double distanceTo(const Mesh& mesh, const T& t, const V& x) {
+    const auto toSegment = [&](const V& a, const V& b) {
+        const V d = b - a;
+        const double square = dot(d, d);
+        const double at = square > 0 ? std::clamp(dot(x - a, d) / square, 0.0, 1.0) : 0;
+        return length(x - a - at * d);
+    };
+    const V& a = mesh.point[t[0]];
+    const V& b = mesh.point[t[1]];
+    const V& c = mesh.point[t[2]];
+    double best = std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
+    const V normal = unit(cross(b - a, c - a));
+    const auto left = [&](const V& from, const V& to) {
+        return dot(cross(to - from, x - from), normal) >= 0;
+    };
+    if (length(normal) > 0 && left(a, b) && left(b, c) && left(c, a))
+        best = std::min(best, std::abs(dot(x - a, normal)));
+    return best;
+}
+
+/// Closed pieces with a negative volume.
+void countInward(const Mesh& mesh, const std::vector<Border>& border, Counts& n) {
+    const std::vector<int> root = rootsOf(mesh);
+    std::map<int, double> volume;
+    for (const T& t : mesh.triangle) {
+        const V& o = mesh.point[root[t[0]]];
+        volume[root[t[0]]] +=
+            dot(mesh.point[t[0]] - o, cross(mesh.point[t[1]] - o, mesh.point[t[2]] - o));
+    }
+    for (const Border& side : border) volume[root[side.from]] = 1;
+    for (const auto& [piece, six] : volume) n.inward += six < 0;
+}
+
+/// Points in no triangle by reason, points that are not covered, and pieces of the points.
+void countPoints(const Mesh& mesh, Counts& n) {
+    const std::size_t count = mesh.point.size();
+    std::vector<bool> used(count), copy(count);
+    for (const T& t : mesh.triangle) used[t[0]] = used[t[1]] = used[t[2]] = true;
+    for (std::size_t p = 0; p < count; ++p) {
+        for (std::size_t q = 0; q < p && !copy[p]; ++q)
+            copy[p] = length(mesh.point[p] - mesh.point[q]) == 0;
+    }
+    const auto nearest = nearestOf(mesh, copy);
+    const auto away = [&](std::size_t p, std::size_t i) {
+        return length(mesh.point[nearest[p][i]] - mesh.point[p]);
+    };
+    std::vector<int> parent(count);
+    for (std::size_t p = 0; p < count; ++p) parent[p] = int(p);
+    for (std::size_t p = 0; p < count; ++p) {
+        if (copy[p]) continue;
+        const bool twin = away(p, 0) < 0.25 * away(p, 3);
+        if (!used[p] && twin && used[nearest[p][0]]) {
+            ++n.twins;
+        } else if (!used[p]) {
+            ++n.lost;
+        }
+        double distance = used[p] ? 0 : 1e300;
+        for (const T& t : mesh.triangle)
+            if (!used[p]) distance = std::min(distance, distanceTo(mesh, t, mesh.point[p]));
+        n.uncovered += used[p] ? n.besideHole[p] : distance > 0.5 * away(p, 2);
+        for (const int q : nearest[p]) {
+            const auto& back = nearest[q];
+            if (std::find(back.begin(), back.end(), int(p)) != back.end() &&
+                length(mesh.point[p] - mesh.point[q]) <= 2 * std::min(away(p, 2), away(q, 2)))
+                parent[find(parent, int(p))] = find(parent, q);
+        }
+    }
+    std::map<int, int> size;
+    for (std::size_t p = 0; p < count; ++p) ++size[find(parent, int(p))];
+    for (const auto& [piece, points] : size) n.pieces += points >= 3;
 }
 
 void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
@@ -371,7 +471,7 @@ void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
             around[u].push_back({v, t[(k + 2) % 3]});
         }
     }
-    std::vector<Border> border;
+    std::vector<Border> border, irregular;
     std::set<std::pair<int, int>> folded;
     for (const auto& [edge, sides] : edges) {
         n.nonManifoldEdges += sides.size() > 2;
@@ -382,6 +482,7 @@ void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
         if (sides.size() == 1 && !sides[0].second) border.push_back({edge.second, edge.first});
         const bool plain = sides.size() == 2 && sides[0].second != sides[1].second;
         // Nearly on one another: the normals are more than 170 degrees apart.
+        if (!plain) irregular.push_back({edge.first, edge.second});
         if (!plain) continue;
         const Shape& a = shapes[sides[0].first];
         const Shape& b = shapes[sides[1].first];
@@ -391,6 +492,8 @@ void countEdges(const Mesh& mesh, const std::vector<Shape>& shapes, Counts& n) {
     }
     n.folded = long(folded.size());
     countLoops(mesh, border, n);
+    countInward(mesh, irregular, n);
+    countPoints(mesh, n);
     for (std::size_t p = 0; p < around.size(); ++p) {
         n.unused += around[p].empty();
         // The triangles at a point are one fan if their far edges hang together.
@@ -437,6 +540,7 @@ void countComponents(const Mesh& mesh, double edge, Counts& n) {
 
 Counts count(const Mesh& mesh) {
     Counts n;
+    n.besideHole.resize(mesh.point.size());
     std::vector<Shape> shapes;
     for (const T& t : mesh.triangle) {
         shapes.push_back(shapeOf(mesh, t));
@@ -485,10 +589,12 @@ int main(int argc, char** argv) {
         std::printf(
             "%s: non_manifold_edges %ld non_manifold_vertices %ld inconsistent_edges %ld needles "
             "%ld flipped %ld intersecting %ld folded %ld second_layers %ld holes %ld openings %ld "
-            "components %ld small_components %ld unused %ld\n",
+            "components %ld small_components %ld unused %ld loops %ld hole_edges %ld inward %ld "
+            "twins %ld lost %ld uncovered %ld pieces %ld\n",
             argv[i], n.nonManifoldEdges, n.nonManifoldPoints, n.inconsistent, n.needles, n.flipped,
             n.intersecting, n.folded, n.layers, n.holes, n.openings, n.components,
-            n.smallComponents, n.unused);
+            n.smallComponents, n.unused, n.loops, n.holeEdges, n.inward, n.twins, n.lost,
+            n.uncovered, n.pieces);
         sound = sound && n.nonManifoldEdges + n.nonManifoldPoints + n.inconsistent + n.needles +
                                  n.flipped + n.intersecting + n.folded + n.layers + n.holes +
                                  n.smallComponents ==

@@ -15,7 +15,7 @@ measure() {
         "$program" run "$file" --rules robust "${off[@]}" --report - -q 2>/dev/null
     done | awk '
         function value() { sub(/^[^:]*: */, ""); sub(/,$/, ""); return $0 }
-        /^  "sound":/ { if (value() == "true") sound++ }
+        /^    "sound":/ { if (value() == "true") sound++ }
         /^  "points_in_no_triangle":/ { unused += value() }
         /^  "boundary_loops":/ { loops += value() }
         /^    "triangulate":/ { seconds += value() }

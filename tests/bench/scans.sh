@@ -30,7 +30,7 @@ measure() {
             /^  "points":/ { points = value() }
             /^  "triangles": 0,/ { classes = "no triangle" }
             /^    "(prepare|triangulate)":/ { seconds += value() }
-            /^  "faults_at_least"/ { more = "at least " }
+            /^    "exact": false/ { more = "at least " }
             /^  "faults": \{/ { inside = 1; next }
             inside && /\}/ { inside = 0 }
             inside {

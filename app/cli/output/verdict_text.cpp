@@ -14,15 +14,17 @@ nlohmann::ordered_json verdictJson(const MeshVerdict& verdict) {
                                    {"exact", isExact(verdict.totals)},
                                    {"places", verdict.places},
                                    {"all_places", verdict.allPlaces}};
-    json["places_of"] = nlohmann::ordered_json::object();
+    json["worst_classes"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
-        if (verdict.placesOf[i] > 0)
-            json["places_of"][std::string(failureClasses()[i].name)] = verdict.placesOf[i];
+        if (verdict.placesOf[i] == 0) continue;
+        json["worst_classes"].push_back(
+            {{"class", failureClasses()[i].name}, {"places", verdict.placesOf[i]}});
     }
     for (const VerdictCount& count : verdictCounts())
         json[std::string(count.name)] = count.of(verdict);
-    json["not_lost"] = {
-        {"strays", verdict.strays}, {"noise", verdict.noise}, {"twins", verdict.twins}};
+    json["stray_points"] = verdict.strays;
+    json["noise_points"] = verdict.noise;
+    json["twin_points"] = verdict.twins;
     json["pieces"] = verdict.pieces;
     json["pieces_of_points"] = verdict.piecesOfPoints;
     json["openings"] = verdict.openings;

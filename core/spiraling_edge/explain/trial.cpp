@@ -62,11 +62,13 @@ std::uint64_t workOf(const State& state) {
 }
 
 /// Order of trials that are offered, the best first: those in no count worse than the first one,
-/// fewer places, lesser distances.
+/// fewer places, a lesser sum of the counts, lesser distances.
 auto rankOf(const Trials& trials, std::size_t i) {
     const MeshVerdict& verdict = trials.tried[i].verdict;
+    std::size_t counts = 0;
+    for (const VerdictCount& each : verdictCounts()) counts += each.of(verdict);
     return std::tuple(worseIn(verdict, trials.tried.front().verdict) != nullptr, verdict.places,
-                      verdict.fidelity.meanDistance);
+                      counts, verdict.fidelity.meanDistance);
 }
 
 /// The run to the end; nothing if cancelled.

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se::io {
 namespace {
@@ -113,18 +114,21 @@ class ObjReader : LineByLine {
                check(highestNormal_, normals_.size(), "normals");
     }
 
-    /// Takes for each point the first normal that a face assigns to it; if some point has none, the
+    /// Takes for each point the mean direction of the different normals that faces assign to it, at
+    /// a hard edge one for each of its sides, or the only one as it is; if some point has none, the
     /// normals in their order, provided there are as many as points; else no normals.
     void takeNormals() {
-        std::vector<Index> normalOf(file_.position.size(), kNone);
-        std::size_t found = 0;
+        std::vector<std::vector<Vec3>> directions(file_.position.size());
+        std::vector<Index> only(file_.position.size(), kNone);
         for (const auto& [vertex, normal] : normalReferences_) {
-            if (normalOf[vertex] != kNone) continue;
-            normalOf[vertex] = normal;
-            ++found;
+            if (only[vertex] == kNone) only[vertex] = normal;
+            addDirection(directions[vertex], normals_[normal]);
         }
-        if (found == normalOf.size()) {
-            for (const Index normal : normalOf) file_.normal.push_back(normals_[normal]);
+        if (std::find(only.begin(), only.end(), kNone) == only.end()) {
+            for (Index p = 0; p < only.size(); ++p) {
+                file_.normal.push_back(directions[p].size() > 1 ? meanOfDirections(directions[p])
+                                                                : normals_[only[p]]);
+            }
         } else if (normals_.size() == file_.position.size()) {
             file_.normal = std::move(normals_);
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "spiraling_edge/base/float_bits.h"
@@ -93,6 +94,22 @@ bool scaleToUnit(Vec3& normal) {
     normal /= largest;
     normal /= glm::length(normal);
     return !(std::abs(length - 1.0) <= kReportedTolerance);
+}
+
+void addDirection(std::vector<Vec3>& directions, Vec3 normal) {
+    constexpr double kSame = 0.999999;
+    if (!hasDirection(normal)) return;
+    scaleToUnit(normal);
+    const auto isSame = [&](const Vec3& other) { return glm::dot(normal, other) > kSame; };
+    if (std::none_of(directions.begin(), directions.end(), isSame)) directions.push_back(normal);
+}
+
+Vec3 meanOfDirections(const std::vector<Vec3>& directions) {
+    assert(!directions.empty());
+    constexpr double kCancelled = 1e-6;
+    Vec3 sum(0.0);
+    for (const Vec3& each : directions) sum += each;
+    return glm::length(sum) > kCancelled ? glm::normalize(sum) : directions.front();
 }
 
 Status checkColumns(const PointFile& file) {

@@ -31,6 +31,11 @@ inline bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal
 /// by more than 1e-3: smaller errors come from rounded numbers in a file.
 bool scaleToUnit(Vec3& normal);
 
+/// Adds the direction of `normal` to unit vectors, unless it has none, or one of them is the same.
+void addDirection(std::vector<Vec3>& directions, Vec3 normal);
+/// The unit vector in the mean of several; the first where they cancel out. Requires one.
+Vec3 meanOfDirections(const std::vector<Vec3>& directions);
+
 /// Fails if the columns of the file differ in length, or there are too many points for an Index.
 Status checkColumns(const PointFile& file);
 

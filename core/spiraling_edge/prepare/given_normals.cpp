@@ -61,6 +61,22 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
     return normal;
 }
 
+void averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal) {
+    const std::vector<Fitness> fitness = fitnessOf(position);
+    if (std::find(fitness.begin(), fitness.end(), Fitness::Copy) == fitness.end()) return;
+    const std::vector<Index> original = originalsOf(position, fitness);
+    std::map<Index, std::vector<Vec3>> directions;  // of points with copies, each direction once
+    for (Index p = 0; p < normal.size(); ++p) {
+        if (fitness[p] != Fitness::Copy) continue;
+        std::vector<Vec3>& list = directions[original[p]];
+        if (list.empty()) addDirection(list, normal[original[p]]);
+        addDirection(list, normal[p]);
+    }
+    for (const auto& [p, list] : directions) {
+        if (list.size() > 1) normal[p] = meanOfDirections(list);
+    }
+}
+
 NormalFit fitOf(const GivenNormals& given, unsigned threads) {
     std::vector<double> cosines(given.size());
     forEachItem(cosines.size(), threads, kMeasuredPerThread,

@@ -63,6 +63,7 @@ std::vector<Vec3> rightNormals(const PointFile& file, const Surroundings& around
                                MeshJudge& judge) {
     if (!file.hasNormals()) return {};
     std::vector<Vec3> normal = unitNormals(file.normal);
+    averageOverCopies(file.position, normal);
     const GivenNormals given{file.position, normal, around.present, around.nearest};
     const NormalFit fit = fitOf(given, threads);
     judge.fit = normalsFit(fit);

@@ -10,6 +10,7 @@
 
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/given_normals.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/noise.h"
 #include "spiraling_edge/prepare/normals.h"
@@ -140,6 +141,7 @@ class Preparation {
             if (!all) return all.error();
             set_.normal = std::move(all.value());
         }
+        if (report_.duplicatePoints > 0) averageOverCopies(set_.position, set_.normal);
         for (Index p = 0; p < set_.size(); ++p) {
             if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
                 ++report_.unscaledNormals;

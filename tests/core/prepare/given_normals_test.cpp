@@ -196,6 +196,32 @@ TEST_CASE("given normals: the order of the points and the number of threads chan
     CHECK(one.points.normal == three.points.normal);
 }
 
+TEST_CASE(
+    "given normals: the vertices of a hard edge are one point with the mean of their normals") {
+    // The corners of a cube, a vertex for each of the three faces that meet there.
+    PointFile file;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 x((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                     (corner & 4) != 0 ? 1.0 : -1.0);
+        for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+            file.position.push_back(x);
+            file.normal.push_back(glm::dot(x, axis) * axis);
+        }
+    }
+    // A face with two triangles there has two vertices, and counts once.
+    file.position.push_back(file.position[0]);
+    file.normal.push_back(file.normal[0]);
+    std::vector<Vec3> normal = file.normal;
+    averageOverCopies(file.position, normal);
+    for (Index p = 0; p < 24; p += 3)
+        CHECK(glm::distance(normal[p], glm::normalize(file.position[p])) < 1e-12);
+    CHECK(normal[1] == file.normal[1]);
+    // Two sides of a sheet cancel out: the first stays.
+    std::vector<Vec3> sheet{Vec3(0, 0, 1), Vec3(0, 0, -1)};
+    averageOverCopies(std::vector<Vec3>(2, Vec3(0.0)), sheet);
+    CHECK(sheet[0] == Vec3(0, 0, 1));
+}
+
 TEST_CASE("judge: a mesh turned against right normals has flipped triangles, whatever made it") {
     const PointFile file = fibonacciSphere(600);
     PrepareOptions options;
