@@ -170,14 +170,14 @@ class Preparation {
             derived.normals = true;
             derived.normalSeconds = watch.lap();
         } else {
-            normal = points.renumbered(std::move(set_.normal));
+            normal = points.renumbered(normalsWithoutStrays());
         }
         const OrientationOptions sides{derives_ ? UnknownSide::ByVote : UnknownSide::AsMost,
                                        options_.scanner, options_.neighbors.threads};
         const Result<OrientationReport> oriented =
             orientNormals(points, normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
-        set_.normal = points.restored(std::move(normal));
+        takeNormals(points.restored(std::move(normal)));
         if (derives_) report_.derived.planelessPoints = setAsidePlaneless();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;
@@ -186,6 +186,22 @@ class Preparation {
         derived.unknownSides = turned.unknownSides;
         derived.orientationSeconds = watch.lap();
         return success();
+    }
+
+    /// The normals, zero at strays, which are no components of the surface.
+    std::vector<Vec3> normalsWithoutStrays() const {
+        std::vector<Vec3> normal = set_.normal;
+        for (std::size_t p = 0; p < set_.stray.size(); ++p) {
+            if (set_.stray[p]) normal[p] = Vec3(0.0);
+        }
+        return normal;
+    }
+    /// Takes these normals; strays keep their own.
+    void takeNormals(std::vector<Vec3> normal) {
+        for (std::size_t p = 0; p < set_.stray.size() && !derives_; ++p) {
+            if (set_.stray[p]) normal[p] = set_.normal[p];
+        }
+        set_.normal = std::move(normal);
     }
 
     /// The nearest points for planes, those of the search for strays where they are the same.
