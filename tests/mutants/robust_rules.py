@@ -262,7 +262,7 @@ TABLE = {
         ("fans.divided-not-seen", "m.pinched.set(left.point, reachedSides", "m.pinched.set(left.point, !MUT && reachedSides"),
         ("fans.list-kept", "std::erase_if(sides, [&](const PinchedSide& s) {", "if (!MUT) OLD"),
         ("fans.twins-kept", "if (m.twin[h] != kNone) m.twin.set(m.twin[h], kNone);", "if (!MUT) OLD"),
-        ("patch.alone", "|| !isBesideLarger(points, m, corners))", "|| (!MUT && !isBesideLarger(points, m, corners)))"),
+        ("patch.alone", "|| !isBesideLarger(points, m, corners, reach))", "|| (!MUT && !isBesideLarger(points, m, corners, reach)))"),
         ("patch.any-size", "if (patch.size() >= kSmallComponent) continue;", "if (patch.size() >= (MUT ? 4U : kSmallComponent)) continue;"),
         ("patch.points-keep-sides", "for (const Index p : corners) m.sideOf.set(p, kNone);", "if (!MUT) OLD"),
     ],

@@ -65,10 +65,8 @@ std::uint64_t workOf(const State& state) {
 /// fewer places, a lesser sum of the counts, lesser distances.
 auto rankOf(const Trials& trials, std::size_t i) {
     const MeshVerdict& verdict = trials.tried[i].verdict;
-    std::size_t counts = 0;
-    for (const VerdictCount& each : verdictCounts()) counts += each.of(verdict);
     return std::tuple(worseIn(verdict, trials.tried.front().verdict) != nullptr, verdict.places,
-                      counts, verdict.fidelity.meanDistance);
+                      sumOfCounts(verdict), verdict.fidelity.meanDistance);
 }
 
 /// The run to the end; nothing if cancelled.
@@ -273,11 +271,10 @@ std::size_t plainRobust(const std::vector<Trial>& tried) {
 bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
     assert(trial < tried.size());
     const MeshVerdict& verdict = tried[trial].verdict;
-    const bool fewer =
-        verdict.triangles > 0 && !verdict.stopped && verdict.places < tried.front().verdict.places;
     const std::size_t robust = plainRobust(tried);
     if (robust == tried.size()) return isBetter(verdict, tried.front().verdict);
-    return fewer && worseIn(verdict, tried[robust].verdict) == nullptr;
+    return hasFewerFaults(verdict, tried.front().verdict) &&
+           worseIn(verdict, tried[robust].verdict) == nullptr;
 }
 
 std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before) {

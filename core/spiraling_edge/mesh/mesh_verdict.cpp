@@ -163,9 +163,20 @@ const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
     return worse == std::end(kCounts) ? nullptr : worse;
 }
 
+std::size_t sumOfCounts(const MeshVerdict& verdict) {
+    return std::accumulate(
+        std::begin(kCounts), std::end(kCounts), std::size_t{0},
+        [&](std::size_t sum, const VerdictCount& count) { return sum + count.of(verdict); });
+}
+
+bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other) {
+    if (mesh.triangles == 0 || mesh.stopped) return false;
+    if (mesh.places != other.places) return mesh.places < other.places;
+    return sumOfCounts(mesh) < sumOfCounts(other);
+}
+
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other) {
-    return mesh.triangles > 0 && !mesh.stopped && worseIn(mesh, other) == nullptr &&
-           mesh.places < other.places;
+    return hasFewerFaults(mesh, other) && worseIn(mesh, other) == nullptr;
 }
 
 std::string headlineOf(const MeshVerdict& verdict) {

@@ -79,8 +79,13 @@ struct VerdictCount {
 std::span<const VerdictCount> verdictCounts();
 /// The first count in which a mesh is worse than another of the same points; null: in none.
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other);
-/// True if a mesh is better than another of the same points: it has triangles, is worse in no
-/// count, and has faults at fewer places.
+/// The sum of all counts.
+std::size_t sumOfCounts(const MeshVerdict& verdict);
+/// True if a mesh has triangles, was not stopped, and has faults at fewer places than another of
+/// the same points, or at as many with a lesser sum of counts.
+bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other);
+/// True if a mesh is better than another of the same points: it has fewer faults, and is worse in
+/// no count.
 bool isBetter(const MeshVerdict& mesh, const MeshVerdict& other);
 
 /// "sound", "not sound: no triangle", "73 places: 34 of crossing sheets, 11 of holes; 82 points

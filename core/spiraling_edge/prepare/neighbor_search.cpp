@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/group_search.h"
@@ -112,7 +113,7 @@ class NeighborSearch {
                 "choose a smaller k or radius"};
         }
         if (progress) progress(1.0);
-        return inOrderOfIndex(entries);
+        return withCoarseCorners(inOrderOfIndex(entries));
     }
 
   private:
@@ -131,6 +132,40 @@ class NeighborSearch {
         forEachItem(ranges_.size(), threads_, kRangesPerThread,
                     [&](std::size_t i) { ranges_[i].writeLists(lists); });
         return lists;
+    }
+
+    /// Choice: where fewer than three neighbors agree, as at the corners of a tetrahedron, those
+    /// that oppose are listed if their own lists are as short: they are no other sheet, which would
+    /// have more.
+    NeighborLists withCoarseCorners(NeighborLists lists) const {
+        if (normal_.empty()) return lists;
+        const std::size_t enough = rule_.all ? kGoRound : std::min(kGoRound, rule_.length);
+        const auto isShort = [&](Index p) { return lists[p].size() < enough; };
+        SingleSearch search(blocks_, {}, rule_);
+        std::unordered_map<Index, std::vector<Index>> longer;
+        for (std::size_t slot = 0; slot < blocks_.size(); ++slot) {
+            const Index p = blocks_.id(slot);
+            if (!isShort(p)) continue;
+            const auto own = lists[p];
+            const auto agrees = [&](Index q) {
+                return std::find(own.begin(), own.end(), q) != own.end();
+            };
+            std::vector<Index>& list = longer[p];
+            for (const Neighbor& each : search.list(slot)) {
+                if (isShort(each.id) || agrees(each.id)) list.push_back(each.id);
+            }
+            // What agrees may be farther than all of these.
+            for (const Index q : own) {
+                if (std::find(list.begin(), list.end(), q) == list.end()) list.push_back(q);
+            }
+        }
+        if (longer.empty()) return lists;
+        NeighborLists all;
+        for (Index p = 0; p < total_; ++p) {
+            const auto found = longer.find(p);
+            all.append(found == longer.end() ? lists[p] : std::span<const Index>(found->second));
+        }
+        return all;
     }
 
     std::size_t total_;

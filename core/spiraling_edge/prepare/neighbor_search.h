@@ -28,6 +28,9 @@ inline double distanceSquared(const Vec3& p, const Vec3& q) {
 /// True if the surface at p and at q faces in opposite directions: then lists leave the pair out.
 inline bool normalsOppose(const Vec3& p, const Vec3& q) { return glm::dot(p, q) <= 0.0; }
 
+/// A list shorter than this does not go round its point.
+inline constexpr std::size_t kGoRound = 3;
+
 /// Sorts the list of point p and drops repeated entries. Requires finite positions.
 void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list);
 

@@ -265,7 +265,10 @@ class Preparation {
                                      options_.neighbors.threads);
         };
         report_.noise = noiseOf(all);
-        if (report_.noise <= kNoisy) return all;
+        // With fewer points than a patch takes, heights are the shape, as of a tetrahedron.
+        const auto points = std::count(usable_.begin(), usable_.end(), true);
+        if (report_.noise <= kNoisy || points <= static_cast<std::ptrdiff_t>(kNoisePatch))
+            return all;
         const std::vector<bool> usable = usable_;
         const std::vector<Vec3> normal = set_.normal;
         if (Status status = thinOut(); !status) return status.error();
@@ -306,18 +309,25 @@ class Preparation {
 
     Result<NeighborLists> cleanLists() {
         const auto n = static_cast<Index>(set_.size());
-        NeighborLists lists;
-        lists.offset.reserve(std::size_t{n} + 1);
-        std::vector<Index> kept;
+        std::vector<std::size_t> agreeing(n, 0);
         for (Index p = 0; p < n; ++p) {
-            kept.clear();
             for (const Index q : file_.neighbors[p]) {
                 if (q >= n) {
                     return Error{"the neighbor list of point " + std::to_string(p) +
                                  " names point " + std::to_string(q) + ", but there are " +
                                  std::to_string(n) + " points; correct the list or leave it out"};
                 }
-                if (mayNeighbor(p, q)) kept.push_back(q);
+                if (mayNeighbor(p, q) && !isLeftOut(p, q)) ++agreeing[p];
+            }
+        }
+        NeighborLists lists;
+        lists.offset.reserve(std::size_t{n} + 1);
+        std::vector<Index> kept;
+        for (Index p = 0; p < n; ++p) {
+            kept.clear();
+            for (const Index q : file_.neighbors[p]) {
+                const bool areShort = agreeing[p] < kGoRound && agreeing[q] < kGoRound;
+                if (mayNeighbor(p, q) && (areShort || !isLeftOut(p, q))) kept.push_back(q);
             }
             sortNearestFirst(set_.position, p, kept);
             lists.append(kept);
@@ -327,10 +337,10 @@ class Preparation {
     }
 
     /// Points at distance zero are not usable, so they need no test of their own.
-    bool mayNeighbor(Index p, Index q) const {
-        if (q == p || !usable_[p] || !usable_[q]) return false;
-        return !options_.neighbors.dropOpposingNormals ||
-               !normalsOppose(set_.normal[p], set_.normal[q]);
+    bool mayNeighbor(Index p, Index q) const { return q != p && usable_[p] && usable_[q]; }
+    bool isLeftOut(Index p, Index q) const {
+        return options_.neighbors.dropOpposingNormals &&
+               normalsOppose(set_.normal[p], set_.normal[q]);
     }
 
     /// Share of the whole work up to the lists: rims and symmetric lists follow.

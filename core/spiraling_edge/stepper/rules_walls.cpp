@@ -103,6 +103,9 @@ bool isRim(const PointSet& points, Index p, double gapCosine) {
     if (isBoundary(points.type[p])) return true;
     const auto list = points.neighbors[p];
     if (list.size() < 3) return true;
+    // Choice: of three gaps one is over 120 degrees, or all are 120 up to rounding, as at a corner
+    // of a tetrahedron: only one of 180 says that the surface ends.
+    const double limit = list.size() == 3 ? -1.0 : gapCosine;
     const Frame frame =
         makeFrame(points.position[p], points.normal[p], points.position[list[0]], true);
     std::vector<Angle> angles;
@@ -112,7 +115,7 @@ bool isRim(const PointSet& points, Index p, double gapCosine) {
               [](const Angle& a, const Angle& b) { return a.key < b.key; });
     angles.push_back({angles.front().cosine, angles.front().key + kFullTurn.key});
     for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-        if (exceedsAngle(angles[i], angles[i + 1], gapCosine)) return true;
+        if (exceedsAngle(angles[i], angles[i + 1], limit)) return true;
     }
     return false;
 }

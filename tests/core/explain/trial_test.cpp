@@ -46,6 +46,8 @@ TEST_CASE("trials: what is offered has faults at fewer places than the open run"
     CHECK(isOffered({trialWith(10), trialWith(9, 0, kRobust)}, 1));
     CHECK_FALSE(isOffered({trialWith(10), trialWith(10, 0, kRobust)}, 1));
     CHECK_FALSE(isOffered({trialWith(10), trialWith(11, 0, kRobust)}, 1));
+    // At as many places, what loses fewer points.
+    CHECK(isOffered({trialWith(10, 1), trialWith(10, 0, kRobust)}, 1));
 }
 
 TEST_CASE("trials: what is offered is worse than plain robust in no count") {

@@ -67,9 +67,9 @@ inline NeighborOptions within(double radius, bool dropOpposing) {
     return {WithinRadius{radius}, dropOpposing, false};
 }
 
-/// The list of point p specified for findNeighbors(), by comparing it with all others.
-inline std::vector<Index> bruteForceList(const OraclePoints& points, const NeighborOptions& options,
-                                         Index p) {
+/// The nearest of point p that agree, by comparing it with all others.
+inline std::vector<Index> agreeingList(const OraclePoints& points, const NeighborOptions& options,
+                                       Index p) {
     const auto squared = [&](Index q) {
         const Vec3 d = points.position[q] - points.position[p];
         return d.x * d.x + d.y * d.y + d.z * d.z;
@@ -90,6 +90,26 @@ inline std::vector<Index> bruteForceList(const OraclePoints& points, const Neigh
                (options.dropOpposingNormals && glm::dot(points.normal[p], points.normal[q]) <= 0.0);
     });
     list.resize(std::min(list.size(), k));
+    return list;
+}
+
+/// The list of point p specified for findNeighbors(): where fewer than three agree, also those that
+/// oppose and have as few.
+inline std::vector<Index> bruteForceList(const OraclePoints& points, const NeighborOptions& options,
+                                         Index p) {
+    const auto* nearest = std::get_if<KNearest>(&options.reach);
+    const std::size_t enough = nearest ? std::min<std::size_t>(3, nearest->k) : 3;
+    const auto isShort = [&](Index q) { return agreeingList(points, options, q).size() < enough; };
+    const std::vector<Index> own = agreeingList(points, options, p);
+    if (!options.dropOpposingNormals || own.size() >= enough) return own;
+    NeighborOptions all = options;
+    all.dropOpposingNormals = false;
+    std::vector<Index> list = agreeingList(points, all, p);
+    const auto isOwn = [&](Index q) { return std::find(own.begin(), own.end(), q) != own.end(); };
+    std::erase_if(list, [&](Index q) { return !isOwn(q) && !isShort(q); });
+    for (const Index q : own) {
+        if (std::find(list.begin(), list.end(), q) == list.end()) list.push_back(q);
+    }
     return list;
 }
 

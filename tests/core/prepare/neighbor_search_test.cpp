@@ -127,6 +127,23 @@ TEST_CASE("findNeighbors: opposing normals are left out, whatever their share") 
     }
 }
 
+TEST_CASE(
+    "findNeighbors: a flipped point gets no neighbors, the corners of a tetrahedron all others") {
+    OraclePoints flat = withNormals(evenPositions(170), 0);
+    flat.normal[85] = Vec3(0, 0, -1);
+    CHECK(found(flat, nearest(12, true))[85].empty());
+    const Vec3 corners[] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    OraclePoints tetrahedron;
+    for (const Vec3& x : corners) {
+        tetrahedron.position.push_back(x);
+        tetrahedron.normal.push_back(glm::normalize(x));
+        tetrahedron.usable.push_back(true);
+    }
+    const Lists all{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+    CHECK(found(tetrahedron, nearest(12, true)) == all);
+    CHECK(found(tetrahedron, within(3.0, true)) == all);
+}
+
 TEST_CASE("findNeighbors: a radius in hard clouds takes what comparing all pairs does") {
     for (const NamedCloud& cloud : hardClouds(170, 10)) {
         const double extent = glm::distance(cloud.points.position[0], cloud.points.position[1]);

@@ -22,6 +22,8 @@ using Fan = std::vector<FanPoint>;
 Objection fold(const StepContext& context);
 /// A wide triangle between points where the surface ends (RobustRules::rim).
 Objection overRim(const StepContext& context);
+/// A triangle on the outer side of a side between two points of one wall (RobustRules::rim).
+Objection beyondWall(const StepContext& context);
 /// A steep triangle, while such are delayed (RobustRules::delay).
 Objection steep(const StepContext& context);
 /// A new edge across a ring step nearby, in the tangent plane (RobustRules::noCross).

@@ -106,6 +106,59 @@ Objection overRim(const StepContext& context) {
     return {};
 }
 
+namespace {
+
+/// The bits of the walls of which at least two corners are points.
+unsigned wallsOfSides(const PointSet& points, const std::array<Index, 3>& corner) {
+    const auto type = [&](std::size_t k) -> unsigned { return points.type[corner[k]] & kFaceBits; };
+    return (type(0) & type(1)) | (type(1) & type(2)) | (type(2) & type(0));
+}
+
+/// True if the triangle lies beyond a wall: outside of the side between two of its points; of the
+/// three sides between three points, outside of two.
+bool liesBeyond(const PointSet& points, const std::array<Index, 3>& corner, unsigned wall,
+                const Vec3& outward) {
+    const auto onWall = [&](Index p) { return (points.type[p] & wall) != 0; };
+    std::size_t sides = 0;
+    std::size_t outside = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Index u = corner[k];
+        const Index v = corner[(k + 1) % 3];
+        if (!onWall(u) || !onWall(v)) continue;
+        ++sides;
+        // The triangle is to the left of its sides: outside if the direction outward is, too.
+        const Vec3 turn = glm::cross(points.position[v] - points.position[u], outward);
+        const bool isOutside =
+            glm::dot(turn, points.normal[u]) > 0.0 && glm::dot(turn, points.normal[v]) > 0.0;
+        outside += isOutside ? 1 : 0;
+    }
+    return sides == 3 ? outside > 1 : outside > 0;
+}
+
+bool liesBeyondWall(const PointSet& points, const std::array<Index, 3>& corner) {
+    const unsigned walls = wallsOfSides(points, corner);
+    for (unsigned i = 0; walls >> i != 0; ++i) {
+        const unsigned wall = 1U << i;
+        if ((walls & wall) == 0) continue;
+        Vec3 outward(0.0);
+        outward[static_cast<Vec3::length_type>(i % 3)] = wall <= kPositiveZ ? 1.0 : -1.0;
+        if (liesBeyond(points, corner, wall, outward)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Objection beyondWall(const StepContext& context) {
+    const Fan& fan = context.state.pivot.fan;
+    const Index p = context.state.rings.point(context.state.pivot.pivot);
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        if (liesBeyondWall(context.points, {p, fan[i].point, fan[i + 1].point}))
+            return {Verdict::OverRim, i, true};
+    }
+    return {};
+}
+
 // ---- delay --------------------------------------------------------------------------------------
 
 Objection steep(const StepContext& context) {

@@ -114,6 +114,7 @@ constexpr std::array kManifoldRules{
 constexpr std::array kShapeRules{
     FanRule{&RobustRules::noCross, crossing},
     FanRule{&RobustRules::noFold, fold},
+    FanRule{&RobustRules::rim, beyondWall},
 };
 /// These object only where isFlatAround() is false.
 constexpr std::array kBentRules{

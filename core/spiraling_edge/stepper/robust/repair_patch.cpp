@@ -2,7 +2,9 @@
 /// the finished surface, is taken out; in the last round, at each point, all fans but the largest.
 /// RobustRules::reinsert may put their points back.
 #include <algorithm>
+#include <limits>
 
+#include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
@@ -16,16 +18,45 @@ bool hasLesserNeighbor(const RepairState& m, Index t) {
                        [&](HalfEdge other) { return other < h; });
 }
 
-/// True if one of the points lists a point of a component with at least kSmallComponent triangles.
-bool isBesideLarger(const PointSet& points, const RepairState& m,
-                    const std::vector<Index>& corners) {
+/// True if one of the points lists a point within reach of a component with at least
+/// kSmallComponent triangles.
+bool isBesideLarger(const PointSet& points, const RepairState& m, const std::vector<Index>& corners,
+                    double reach) {
     return std::any_of(corners.begin(), corners.end(), [&](Index p) {
         const auto list = points.neighbors[p];
         return std::any_of(list.begin(), list.end(), [&](Index q) {
             return m.sideOf[q] != kNone &&
+                   glm::distance(points.position[p], points.position[q]) <= reach &&
                    patchAt(m, m.sideOf[q] / 3, kSmallComponent).size() >= kSmallComponent;
         });
     });
+}
+
+/// True if the border of the patch runs along walls: it is a piece of the surface that they cut
+/// off.
+bool isCutOff(const PointSet& points, const RepairState& m, const std::vector<Index>& patch) {
+    std::vector<LoopSide> border;
+    for (const Index t : patch) {
+        for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+            if (m.twin[h] == kNone) border.push_back({cornerOf(m, h), cornerOf(m, following(h))});
+        }
+    }
+    return !border.empty() && runsAlongWalls(points, border);
+}
+
+double meanEdge(const PointSet& points, const RepairState& m) {
+    double sum = 0.0;
+    for (HalfEdge h = 0; h < m.twin.size(); ++h)
+        sum += glm::distance(points.position[cornerOf(m, h)],
+                             points.position[cornerOf(m, following(h))]);
+    return sum / static_cast<double>(m.twin.size());
+}
+
+/// The distance within which a patch is beside a larger one: any, as far as lists reach, but for a
+/// piece that walls cut off, which is no late patch, that of FailureClass small_components.
+double reachOf(const PointSet& points, const RepairState& m, const std::vector<Index>& patch) {
+    return isCutOff(points, m, patch) ? kNearComponent * meanEdge(points, m)
+                                      : std::numeric_limits<double>::infinity();
 }
 
 /// The sides that leave a pinched point, by fan.
@@ -138,7 +169,8 @@ std::optional<DropPatchEvidence> dropNextPatch(const PointSet& points, RepairSta
         const std::vector<Index> corners = cornersOf(m, patch);
         const bool pinched =
             std::any_of(corners.begin(), corners.end(), [&](Index p) { return m.pinched[p]; });
-        if (pinched || !isBesideLarger(points, m, corners)) continue;
+        const double reach = reachOf(points, m, patch);
+        if (pinched || !isBesideLarger(points, m, corners, reach)) continue;
         for (const Index p : corners) m.sideOf.set(p, kNone);
         const DropPatchEvidence evidence{corners.front(), static_cast<Index>(patch.size())};
         dropTriangles(m, std::move(patch));
