@@ -228,6 +228,11 @@ TABLE = {
         ("orientation.ties-by-place", "return input_.numbering.originalOf(p);", "return MUT ? p : input_.numbering.originalOf(p);"),
         ("orientation.parity-lost", "link.opposed ^ above.opposed", "link.opposed ^ (MUT ? 0U : above.opposed)"),
     ],
+    "prepare/strays.cpp": [
+        ("strays.though-listed", "far[p] != 0 && !isListed(nearest, far, p);",
+         "far[p] != 0 && (MUT || !isListed(nearest, far, p));"),
+        ("strays.hidden-by-strays", "return far[q] == 0 && ", "return (MUT || far[q] == 0) && "),
+    ],
     "prepare/noise.cpp": [
         ("noise.over-only",
          "|| std::abs(height) > kReach * here.width) continue;",
@@ -336,9 +341,6 @@ TABLE = {
          "kSamePointTolerance * examined.spacing[p])) break;",
          "(MUT ? 100.0 : 1.0) * kSamePointTolerance * examined.spacing[p])) break;"),
         ("doctor.far-by-nearest", "examined.distance(p, list[1]) >", "examined.distance(p, list[MUT ? 0 : 1]) >"),
-        ("doctor.far-though-listed",
-         "(far[p] && !wanted[p]) || scattered[p]",
-         "(far[p] && (MUT || !wanted[p])) || scattered[p]"),
         ("doctor.no-scattered", "constexpr double kSparse = 3.0;", "const double kSparse = MUT ? 300.0 : 3.0;"),
         ("doctor.scattered-though-few", "if (count < kLeast ||", "if ((count < kLeast && !MUT) ||"),
         ("doctor.scattered-though-listed", "if (wanted[p] || examined.spacing[p] <= kSparse", "if ((wanted[p] && !MUT) || examined.spacing[p] <= kSparse"),

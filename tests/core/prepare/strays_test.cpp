@@ -190,7 +190,7 @@ TEST_CASE("strays: corrected and robust set them aside, and mesh the rest as if 
             INFO(rules, ", ", strays.size(), " at ", strays.front().x, ", ", strays.front().z);
             const Prepared prepared = preparedBy(rules, sphereFileWith(strays));
             const PointSet& points = prepared.points;
-            CHECK(prepared.report.strays == strays.size());
+            REQUIRE(prepared.report.strays == strays.size());
             for (Index p = 0; p < points.size(); ++p) {
                 CHECK(points.setAside[p] == (p < strays.size()));
                 CHECK(points.stray[p] == (p < strays.size()));
@@ -252,7 +252,7 @@ TEST_CASE("strays: they are taken out of lists from the file") {
         file.neighbors.append(list);
     }
     const Prepared prepared = preparedBy("robust", file);
-    CHECK(prepared.report.strays == 1);
+    REQUIRE(prepared.report.strays == 1);
     CHECK_FALSE(prepared.report.neighborsComputed);
     CHECK(prepared.points.neighbors[0].empty());
     for (const Index q : prepared.points.neighbors.ids) CHECK(q != 0);
