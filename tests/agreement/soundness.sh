@@ -44,6 +44,8 @@ for input in "${inputs[@]}"; do
         [ $# = 0 ] || echo "$(basename "$input"), $rules: $line"
         while read -r ours theirs; do
             # Their triangles touch and overlap in planes: see soundness_check.cpp.
+            # Which loops are openings of the points only the program knows.
+            [[ $ours != verdict.@(hole_edges|points_not_covered) || $line == *" openings 0 "* ]] || continue
             [[ $ours != faults.intersecting_triangles || $input != scene:@(tee-at-wall|close-sheets) ]] || continue
             if [ "$(counted "$ours")" != "$(found "$theirs" "$line")" ]; then
                 echo "$input --rules $rules: $ours is $(counted "$ours"), but: $line"

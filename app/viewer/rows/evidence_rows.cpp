@@ -197,7 +197,7 @@ void addRows(const FinishedEvidence& e, const EvidenceInput&, EvidenceRows& out)
                               : "every point is DONE, and no seed is left");
     out.row("triangles", std::to_string(e.triangles));
     out.row("components", std::to_string(e.components));
-    out.row("unused", counted(e.unused, "point", "points") + " in no triangle");
+    out.row("in no triangle", counted(e.unused, "point", "points"));
     out.row("open loops", e.loops == 0 ? "none: closed" : std::to_string(e.loops));
 }
 

@@ -273,8 +273,10 @@ bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
     const MeshVerdict& verdict = tried[trial].verdict;
     const std::size_t robust = plainRobust(tried);
     if (robust == tried.size()) return isBetter(verdict, tried.front().verdict);
-    return hasFewerFaults(verdict, tried.front().verdict) &&
-           worseIn(verdict, tried[robust].verdict) == nullptr;
+    const MeshVerdict& plain = tried[robust].verdict;
+    const bool torn = plain.triangles > 0 && verdict.pieces > plain.pieces;
+    return !torn && hasFewerFaults(verdict, tried.front().verdict) &&
+           worseIn(verdict, plain) == nullptr;
 }
 
 std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before) {

@@ -18,15 +18,40 @@ std::size_t totalOf(std::span<const ClassTotal> totals, std::string_view name) {
     return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
 }
 
-/// The points in loops of one sort.
-std::vector<bool> pointsOn(std::span<const MeshFailure> failures, std::size_t points,
-                           bool holesOnly) {
-    std::vector<bool> on(points, false);
-    for (const MeshFailure& each : failures) {
-        if (!isLoop(each) || (holesOnly && !each.kind->fault)) continue;
-        for (const Index p : each.points) on[p] = true;
+/// Points where the surface ends, by the points alone: on their rims, or on walls.
+std::vector<bool> pointsOnRims(const MeshJudge& judge) {
+    std::vector<bool> on(judge.points.size(), false);
+    for (Index p = 0; p < on.size(); ++p) on[p] = isBoundary(judge.points.type[p]);
+    for (const std::vector<Index>& chain : judge.openings) {
+        for (const Index p : chain) on[p] = true;
     }
     return on;
+}
+
+/// Loops of a mesh, sorted by what they are for the points.
+struct Loops {
+    std::vector<bool> on;          ///< Per point: on a loop.
+    std::vector<bool> besideHole;  ///< Per point: on a loop where the points do not end.
+    std::size_t holeEdges = 0;
+};
+/// A loop is an opening if the surface ends there, and half of its points are on rims or walls.
+/// Without a judge the first has to do.
+Loops loopsOf(const MeshJudge* judge, std::span<const MeshFailure> failures, std::size_t points) {
+    Loops loops{std::vector<bool>(points, false), std::vector<bool>(points, false)};
+    const std::vector<bool> onRim = judge == nullptr ? std::vector<bool>{} : pointsOnRims(*judge);
+    for (const MeshFailure& each : failures) {
+        if (!isLoop(each)) continue;
+        const auto count = std::count_if(each.points.begin(), each.points.end(),
+                                         [&](Index p) { return judge == nullptr || onRim[p]; });
+        const bool hole =
+            each.kind->fault || 2 * static_cast<std::size_t>(count) < each.points.size();
+        if (hole) loops.holeEdges += each.edges.size();
+        for (const Index p : each.points) {
+            loops.on[p] = true;
+            if (hole) loops.besideHole[p] = true;
+        }
+    }
+    return loops;
 }
 
 /// The number of openings that the mesh covers: most of their points in triangles are on no loop.
@@ -44,10 +69,9 @@ std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLo
 }
 
 /// Counts points in no triangle by reason, and those that are covered.
-void countPoints(const MeshJudge& judge, std::span<const MeshFailure> failures,
+void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
                  std::span<const double> distance, const std::vector<bool>& used,
                  MeshVerdict& verdict) {
-    const std::vector<bool> besideHole = pointsOn(failures, used.size(), true);
     const std::vector<Fitness> fitness = fitnessOf(judge.points.position);
     for (Index p = 0; p < used.size(); ++p) {
         if (fitness[p] != Fitness::Usable) continue;
@@ -131,19 +155,17 @@ MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangle
         totalOf(verdict.totals, "lost_points") + totalOf(verdict.totals, "isolated_points");
     verdict.twins = inspection.twins;
     verdict.pieces = inspection.report.components;
-    for (const MeshFailure& each : inspection.failures) {
-        if (isLoop(each) && each.kind->fault) verdict.holeEdges += each.edges.size();
-    }
+    const Loops loops = loopsOf(points.judge.get(), inspection.failures, points.size());
+    verdict.holeEdges = loops.holeEdges;
     verdict.facingIn = totalOf(verdict.totals, "inward_pieces");
     verdict.fidelity = fidelityFrom(distance);
     if (!points.judge) return verdict;
     const MeshJudge& judge = *points.judge;
     verdict.piecesOfPoints = judge.pieces;
     verdict.openings = judge.openings.size();
-    verdict.closed =
-        closedOpenings(judge, pointsOn(inspection.failures, points.size(), false), used);
+    verdict.closed = closedOpenings(judge, loops.on, used);
     if (judge.fit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
-    countPoints(judge, inspection.failures, distance, used, verdict);
+    countPoints(judge, loops.besideHole, distance, used, verdict);
     return verdict;
 }
 
@@ -157,6 +179,7 @@ JudgedMesh judgeMesh(const PointSet& points, std::span<const Triangle> triangles
 std::span<const VerdictCount> verdictCounts() { return kCounts; }
 
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other) {
+    if (other.triangles == 0 && mesh.triangles > 0) return nullptr;
     const auto worse =
         std::find_if(std::begin(kCounts), std::end(kCounts),
                      [&](const VerdictCount& count) { return count.of(mesh) > count.of(other); });
@@ -171,6 +194,7 @@ std::size_t sumOfCounts(const MeshVerdict& verdict) {
 
 bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other) {
     if (mesh.triangles == 0 || mesh.stopped) return false;
+    if (other.triangles == 0 || other.stopped) return true;
     if (mesh.places != other.places) return mesh.places < other.places;
     return sumOfCounts(mesh) < sumOfCounts(other);
 }

@@ -30,11 +30,12 @@ struct MeshVerdict {
     std::size_t twins = 0;           ///< Within a quarter spacing of a point in a triangle.
     std::size_t pieces = 0;          ///< Of the mesh.
     std::size_t piecesOfPoints = 0;  ///< MeshJudge::pieces.
-    std::size_t holeEdges = 0;       ///< Edges of all holes.
-    std::size_t openings = 0;        ///< MeshJudge::openings.
-    std::size_t closed = 0;          ///< Of these, those that the mesh covers.
-    std::size_t against = 0;         ///< Triangles against given normals that fit.
-    std::size_t facingIn = 0;        ///< Closed pieces that face in.
+    /// Edges of holes: of loops that are faults, and of those where the points do not end.
+    std::size_t holeEdges = 0;  ///< Edges of all holes.
+    std::size_t openings = 0;   ///< MeshJudge::openings.
+    std::size_t closed = 0;     ///< Of these, those that the mesh covers.
+    std::size_t against = 0;    ///< Triangles against given normals that fit.
+    std::size_t facingIn = 0;   ///< Closed pieces that face in.
     /// Points that a mesh should have, away from it by over half a spacing, or in it beside a hole.
     std::size_t uncovered = 0;
     std::size_t toCover = 0;  ///< Points that a mesh should have.
@@ -77,12 +78,14 @@ struct VerdictCount {
 /// Points lost, pieces beyond those of the points, edges of holes, openings closed, triangles
 /// against given normals, pieces that face in, points not covered.
 std::span<const VerdictCount> verdictCounts();
-/// The first count in which a mesh is worse than another of the same points; null: in none.
+/// The first count in which a mesh is worse than another of the same points; null: in none. No mesh
+/// with triangles is worse than one without.
 const VerdictCount* worseIn(const MeshVerdict& mesh, const MeshVerdict& other);
 /// The sum of all counts.
 std::size_t sumOfCounts(const MeshVerdict& verdict);
 /// True if a mesh has triangles, was not stopped, and has faults at fewer places than another of
-/// the same points, or at as many with a lesser sum of counts.
+/// the same points, or at as many with a lesser sum of counts, or if that one has no triangle or
+/// was stopped.
 bool hasFewerFaults(const MeshVerdict& mesh, const MeshVerdict& other);
 /// True if a mesh is better than another of the same points: it has fewer faults, and is worse in
 /// no count.

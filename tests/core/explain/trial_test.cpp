@@ -59,6 +59,17 @@ TEST_CASE("trials: what is offered is worse than plain robust in no count") {
     CHECK(isOffered({tried[0], tried[1], trialWith(4, 2, kSixteen)}, 2));
 }
 
+TEST_CASE("trials: what is offered is in no more pieces than plain robust") {
+    Trial torn = trialWith(4, 2, kSixteen);
+    torn.verdict.pieces = 2;
+    Trial robust = trialWith(6, 2, kRobust);
+    robust.verdict.pieces = 1;
+    CHECK_FALSE(isOffered({trialWith(10, 5), robust, torn}, 2));
+    // No mesh is worse than none.
+    robust.verdict.triangles = 0;
+    CHECK(isOffered({trialWith(10, 5), robust, torn}, 2));
+}
+
 TEST_CASE("trials: of an open run of robust, what is offered is worse than it in no count") {
     const SettingsChange sixteen{.nearest = 16};
     CHECK(isOffered({trialWith(6, 2), trialWith(4, 2, sixteen)}, 1));

@@ -182,7 +182,10 @@ void drawClose(const PanelContext& context) {
 
 void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     const bool faulty = !alerts.sound();
-    std::string title = verdictText(alerts);
+    // The classes are on lines of their own.
+    const std::string headline = verdictText(alerts);
+    const std::size_t end = std::min(headline.find(": "), headline.size());
+    std::string title = headline.substr(0, end);
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
     ImGui::PushStyleColor(ImGuiCol_Text,
                           toVec4(faulty ? context.palette.rejected : context.palette.used));
@@ -190,6 +193,7 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     ImGui::PopStyleColor();
     drawClose(context);
     if (!isSmall(context)) {
+        if (end < headline.size()) wrappedText(headline.substr(end + 2));
         // The table of the trials has the distances too.
         if (context.session().trials().best() == nullptr)
             dimText(meshText(*alerts.found(), context.session().model()));
