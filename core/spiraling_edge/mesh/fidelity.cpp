@@ -126,11 +126,11 @@ std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Tr
     return distances;
 }
 
-Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
+Fidelity fidelityFrom(std::span<const double> distances) {
     Fidelity fidelity;
     std::size_t count = 0;
     double sum = 0.0;
-    for (const double distance : distancesFromMesh(points, triangles)) {
+    for (const double distance : distances) {
         if (std::isnan(distance)) continue;
         ++count;
         fidelity.greatestDistance = std::max(fidelity.greatestDistance, distance);
@@ -138,6 +138,10 @@ Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles)
     }
     if (count > 0) fidelity.meanDistance = sum / static_cast<double>(count);
     return fidelity;
+}
+
+Fidelity fidelityOf(const PointSet& points, std::span<const Triangle> triangles) {
+    return fidelityFrom(distancesFromMesh(points, triangles));
 }
 
 }  // namespace se

@@ -20,6 +20,8 @@ struct Fidelity {
 /// n points in no triangle.
 std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Triangle> triangles);
 
+/// The greatest and the mean of the distances that are known.
+Fidelity fidelityFrom(std::span<const double> distances);
 /// Measures the distance of each point to the nearest triangle; points without a finite position
 /// are left out. Both are 0 if there is no triangle. Requires corners below points.size() with
 /// finite positions. Deterministic. About O(t log t + n log t) for n points in no triangle.

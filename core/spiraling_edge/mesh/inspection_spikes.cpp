@@ -12,24 +12,15 @@ namespace {
 /// unless it closes a hole. Reaches count, since spacings differ much where points lie in clusters.
 constexpr double kSpike = 5.0;
 
-/// True for points on rims: an edge between two of them may close a hole.
-std::vector<bool> pointsOnRims(const MeshJudge& judge) {
-    std::vector<bool> on(judge.points.size(), false);
-    for (const std::vector<Index>& chain : judge.openings) {
-        for (const Index p : chain) on[p] = true;
-    }
-    return on;
-}
-
 }  // namespace
 
 void spikes(const InspectedMesh& mesh, Failures& failures) {
     if (mesh.judge == nullptr || mesh.judge->reach.empty()) return;
     const MeshJudge& judge = *mesh.judge;
-    const std::vector<bool> onRim = pointsOnRims(judge);
+    const std::vector<bool> ends = endsOf(judge);
     const auto isLong = [&](Index p, Index q) {
         const double reach = std::max(judge.reach[p], judge.reach[q]);
-        return !(onRim[p] && onRim[q]) &&
+        return !(ends[p] && ends[q]) &&
                glm::distance(mesh.points.position[p], mesh.points.position[q]) > kSpike * reach;
     };
     const auto isStray = [&](Index p) { return MeshJudge::isMarked(judge.stray, p); };

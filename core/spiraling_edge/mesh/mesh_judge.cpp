@@ -4,6 +4,15 @@
 
 namespace se {
 
+std::vector<bool> endsOf(const MeshJudge& judge) {
+    std::vector<bool> ends(judge.points.size(), false);
+    for (Index p = 0; p < ends.size(); ++p) ends[p] = isBoundary(judge.points.type[p]);
+    for (const std::vector<Index>& chain : judge.openings) {
+        for (const Index p : chain) ends[p] = true;
+    }
+    return ends;
+}
+
 std::string departureText(const MeshJudge& judge) {
     if (judge.unfitDegrees > 0.0) {
         return "by derived normals: the given ones are " +

@@ -44,6 +44,8 @@ struct MeshJudge {
     /// The twin of `p`, or kNone.
     Index twinOf(Index p) const { return p < twin.size() ? twin[p] : kNone; }
 };
+/// True for each point where the surface ends, by the points alone: on their rims, or on walls.
+std::vector<bool> endsOf(const MeshJudge& judge);
 /// How the judge departs from the given normals, as a piece of a sentence: "by derived normals: the
 /// given ones are 40 degrees off the surface (median)"; empty if it does not.
 std::string departureText(const MeshJudge& judge);

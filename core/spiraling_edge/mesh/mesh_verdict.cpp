@@ -18,16 +18,6 @@ std::size_t totalOf(std::span<const ClassTotal> totals, std::string_view name) {
     return totals[static_cast<std::size_t>(findFailureClass(name) - failureClasses().data())].total;
 }
 
-/// Points where the surface ends, by the points alone: on their rims, or on walls.
-std::vector<bool> pointsOnRims(const MeshJudge& judge) {
-    std::vector<bool> on(judge.points.size(), false);
-    for (Index p = 0; p < on.size(); ++p) on[p] = isBoundary(judge.points.type[p]);
-    for (const std::vector<Index>& chain : judge.openings) {
-        for (const Index p : chain) on[p] = true;
-    }
-    return on;
-}
-
 /// Loops of a mesh, sorted by what they are for the points.
 struct Loops {
     std::vector<bool> on;          ///< Per point: on a loop.
@@ -38,7 +28,7 @@ struct Loops {
 /// Without a judge the first has to do.
 Loops loopsOf(const MeshJudge* judge, std::span<const MeshFailure> failures, std::size_t points) {
     Loops loops{std::vector<bool>(points, false), std::vector<bool>(points, false)};
-    const std::vector<bool> onRim = judge == nullptr ? std::vector<bool>{} : pointsOnRims(*judge);
+    const std::vector<bool> onRim = judge == nullptr ? std::vector<bool>{} : endsOf(*judge);
     for (const MeshFailure& each : failures) {
         if (!isLoop(each)) continue;
         const auto count = std::count_if(each.points.begin(), each.points.end(),
@@ -100,21 +90,6 @@ std::vector<std::size_t> worstClasses(std::span<const MeshFailure> failures,
         ++count[static_cast<std::size_t>(worst - failureClasses().data())];
     }
     return count;
-}
-
-/// Distances of points, NaN if unknown, summed up.
-Fidelity fidelityFrom(std::span<const double> distance) {
-    Fidelity fidelity;
-    std::size_t count = 0;
-    double sum = 0.0;
-    for (const double each : distance) {
-        if (std::isnan(each)) continue;
-        ++count;
-        fidelity.greatestDistance = std::max(fidelity.greatestDistance, each);
-        sum += each;
-    }
-    if (count > 0) fidelity.meanDistance = sum / static_cast<double>(count);
-    return fidelity;
 }
 
 constexpr VerdictCount kCounts[] = {

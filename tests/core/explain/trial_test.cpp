@@ -59,6 +59,13 @@ TEST_CASE("trials: what is offered is worse than plain robust in no count") {
     CHECK(isOffered({tried[0], tried[1], trialWith(4, 2, kSixteen)}, 2));
 }
 
+TEST_CASE("trials: what is offered has faults at no more places than plain robust") {
+    // Of the first trial it is worse in no count, while robust is.
+    const Trial robust = trialWith(3, 2, kRobust);
+    CHECK_FALSE(isOffered({trialWith(10, 1), robust, trialWith(4, 1, kSixteen)}, 2));
+    CHECK(isOffered({trialWith(10, 1), robust, trialWith(3, 1, kSixteen)}, 2));
+}
+
 TEST_CASE("trials: what is offered is in no more pieces than plain robust") {
     Trial torn = trialWith(4, 2, kSixteen);
     torn.verdict.pieces = 2;

@@ -360,7 +360,7 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
     const HeadlessApp other("card-and-check");
     const std::filesystem::path path = other.folder / "points.xyz";
     // A patch that contradicts the rest, and others that are right.
-    const PointFile sphere = findScene("four-edge-hole")->build();
+    const PointFile sphere = findScene("sphere")->build();
     std::ofstream out(path);
     out.precision(17);
     for (std::size_t p = 0; p < sphere.position.size(); ++p) {
