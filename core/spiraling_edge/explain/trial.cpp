@@ -274,9 +274,8 @@ bool isOffered(const std::vector<Trial>& tried, std::size_t trial) {
     const std::size_t robust = plainRobust(tried);
     if (robust == tried.size()) return isBetter(verdict, tried.front().verdict);
     const MeshVerdict& plain = tried[robust].verdict;
-    const bool torn = plain.triangles > 0 && verdict.pieces > plain.pieces;
     const bool worse = plain.triangles > 0 && !plain.stopped && verdict.places > plain.places;
-    return !torn && !worse && hasFewerFaults(verdict, tried.front().verdict) &&
+    return !worse && hasFewerFaults(verdict, tried.front().verdict) &&
            worseIn(verdict, plain) == nullptr;
 }
 

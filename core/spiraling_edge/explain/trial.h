@@ -37,9 +37,9 @@ inline constexpr std::size_t kManyForTrials = 300'000;
 /// rules already, or tried.size() if it was not made yet.
 std::size_t plainRobust(const std::vector<Trial>& tried);
 /// True if a trial may be chosen: its mesh is in no count worse than that of plain `robust`, has
-/// faults at no more places, no more pieces, even where the points have many parts, and fewer
-/// faults (hasFewerFaults()) than that of the first trial. In some count it can be worse than the
-/// first, where rules that make no faulty triangle leave a hole: worseIn() names it.
+/// faults at no more places, and fewer faults (hasFewerFaults()) than that of the first trial. In
+/// some count it can be worse than the first, where rules that make no faulty triangle leave a
+/// hole: lossesText() names it.
 bool isOffered(const std::vector<Trial>& tried, std::size_t trial);
 /// "more edges of holes (222, before 39)": the counts in which a mesh is worse than another of the
 /// same points; empty if in none.

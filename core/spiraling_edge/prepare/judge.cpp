@@ -218,20 +218,6 @@ void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge
     if (lines == 0.0) judge.pieces = countPieces(file, around, judge);
 }
 
-/// The chains of a rim without those that share most of their points with one before: where the
-/// surface is even, a walk can close on either side of the same edge.
-std::vector<std::vector<Index>> withoutRepeats(std::vector<std::vector<Index>> chains,
-                                               std::size_t points) {
-    std::vector<bool> taken(points, false);
-    std::erase_if(chains, [&](const std::vector<Index>& chain) {
-        const auto shared =
-            std::count_if(chain.begin(), chain.end(), [&](Index p) { return taken[p]; });
-        for (const Index p : chain) taken[p] = true;
-        return 2 * static_cast<std::size_t>(shared) > chain.size();
-    });
-    return chains;
-}
-
 // ---- the judge ----------------------------------------------------------------------------------
 
 using Judge = Result<std::shared_ptr<const MeshJudge>>;
@@ -293,7 +279,7 @@ Judge judged(const PointFile& file, const PrepareOptions& options, const PointSe
     Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
                               threads, partOf(progress, kPreparedDone, 1.0));
     if (!rim) return rim.error();
-    judge->openings = withoutRepeats(std::move(rim.value().chains), points.size());
+    judge->openings = std::move(rim.value().chains);
     points.neighbors = {};
     points.rim = {};
     judge->points = std::move(points);
