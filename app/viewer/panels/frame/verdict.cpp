@@ -87,7 +87,10 @@ void drawTrials(const PanelContext& context) {
     }
     const std::vector<Trial>& tried = job.trials().tried;
     if (const Trial* best = job.best()) {
-        const std::string when = job.busy() ? "Better so far: " : "Better: ";
+        // In some count it can be worse: the table shows which.
+        const bool better = worseIn(best->verdict, tried.front().verdict) == nullptr;
+        const std::string when =
+            std::string(better ? "Better" : "Fewer places") + (job.busy() ? " so far: " : ": ");
         wrappedText(when + wordsOf(best->change) + ". Then: " + headlineOf(best->verdict) + ".");
         drawNumbers(context, tried.front().verdict, best->verdict);
     }
