@@ -215,14 +215,12 @@ std::string derivedSentence(const DerivedPieces& derived) {
     return text;
 }
 
-/// "at least 2 intersecting, 1 folded".
+/// "2 holes, 1 folded edge", without the search for pairs.
 std::string faultCounts(const RunOutcome& outcome) {
     std::string text;
     forEachFault(*outcome.inspection, [&](const FailureClass& each, const ClassTotal& total) {
         if (total.total == 0) return;
-        const bool more = outcome.pairs && !total.exact;
-        appendPart(text, fmt::format("{}{} {}", more ? "at least " : "", total.total,
-                                     nounFor(each, total.total)));
+        appendPart(text, fmt::format("{} {}", total.total, nounFor(each, total.total)));
     });
     return text;
 }

@@ -262,13 +262,11 @@ void closeHoles(CommandContext& context, double width) {
 
 std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
     assert(alerts.done());
-    std::size_t wider = 0;
-    std::size_t open = 0;
-    for (const MeshFailure& each : alerts.found()->all) {
-        if (!isLoop(each)) continue;
-        ++open;
-        if (widthOf(each) > closing.width) ++wider;
-    }
+    const std::vector<MeshFailure>& all = alerts.found()->all;
+    const auto wider = static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(),
+        [&](const MeshFailure& each) { return isLoop(each) && widthOf(each) > closing.width; }));
+    const std::size_t open = alerts.openLoops().count;
     const std::size_t closed = closing.before > open ? closing.before - open : 0;
     std::string text = "Closed " + grouped(closed) + " of " + grouped(closing.before) +
                        (closing.before == 1 ? " open loop" : " open loops");

@@ -67,7 +67,7 @@ std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
 /// the file; 0: as the rules say. With the rules of robust if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);
-/// What became of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
+/// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
 /// without a fault was found.". Requires alerts of the new run.
 std::string closedText(const HoleClosing& closing, const AlertSearch& alerts);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.

@@ -155,7 +155,7 @@ LineAt lineAt(const PointFile& file, const Surroundings& around, Index p) {
             std::sqrt(plane.variance[2] / std::max(plane.variance[1], 1e-4 * plane.variance[2]))};
 }
 
-/// The distance of lines of points; 0 where points do not lie in lines. Measured at every so many
+/// The distance of lines of points; 0 where points do not lie in lines. Measured at about 256
 /// points: to the nearest point that is more across than along.
 double lineDistance(const PointFile& file, const Surroundings& around) {
     constexpr std::size_t kMeasured = 256;

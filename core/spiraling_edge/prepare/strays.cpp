@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 
@@ -42,9 +43,7 @@ class Reaches {
         for (const Index q : nearest_[p]) others.push_back(reach_[q]);
         if (reach_[p] > kStrayLimits.farOfAll * *std::max_element(others.begin(), others.end()))
             return true;
-        const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-        std::nth_element(others.begin(), middle, others.end());
-        return reach_[p] > kStrayLimits.far * *middle;
+        return reach_[p] > kStrayLimits.far * medianOf(others);
     }
 
   private:

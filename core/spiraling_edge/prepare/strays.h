@@ -12,11 +12,11 @@ namespace se {
 /// Thresholds of strayPoints(), measured on half of the shared sets and judged on the others
 /// (docs/robust.md).
 struct StrayLimits {
-    double farOfAll = 3.0;  ///< Far is more than so many times the reach of each point about,
-    double far = 4.0;       ///< or than so many times their median.
+    double farOfAll = 3.0;  ///< Far is more than this times the reach of each point about,
+    double far = 4.0;       ///< or than this times their median.
     std::size_t third = 3;  ///< The reach of a point is the distance to its third nearest: past
                             ///< others that are as far, alone or by twos and threes.
-    std::size_t asked = 6;  ///< So many nearest points are asked whether they list the point.
+    std::size_t asked = 6;  ///< Number of nearest points that must not list the point.
 };
 inline constexpr StrayLimits kStrayLimits{};
 
