@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #include "spiraling_edge/prepare/judge.h"
@@ -121,6 +123,33 @@ TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the sea
     CHECK(bestOf(trials).places < trials.tried[0].verdict.places);
     CHECK(bestOf(trials).isSound());
     CHECK(trials.best + 1 == trials.tried.size());
+}
+
+TEST_CASE("trials: what is better than the open run is found within the first three") {
+    const Trials trials = triedOn(sceneFile("uneven-density"));
+    REQUIRE(trials.best > 0);
+    std::size_t first = 1;
+    while (!isOffered(trials.tried, first)) ++first;
+    CHECK(first < 3);
+}
+
+TEST_CASE("trials: on garbled points all of them cost at most 25 times the dearest") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    PointFile file = fibonacciSphere(800);
+    for (std::size_t i = 0; i < 800; i += 4) {
+        const Vec3 place = file.position[i];
+        const Vec3 wrong[] = {place, 50.0 * place, Vec3(nan), 1.02 * place};
+        file.position.push_back(wrong[i / 4 % 4]);
+    }
+    file.normal.clear();
+    const Trials trials = triedOn(file);
+    std::uint64_t all = 0, dearest = 0;
+    for (const Trial& trial : trials.tried) {
+        all += trial.work;
+        dearest = std::max<std::uint64_t>(dearest, trial.work);
+    }
+    CHECK(dearest > 0);
+    CHECK(all <= 25 * dearest);
 }
 
 TEST_CASE("trials: every one is made as the settings after its change are run") {
