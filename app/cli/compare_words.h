@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "prepared_input.h"
+#include "input.h"
 
 namespace se::cli {
 
@@ -16,25 +16,11 @@ struct ComparedWords {
 };
 ComparedWords splitAtWith(const Arguments& words);
 
-/// Options of one run, parsed from their own list of words.
-class ParsedInput {
-  public:
-    /// Throws Failure on wrong usage; its message names the words as given on the command line.
-    explicit ParsedInput(const Arguments& words);
-    ParsedInput(const ParsedInput&) = delete;
-    ParsedInput& operator=(const ParsedInput&) = delete;
-    const InputArguments& input() const { return input_; }
+/// The spec of B: that of A, changed by `with` (otherRun()). Throws Failure(Usage) if a word is
+/// not understood, or changes the points.
+RunSpec specOfB(const RunSpec& a, const Arguments& with);
 
-  private:
-    CLI::App app_;
-    InputArguments input_;
-};
-
-/// The words of B: those of A, changed by `with`. A rule set there replaces the rules of A, a
-/// number of neighbors the radius of A.
-Arguments optionsOfB(const InputArguments& a, const Arguments& with);
-
-/// "--rules robust"; "the paper's rules" if no option was given.
-std::string titleOf(const InputArguments& input);
+/// "--rules robust"; "the paper's rules" if nothing is set.
+std::string titleOf(const RunSpec& spec);
 
 }  // namespace se::cli

@@ -1,10 +1,17 @@
 #include "input.h"
 
-#include "exit_code.h"
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "output/piece_text.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/start_file.h"
 
 namespace se::cli {
 namespace {
@@ -46,19 +53,111 @@ void refuseOtherThings(const std::string& input) {
 
 }  // namespace
 
-std::string nameOfInput(const std::string& input) {
-    return input == kStandardInput ? "standard input" : input;
-}
-
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
-    constexpr std::string_view kScenePrefix = "scene:";
-    if (input.starts_with(kScenePrefix)) return buildScene(input.substr(kScenePrefix.size()));
-    Result<PointFile> file = input == kStandardInput
+    if (isScene(input)) return buildScene(input.substr(kScenePrefix.size()));
+    Result<PointFile> file = isStandardInput(input)
                                  ? readStandardInput(limit)
                                  : readPoints(std::filesystem::path(input), limit);
     if (!file) throw Failure(ExitCode::Input, file.error().message);
     return std::move(file.value());
+}
+
+InputPiece readPiece(const RunSpec& spec) {
+    InputPiece read{readInput(spec.source, ByteLimit{spec.maxBytes}), {spec.piece, 0, 0}};
+    read.points.inFile = read.file.position.size();
+    Result<PointFile> cut = cutPiece(std::move(read.file), spec.piece, nameOfInput(spec.source));
+    if (!cut) throw Failure(ExitCode::Usage, "--crop: " + cut.error().message);
+    read.file = std::move(cut.value());
+    read.points.kept = read.file.position.size();
+    return read;
+}
+
+Params paramsFrom(const RunSpec& spec) {
+    Result<Params> params = paramsOf(spec);
+    if (!params) throw Failure(ExitCode::Usage, params.error().message);
+    return std::move(params.value());
+}
+
+PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
+                                  const PointFile& file) {
+    Result<PrepareOptions> options = prepareOptionsOf(spec, params, file);
+    if (!options) throw Failure(ExitCode::Usage, "--scanner: " + options.error().message);
+    return std::move(options.value());
+}
+
+void requireNoStart(const GivenStart& start, const std::string& what) {
+    if (start.empty()) return;
+    throw Failure(ExitCode::Usage,
+                  what + ": the run begins with given triangles, which name points by numbers");
+}
+
+void InputArguments::addTo(CLI::App& app) {
+    addTo(app, {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
+    app.add_option("--start", startFile_,
+                   "Begin with the triangles and edge rings of this JSON file "
+                   "(docs/file-formats.md)")
+        ->type_name("FILE");
+    app.footer(rulesHelp());
+}
+
+void InputArguments::addTo(CLI::App& app, std::initializer_list<SpecGroup> groups) {
+    app.add_option("IN", input_, "File with points, - or scene:ID")->required();
+    options_.addTo(app, groups);
+}
+
+RunSpec InputArguments::spec() const {
+    RunSpec spec = specOf(given());
+    spec.source = input_;
+    if (startFile_.empty()) return spec;
+    Result<GivenStart> start = teach::readStartFile(startFile_);
+    if (!start) throw Failure(ExitCode::Input, start.error().message);
+    spec.start = std::move(start.value());
+    return spec;
+}
+
+PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
+    return prepareOptionsFrom(spec(), params(), file);
+}
+
+void InputArguments::requireStartFits(const PointSet& points, const GivenStart& start) const {
+    for (const char* key : {"crop", "thin"}) {
+        if (options_.has(key)) requireNoStart(start, std::string("--") + key);
+    }
+    const Status status = requireStart(points, start);
+    if (status) return;
+    throw Failure(ExitCode::Input, (startFile_.empty() ? nameOfInput(input_) : startFile_) + ": " +
+                                       status.error().message);
+}
+
+PointFile InputArguments::read(const ProgressLine& line) const {
+    InputPiece read = readPiece(spec());
+    const std::string kept = keptSentence(read.points);
+    if (line.isWanted() && !kept.empty())
+        printNote(fmt::format("{}: kept {}\n", printable(input_), kept));
+    return std::move(read.file);
+}
+
+PreparedInput InputArguments::prepare(ProgressLine& line) const {
+    return prepare(read(line), line);
+}
+
+PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
+    return prepare(std::move(file), spec(), line);
+}
+
+PreparedInput InputArguments::prepare(PointFile file, const RunSpec& spec,
+                                      ProgressLine& line) const {
+    Params params = paramsFrom(spec);
+    const PrepareOptions options = prepareOptionsFrom(spec, params, file);
+    Prepared prepared = runWithProgress("preparing", input_, line, [&](const Progress& progress) {
+        return se::prepare(file, options, progress);
+    });
+    requireStartFits(prepared.points, params.start);
+    requirePossible(prepared.points, params);
+    file.normal = prepared.points.normal;
+    file.type = prepared.points.type;
+    return {applyFixes(file).file, std::move(prepared.points), std::move(params)};
 }
 
 }  // namespace se::cli

@@ -1,20 +1,90 @@
-/// An input as given on the command line: a file, `-` or scene:ID.
+/// The points of a verb: the options that say which they are and how they are prepared, their
+/// reading, and their preparation.
 #pragma once
 
+#include <initializer_list>
 #include <string>
-#include <string_view>
 
-#include "spiraling_edge/base/files.h"
-#include "spiraling_edge/points/point_file.h"
+#include "options.h"
+#include "output/output.h"
+#include "progress.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se::cli {
 
-inline constexpr std::string_view kStandardInput = "-";
-
-/// Name of the input in messages: "standard input" for -.
-std::string nameOfInput(const std::string& input);
-
-/// Reads it. Throws Failure(Input) if it is missing or malformed.
+/// Reads a file, `-` or scene:ID. Throws Failure(Input) if it is missing or malformed.
 PointFile readInput(const std::string& input, const ByteLimit& limit);
+
+/// Number of points that the options for a piece kept.
+struct KeptPoints {
+    Piece piece;
+    std::size_t kept = 0;
+    std::size_t inFile = 0;
+};
+/// The points read from an input, and their number.
+struct InputPiece {
+    PointFile file;
+    KeptPoints points;
+};
+/// Reads the piece. Throws Failure(Input) if the input is missing or malformed, Failure(Usage) if
+/// the box holds none of its points.
+InputPiece readPiece(const RunSpec& spec);
+
+/// The params of a spec. Throws Failure(Usage).
+Params paramsFrom(const RunSpec& spec);
+/// Its options of preparing. Throws Failure(Usage) where they do not fit the file.
+PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
+                                  const PointFile& file);
+
+/// Throws Failure(Usage) if there is a start, which names points by numbers, for work that changes
+/// them: `what` ("--crop") begins the message.
+void requireNoStart(const GivenStart& start, const std::string& what);
+
+/// A run that has not started.
+struct PreparedInput {
+    PointFile file;  ///< As read, repaired by applyFixes(), with the normals and types of `points`.
+    PointSet points;
+    Params params;
+};
+
+/// The options of a verb's input.
+class InputArguments {
+  public:
+    /// IN, and all options of a run.
+    void addTo(CLI::App& app);
+    /// IN, and the options of these groups.
+    void addTo(CLI::App& app, std::initializer_list<SpecGroup> groups);
+
+    const std::string& input() const { return input_; }
+    /// All files that are read, for ForceOption::require().
+    NamedFiles files() const { return {{"", input_}, {"--start", startFile_}}; }
+    ByteLimit limit() const { return ByteLimit{spec().maxBytes}; }
+    SpecChange given() const { return options_.given(); }
+    /// What is to be run. Throws Failure where an option, or the file of --start, is malformed.
+    RunSpec spec() const;
+
+    /// The parts of spec().
+    Params params() const { return paramsFrom(spec()); }
+    PrepareOptions prepareOptions(const PointFile& file) const;
+    /// Throws Failure(Input) if a run on `points` cannot begin with `start`; Failure(Usage) if a
+    /// piece was chosen, whose points have other numbers.
+    void requireStartFits(const PointSet& points, const GivenStart& start) const;
+
+    /// Reads the piece that the options choose; then prints what was kept to stderr, if messages
+    /// are wanted. Throws Failure.
+    PointFile read(const ProgressLine& line) const;
+    /// Reads and prepares, with the line of progress. Throws Failure.
+    PreparedInput prepare(ProgressLine& line) const;
+    /// Prepares what read() has returned. Throws Failure.
+    PreparedInput prepare(PointFile file, ProgressLine& line) const;
+    /// As another run, by another spec.
+    PreparedInput prepare(PointFile file, const RunSpec& spec, ProgressLine& line) const;
+
+  private:
+    std::string input_;
+    std::string startFile_;
+    SpecOptions options_;
+};
 
 }  // namespace se::cli

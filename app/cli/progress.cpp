@@ -1,5 +1,7 @@
 #include "progress.h"
 
+#include "spiraling_edge/spec/run_spec.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,6 +10,10 @@
 #include "spiraling_edge/base/outside_text.h"
 
 namespace se::cli {
+
+std::string nameOfInput(const std::string& input) {
+    return isStandardInput(input) ? "standard input" : input;
+}
 
 namespace {
 

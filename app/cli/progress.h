@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "exit_code.h"
-#include "input.h"
 
 namespace se::cli {
+
+/// Name of an input in messages: "standard input" for -.
+std::string nameOfInput(const std::string& input);
 
 /// Writes to stderr if that is a terminal, at most ten times a second, and erases the line at the
 /// end.

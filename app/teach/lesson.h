@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/types.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se::teach {
 
@@ -47,23 +48,6 @@ struct NamedPoint {
     std::string name;
     Index point = kNone;
     friend bool operator==(const NamedPoint&, const NamedPoint&) = default;
-};
-
-/// Neighbor lists of the input, as `options` of a session file.
-struct LessonOptions {
-    std::size_t neighbors = 0;  ///< 0: as without the option.
-    double radius = 0.0;
-    double reach = 0.0;
-    bool symmetric = false;
-    friend bool operator==(const LessonOptions&, const LessonOptions&) = default;
-};
-
-/// Rules and overrides of a run.
-struct LessonRules {
-    std::string set;                   ///< Empty: `paper`, or that of the lesson.
-    std::vector<std::string> rule;     ///< NAME=VALUE
-    std::vector<std::string> whatIfs;  ///< Lines as of --what-if.
-    bool empty() const { return set.empty() && rule.empty() && whatIfs.empty(); }
 };
 
 /// Playback from the position of a step to its `until`.
@@ -113,7 +97,8 @@ struct LessonStep {
     std::string at;                 ///< Empty: as the step before.
     std::string until;
     std::string expect;                  ///< Outcome of the decision at `at`, as outcomeText().
-    LessonRules rules;                   ///< Of this step alone.
+    /// Set, single rules and what-ifs of this step alone, as they are written.
+    SpecChange rules;
     std::vector<std::string> compare;    ///< Words in which another run differs, as of --with.
     std::vector<std::string> select;     ///< One point, or two or three of an edge or triangle.
     std::string camera;                  ///< JSON as Ctrl+C copies it.
@@ -133,8 +118,8 @@ struct Lesson {
     std::string hash;   ///< "fnv1a64:..." of all bytes of the file.
     KeyLines lines;
     std::string input;
-    LessonOptions options;
-    LessonRules rules;
+    SpecChange options;  ///< Neighbor lists of the input.
+    SpecChange rules;    ///< As those of a step.
     std::vector<NamedPoint> names;
     std::string view;
     std::string layout;

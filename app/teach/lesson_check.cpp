@@ -197,7 +197,7 @@ class StepCheck {
             cursor_ = cursor.value();
             return true;
         }
-        if (!step_.rules.whatIfs.empty())
+        if (!textOf(step_.rules, "what_if").empty())
             return malformed(step_.lines, "what_if", cursor.error().message);
         return malformed(inputLines(), "input", cursor.error().message);
     }
@@ -267,11 +267,12 @@ class StepCheck {
 
     /// Finds the run that the step compares.
     bool openCompared() {
-        const Result<RunSettings> settings = runSettings(setting_);
-        if (!settings) return malformed(step_.lines, "rules", settings.error().message);
-        const Result<RunSettings> other = comparedSettings(settings.value(), step_.compare);
-        if (!other) return malformed(step_.lines, "compare", other.error().message);
-        const Result<RunCursor*> b = runs_.cursorOf(setting_, other.value());
+        const Result<RunSpec> spec = runSpec(setting_);
+        if (!spec) return malformed(step_.lines, "rules", spec.error().message);
+        const Result<SpecChange> change = changeFromWords(step_.compare);
+        if (!change) return malformed(step_.lines, "compare", change.error().message);
+        const Result<RunCursor*> b =
+            runs_.cursorOf(setting_, otherRun(spec.value(), change.value()));
         if (!b) return malformed(step_.lines, "compare", b.error().message);
         compared_ = b.value();
         return true;

@@ -79,13 +79,20 @@ bool readSwitch(const toml::node& node, Target& target) {
     target.*Member = node.as_boolean()->get();
     return true;
 }
-template <auto Member, typename Target>
-bool readRules(const toml::node& node, Target& target) {
-    return isText(node, (target.*Member).set);
+/// Values of a field of the run, as words.
+bool addWords(const toml::node& node, std::string_view key, SpecChange& change) {
+    std::vector<std::string> words;
+    if (!areWords(node, words)) return false;
+    for (std::string& each : words) change.push_back({findSpecField(key), std::move(each)});
+    return true;
 }
-template <auto Member, typename Target>
+template <typename Target>
+bool readRules(const toml::node& node, Target& target) {
+    return node.is_string() && addWords(node, "rules", target.rules);
+}
+template <typename Target>
 bool readRule(const toml::node& node, Target& target) {
-    return areWords(node, (target.*Member).rule);
+    return addWords(node, "switches", target.rules);
 }
 
 template <auto Member, typename Target>
@@ -104,7 +111,7 @@ bool readVersion(const toml::node& node, Lesson&) {
 }
 
 bool readWhatIfs(const toml::node& node, LessonStep& step) {
-    return areWords(node, step.rules.whatIfs);
+    return addWords(node, "what_if", step.rules);
 }
 
 /// Lists of words of the text and the claims for them.
@@ -173,8 +180,8 @@ constexpr std::array kLessonKeys{
     KeyRow<Lesson>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
                    readText<&Lesson::input>},
     KeyRow<Lesson>{"options", "a table of neighbors, radius, reach and symmetric", readOptions},
-    KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<&Lesson::rules>},
-    KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<&Lesson::rules>},
+    KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<Lesson>},
+    KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<Lesson>},
     KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", readNames<&Lesson::names>},
     KeyRow<Lesson>{"view", "the name of a view", readText<&Lesson::view>},
     KeyRow<Lesson>{"layout", "the name of a layout", readText<&Lesson::layout>},
@@ -197,8 +204,8 @@ constexpr std::array kStepKeys{
                        readText<&LessonStep::input>},
     KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",
                        readNames<&LessonStep::names>},
-    KeyRow<LessonStep>{"rules", "the name of a set of rules", readRules<&LessonStep::rules>},
-    KeyRow<LessonStep>{"rule", "a list of NAME=VALUE", readRule<&LessonStep::rules>},
+    KeyRow<LessonStep>{"rules", "the name of a set of rules", readRules<LessonStep>},
+    KeyRow<LessonStep>{"rule", "a list of NAME=VALUE", readRule<LessonStep>},
     KeyRow<LessonStep>{"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
     KeyRow<LessonStep>{"compare", "the options in which the other run differs", readCompare},
     KeyRow<LessonStep>{"select", "one to three points", readWords<&LessonStep::select>},
@@ -224,30 +231,30 @@ constexpr std::array kAskKeys{
     KeyRow<Question>{"unchecked", "true or false", readSwitch<&Question::unchecked>},
 };
 
-bool readNeighbors(const toml::node& node, LessonOptions& options) {
-    constexpr std::int64_t kMost = 1'000'000;
-    if (!node.is_integer()) return false;
-    const std::int64_t count = node.as_integer()->get();
-    options.neighbors = static_cast<std::size_t>(std::clamp<std::int64_t>(count, 0, kMost));
-    return count > 0 && count <= kMost;
+/// A value as the text of an option; nothing if it has another type than the field.
+std::optional<std::string> textOf(const toml::node& node, const SpecField& field) {
+    std::string text;
+    double number = 0.0;
+    if (field.type == SpecType::Switch && node.is_boolean())
+        return node.as_boolean()->get() ? "on" : "off";
+    if (field.type == SpecType::Whole && node.is_integer())
+        return std::to_string(node.as_integer()->get());
+    if (field.type != SpecType::Number || !isNumber(node, number)) return std::nullopt;
+    appendPlainNumber(text, number);
+    return text;
 }
-
-constexpr std::array kOptionKeys{
-    KeyRow<LessonOptions>{"neighbors", "a whole number from 1 on", readNeighbors},
-    KeyRow<LessonOptions>{"radius", "a number", readNumber<&LessonOptions::radius>},
-    KeyRow<LessonOptions>{"reach", "a number", readNumber<&LessonOptions::reach>},
-    KeyRow<LessonOptions>{"symmetric", "true or false", readSwitch<&LessonOptions::symmetric>},
-};
 
 bool readOptions(const toml::node& node, Lesson& lesson) {
     if (!node.is_table()) return false;
-    const toml::table& table = *node.as_table();
-    return std::all_of(table.begin(), table.end(), [&](const auto& each) {
-        const auto row = std::find_if(
-            kOptionKeys.begin(), kOptionKeys.end(),
-            [&](const KeyRow<LessonOptions>& key) { return key.name == each.first.str(); });
-        return row != kOptionKeys.end() && row->read(each.second, lesson.options);
-    });
+    for (const auto& [key, value] : *node.as_table()) {
+        const SpecField* field = findSpecField(key.str());
+        const bool isList = field != nullptr && field->group == SpecGroup::Lists;
+        const auto text = isList ? textOf(value, *field) : std::nullopt;
+        RunSpec spec;
+        if (!text || !setField(*field, spec, *text)) return false;
+        lesson.options.push_back({field, *text});
+    }
+    return true;
 }
 
 /// Number of letters to add, remove or change to make one word of the other.

@@ -19,10 +19,8 @@
 namespace se::teach {
 namespace {
 
-constexpr std::string_view kScene = "scene:";
-
 Result<PointFile> buildSceneOf(const std::string& source) {
-    const Scene* scene = findScene(source.substr(kScene.size()));
+    const Scene* scene = findScene(source.substr(kScenePrefix.size()));
     if (scene == nullptr)
         return Error{excerpt(source) + ": no such scene; spiraling-edge scenes lists them"};
     return scene->build();
@@ -63,18 +61,9 @@ Status goToShare(RunCursor& cursor, double share) {
     return success();
 }
 
-std::string reachKey(const KNearest& reach) { return std::to_string(reach.k); }
-std::string reachKey(const WithinRadius& reach) { return sixDigits(reach.radius); }
-std::string reachKey(const WithinSpacings& reach) { return sixDigits(reach.spacings); }
-
-std::string settingsKey(const RunSettings& settings) {
-    std::string key = settings.rules;
-    for (const RuleValue& each : settings.choices) key += ' ' + lineOf(each);
-    for (const WhatIf& each : settings.whatIf) key += '\n' + lineOf(each);
-    const NeighborOptions& lists = settings.prepare.neighbors;
-    key += '\n' + std::to_string(lists.reach.index()) + (lists.symmetric ? " symmetric " : " ") +
-           std::to_string(lists.recompute);
-    std::visit([&](const auto& reach) { key += ' ' + reachKey(reach); }, lists.reach);
+std::string keyOf(const RunSpec& spec) {
+    std::string key;
+    for (const auto& [field, text] : valuesOf(spec)) key.append(field->key).append(text + '\n');
     return key;
 }
 
@@ -109,24 +98,25 @@ Result<std::string> pointsSource(std::string source) {
 Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit) {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
-    if (input.value().starts_with(kScene)) return buildSceneOf(input.value());
+    if (input.value().starts_with(kScenePrefix)) return buildSceneOf(input.value());
     if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
     return readPoints(std::filesystem::path(input.value()), limit);
 }
 
 std::string lessonSource(const std::string& input, const std::filesystem::path& folder) {
-    if (input.starts_with(kScene) || practiceSeed(input)) return input;
+    if (input.starts_with(kScenePrefix) || practiceSeed(input)) return input;
     return (folder / input).lexically_normal().string();
 }
 
 Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source,
-                               const RunSettings& settings) {
-    Result<Params> params = paramsOf(settings);
+                               RunSpec spec) {
+    spec.source = source;
+    Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
-    Result<Prepared> prepared = prepare(file, prepareOptionsFor(settings.prepare, params.value()));
+    const Result<PrepareOptions> options = prepareOptionsOf(spec, params.value(), file);
+    if (!options) return Error{source + ": " + options.error().message};
+    Result<Prepared> prepared = prepare(file, options.value());
     if (!prepared) return Error{source + ": " + prepared.error().message};
-    if (source.starts_with(kScene))
-        params.value().start = startOfScene(std::string_view(source).substr(kScene.size()));
     const Status possible = requireWhatIfs(prepared.value().points, params.value());
     if (!possible) return possible.error();
     return PreparedRun{SharedPoints(std::move(prepared.value().points)), std::move(params.value())};
@@ -152,21 +142,21 @@ LessonRuns::LessonRuns(std::filesystem::path folder, const ByteLimit& limit)
     : folder_(std::move(folder)), limit_(limit) {}
 
 Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting) {
-    const Result<RunSettings> settings = runSettings(setting);
-    if (!settings) return settings.error();
-    return cursorOf(setting, settings.value());
+    const Result<RunSpec> spec = runSpec(setting);
+    if (!spec) return spec.error();
+    return cursorOf(setting, spec.value());
 }
 
-Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSettings& settings) {
+Result<RunCursor*> LessonRuns::cursorOf(const StepSetting& setting, const RunSpec& spec) {
     const std::string source = lessonSource(setting.input, folder_);
-    const std::string key = source + '\n' + settingsKey(settings);
+    const std::string key = source + '\n' + keyOf(spec);
     if (const auto known = cursors_.find(key); known != cursors_.end()) return known->second.get();
     if (files_.count(source) == 0) {
         Result<PointFile> file = readLessonPoints(source, limit_);
         if (!file) return file.error();
         files_.emplace(source, std::move(file.value()));
     }
-    Result<PreparedRun> run = prepareRun(files_.at(source), source, settings);
+    Result<PreparedRun> run = prepareRun(files_.at(source), source, spec);
     if (!run) return run.error();
     auto cursor = std::make_unique<RunCursor>(run.value().points, run.value().params);
     return cursors_.emplace(key, std::move(cursor)).first->second.get();

@@ -32,10 +32,10 @@ struct PreparedRun {
     Params params;
 };
 
-/// Prepares points for a run; `source` tells the start that a scene begins with. Fails as
+/// Prepares points of `source` for a run of `spec` on them. Fails as
 /// prepare(), if there is no such set or rule, or if a what-if has no effect.
 Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source,
-                               const RunSettings& settings);
+                               RunSpec spec);
 
 /// Moves `cursor` to an address, a share such as "50%", or "0", the start. Otherwise a sentence
 /// such as "pivot 9 has 4 decisions of sphere, not 5"; the cursor stays.
@@ -50,7 +50,7 @@ class LessonRuns {
     /// The cursor of the run of a setting; valid as long as this object. Fails as prepareRun().
     Result<RunCursor*> cursorOf(const StepSetting& setting);
     /// As cursorOf(), with other settings for the same input.
-    Result<RunCursor*> cursorOf(const StepSetting& setting, const RunSettings& settings);
+    Result<RunCursor*> cursorOf(const StepSetting& setting, const RunSpec& spec);
 
   private:
     std::filesystem::path folder_;

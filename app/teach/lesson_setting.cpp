@@ -1,8 +1,8 @@
 #include "lesson_setting.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <utility>
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/scenes/figures.h"
@@ -10,11 +10,9 @@
 namespace se::teach {
 namespace {
 
-constexpr std::string_view kSceneWord = "scene:";
-
 /// The figure that an input is of; null if it is of none.
 const Figure* figureOf(std::string_view input) {
-    return input.starts_with(kSceneWord) ? figureOfScene(input.substr(kSceneWord.size())) : nullptr;
+    return input.starts_with(kScenePrefix) ? figureOfScene(input.substr(kScenePrefix.size())) : nullptr;
 }
 
 /// The names of the figure that an input is of; empty if it is of none.
@@ -29,7 +27,7 @@ std::vector<NamedPoint> figureNames(std::string_view input) {
 
 std::string firstPlace(std::string_view input) {
     const std::string_view address =
-        input.starts_with(kSceneWord) ? addressOfScene(input.substr(kSceneWord.size())) : "";
+        input.starts_with(kScenePrefix) ? addressOfScene(input.substr(kScenePrefix.size())) : "";
     return address.empty() ? "0" : std::string(address);
 }
 
@@ -42,66 +40,10 @@ void openInput(StepSetting& setting, const std::string& input,
 }
 
 /// Rules of a step in addition to those of the lesson; a set replaces them.
-LessonRules added(LessonRules rules, const LessonRules& step) {
-    if (!step.set.empty()) rules = {};
-    if (!step.set.empty()) rules.set = step.set;
-    rules.rule.insert(rules.rule.end(), step.rule.begin(), step.rule.end());
-    rules.whatIfs.insert(rules.whatIfs.end(), step.whatIfs.begin(), step.whatIfs.end());
+SpecChange added(SpecChange rules, const SpecChange& step) {
+    if (!textOf(step, "rules").empty()) rules.clear();
+    rules.insert(rules.end(), step.begin(), step.end());
     return rules;
-}
-
-// ---- words of another run ----
-
-Status setRules(RunSettings& settings, const std::string& value) {
-    if (!paramsByName(value)) return Error{"--rules " + excerpt(value) + ": no such set of rules"};
-    settings.rules = value;
-    settings.choices.clear();
-    return success();
-}
-Status setRule(RunSettings& settings, const std::string& value) {
-    const Result<RuleValue> rule = ruleValueFromText(value);
-    if (!rule) return Error{"--rule " + excerpt(value) + ": " + rule.error().message};
-    settings.choices.push_back(rule.value());
-    return success();
-}
-Status setWhatIf(RunSettings& settings, const std::string& value) {
-    const Result<WhatIf> whatIf = whatIfFromText(value);
-    if (!whatIf) return Error{"--what-if: " + whatIf.error().message};
-    settings.whatIf.push_back(whatIf.value());
-    return success();
-}
-Status setNeighbors(RunSettings& settings, const std::string& value) {
-    const auto count = numberIn<std::uint32_t>(value);
-    if (!count || *count == 0) return Error{"--neighbors: expected a whole number from 1 on"};
-    settings.prepare.neighbors.reach = KNearest{*count};
-    settings.prepare.neighbors.recompute = true;
-    return success();
-}
-Status setReach(RunSettings& settings, const std::string& value) {
-    const auto reach = numberIn<double>(value);
-    if (!reach || !(*reach > 0.0)) return Error{"--reach: expected a number above 0"};
-    settings.prepare.neighbors.reach = WithinSpacings{*reach};
-    settings.prepare.neighbors.recompute = true;
-    return success();
-}
-
-/// An option of another run: a new one is a function and a row.
-struct ComparedOption {
-    std::string_view word;
-    Status (*set)(RunSettings&, const std::string& value);
-};
-constexpr std::array kComparedOptions{
-    ComparedOption{"--rules", setRules},    ComparedOption{"--rule", setRule},
-    ComparedOption{"--what-if", setWhatIf}, ComparedOption{"--neighbors", setNeighbors},
-    ComparedOption{"-k", setNeighbors},     ComparedOption{"--reach", setReach},
-};
-
-void applyOptions(const LessonOptions& options, NeighborOptions& lists) {
-    if (options.neighbors > 0) lists.reach = KNearest{options.neighbors};
-    if (options.radius > 0.0) lists.reach = WithinRadius{options.radius};
-    if (options.reach > 0.0) lists.reach = WithinSpacings{options.reach};
-    lists.symmetric = options.symmetric;
-    lists.recompute = options.neighbors > 0 || options.radius > 0.0 || options.reach > 0.0;
 }
 
 }  // namespace
@@ -109,7 +51,6 @@ void applyOptions(const LessonOptions& options, NeighborOptions& lists) {
 StepSetting settingOf(const Lesson& lesson, std::size_t step) {
     assert(step < lesson.steps.size());
     StepSetting setting;
-    setting.options = lesson.options;
     setting.view = lesson.view;
     openInput(setting, lesson.input, lesson.names);
     for (std::size_t i = 0; i <= step; ++i) {
@@ -117,7 +58,7 @@ StepSetting settingOf(const Lesson& lesson, std::size_t step) {
         if (!setting.answerPlace.empty()) setting.at = setting.answerPlace;
         if (!each.input.empty()) openInput(setting, each.input, each.names);
         if (!each.input.empty()) setting.view.clear();
-        setting.rules = added(lesson.rules, each.rules);
+        setting.run = added(lesson.rules, each.rules);
         if (!each.view.empty()) setting.view = each.view;
         if (!each.at.empty()) setting.at = each.at;
         setting.answerPlace = each.until;
@@ -125,6 +66,10 @@ StepSetting settingOf(const Lesson& lesson, std::size_t step) {
         if (!each.question->at.empty()) setting.at = each.question->at;
         setting.answerPlace = each.question->until;
     }
+    setting.run.insert(setting.run.end(), lesson.options.begin(), lesson.options.end());
+    std::stable_sort(
+        setting.run.begin(), setting.run.end(),
+        [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });
     return setting;
 }
 
@@ -136,30 +81,11 @@ std::optional<Vec3> viewDirection(const StepSetting& setting) {
     return figure != nullptr ? std::optional(figure->view) : std::nullopt;
 }
 
-Result<RunSettings> runSettings(const StepSetting& setting) {
-    RunSettings settings;
-    std::vector<std::string> words;
-    if (!setting.rules.set.empty()) words = {"--rules", setting.rules.set};
-    for (const std::string& each : setting.rules.rule) words.insert(words.end(), {"--rule", each});
-    for (const std::string& each : setting.rules.whatIfs)
-        words.insert(words.end(), {"--what-if", each});
-    applyOptions(setting.options, settings.prepare.neighbors);
-    return comparedSettings(std::move(settings), words);
-}
-
-Result<RunSettings> comparedSettings(RunSettings settings, const std::vector<std::string>& words) {
-    for (std::size_t i = 0; i < words.size(); i += 2) {
-        const auto option =
-            std::find_if(kComparedOptions.begin(), kComparedOptions.end(),
-                         [&](const ComparedOption& each) { return each.word == words[i]; });
-        if (option == kComparedOptions.end())
-            return Error{excerpt(words[i]) +
-                         ": expected --rules, --rule, --what-if, --neighbors or --reach"};
-        if (i + 1 == words.size()) return Error{excerpt(words[i]) + ": its value is missing"};
-        const Status set = option->set(settings, words[i + 1]);
-        if (!set) return set.error();
-    }
-    return settings;
+Result<RunSpec> runSpec(const StepSetting& setting) {
+    RunSpec spec;
+    spec.source = setting.input;
+    const Status valid = applyChange(setting.run, spec);
+    return valid ? Result<RunSpec>(std::move(spec)) : valid.error();
 }
 
 std::vector<PointName> pointNames(const std::vector<NamedPoint>& names) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lesson.h"
-#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/points/point_name.h"
 
 namespace se::teach {
@@ -15,8 +14,7 @@ namespace se::teach {
 /// Input, rules and position at a step.
 struct StepSetting {
     std::string input;  ///< As in the lesson: scene:ID, or a path relative to its folder.
-    LessonOptions options;
-    LessonRules rules;
+    SpecChange run;      ///< Options and rules, as they are written.
     std::vector<NamedPoint> names;  ///< Those of the lesson, or of the figure.
     std::string view;  ///< By name; empty: viewDirection() has that of the figure, if there is one.
     std::string at;    ///< Position: that of the question while it is open. "0": the start.
@@ -26,12 +24,8 @@ struct StepSetting {
 /// The setting of step number `step`, from 0. Requires such a step.
 StepSetting settingOf(const Lesson& lesson, std::size_t step);
 
-/// The settings of its run. Fails if there is no such set or rule, or a what-if is malformed.
-Result<RunSettings> runSettings(const StepSetting& setting);
-
-/// `settings` changed by the words of `compare`: --rules SET, --rule NAME=VALUE, --what-if LINE,
-/// --neighbors N, --reach X. Fails with the word that is not understood.
-Result<RunSettings> comparedSettings(RunSettings settings, const std::vector<std::string>& words);
+/// The spec of its run. Fails if there is no such set or rule, or a what-if is malformed.
+Result<RunSpec> runSpec(const StepSetting& setting);
 
 /// The direction to look from, from the points to the eye; nothing if the lesson leaves it open.
 std::optional<Vec3> viewDirection(const StepSetting& setting);

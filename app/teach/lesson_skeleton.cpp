@@ -135,18 +135,21 @@ void addList(std::string& text, std::string_view key, const std::vector<std::str
     text += std::string(key) + " = [" + list + "]\n";
 }
 
-void addOptions(std::string& text, const LessonOptions& options) {
-    if (options == LessonOptions{}) return;
+/// The texts of a field of the run.
+std::vector<std::string> textsOf(const RunSpec& spec, std::string_view key) {
+    return findSpecField(key)->texts(spec);
+}
+
+/// `options = { neighbors = 16 }`; nothing for the lists of the input.
+void addOptions(std::string& text, const RunSpec& spec) {
     std::string list;
-    const auto add = [&](std::string_view key, double value) {
-        list += (list.empty() ? "" : ", ") + std::string(key) + " = ";
-        appendPlainNumber(list, value);
-    };
-    if (options.neighbors > 0) add("neighbors", static_cast<double>(options.neighbors));
-    if (options.radius > 0.0) add("radius", options.radius);
-    if (options.reach > 0.0) add("reach", options.reach);
-    if (options.symmetric) list += list.empty() ? "symmetric = true" : ", symmetric = true";
-    text += "options = { " + list + " }\n";
+    for (const auto& [field, value] : valuesOf(spec)) {
+        if (field->group != SpecGroup::Lists) continue;
+        const bool on = field->type == SpecType::Switch;
+        list.append(list.empty() ? "" : ", ").append(field->key).append(" = ");
+        list += on ? "true" : value;
+    }
+    if (!list.empty()) text += "options = { " + list + " }\n";
 }
 
 /// A heading is one line without marks of its own.
@@ -159,17 +162,16 @@ std::string headingOf(const NotedPosition& position) {
 
 }  // namespace
 
-std::string lessonOfNotes(const std::string& input, const LessonOptions& options,
-                          const LessonRules& rules, const std::string& intro,
+std::string lessonOfNotes(const std::string& input, const RunSpec& spec, const std::string& intro,
                           const std::vector<NotedPosition>& notes) {
     assert(!notes.empty());
     std::string text = "# A lesson on " + printable(input) + "\n\n";
     addFence(text, "se lesson");
     text += "version = 1\n";
     addKey(text, "input", escaped(input));
-    addOptions(text, options);
-    if (!rules.set.empty()) addKey(text, "rules", rules.set);
-    addList(text, "rule", rules.rule);
+    addOptions(text, spec);
+    if (spec.rules != RunSpec{}.rules) addKey(text, "rules", spec.rules);
+    addList(text, "rule", textsOf(spec, "switches"));
     text += "```\n";
     if (!intro.empty()) text += "\n" + intro + "\n";
     for (const NotedPosition& each : notes) {
@@ -177,7 +179,7 @@ std::string lessonOfNotes(const std::string& input, const LessonOptions& options
         addFence(text, "se step");
         addKey(text, "at", each.address);
         if (!each.camera.empty()) text += "camera = '" + each.camera + "'\n";
-        addList(text, "what_if", rules.whatIfs);
+        addList(text, "what_if", textsOf(spec, "what_if"));
         text += "```\n";
     }
     return text;

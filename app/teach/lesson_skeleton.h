@@ -20,8 +20,7 @@ struct NotedPosition {
 };
 
 /// The text of a lesson with a step for each position, in their order. Requires a position.
-std::string lessonOfNotes(const std::string& input, const LessonOptions& options,
-                          const LessonRules& rules, const std::string& intro,
+std::string lessonOfNotes(const std::string& input, const RunSpec& spec, const std::string& intro,
                           const std::vector<NotedPosition>& notes);
 
 }  // namespace se::teach

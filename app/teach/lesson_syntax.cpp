@@ -109,7 +109,7 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
     if (!step.camera.empty() && !camera) faults.add("camera", camera.error().message);
     if (step.play && step.until.empty()) faults.add("play", "needs until, where it ends");
     if (!step.compare.empty()) {
-        const Result<RunSettings> other = comparedSettings({}, step.compare);
+        const Result<SpecChange> other = changeFromWords(step.compare);
         if (!other) faults.add("compare", other.error().message);
     }
     for (const LessonLink& link : step.links) {
@@ -145,11 +145,11 @@ std::vector<LessonFault> syntaxFaults(const Lesson& lesson) {
     faults.oneOf("layout", lesson.layout, kLayouts);
     for (const LessonStep& step : lesson.steps) checkStep(step, all);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const Result<RunSettings> settings = runSettings(settingOf(lesson, i));
-        if (settings) continue;
+        const Result<RunSpec> spec = runSpec(settingOf(lesson, i));
+        if (spec) continue;
         const KeyLines& lines =
             lesson.steps[i].rules.empty() ? lesson.lines : lesson.steps[i].lines;
-        all.push_back({FaultSort::Malformed, lines.of("rules"), "rules", settings.error().message});
+        all.push_back({FaultSort::Malformed, lines.of("rules"), "rules", spec.error().message});
         break;
     }
     return all;

@@ -112,13 +112,4 @@ Result<GivenStart> readStartFile(const std::string& path) {
     return bytes ? startFromText(bytes.value(), path) : Result<GivenStart>(bytes.error());
 }
 
-std::string startText(const GivenStart& start) {
-    StartJson json = StartJson::object();
-    for (const Triangle& t : start.triangles) json["triangles"].push_back({t.a, t.b, t.c});
-    if (!start.rings.empty()) json["rings"] = start.rings;
-    if (!start.done.empty()) json["done"] = start.done;
-    for (const RingStep& step : start.open) json["open"].push_back({step.from, step.to});
-    return json.dump();
-}
-
 }  // namespace se::teach

@@ -15,7 +15,4 @@ Result<GivenStart> startFromText(std::string_view text, const std::string& name)
 /// As startFromText(), of a file.
 Result<GivenStart> readStartFile(const std::string& path);
 
-/// JSON of a start in one line, which startFromText() reads.
-std::string startText(const GivenStart& start);
-
 }  // namespace se::teach

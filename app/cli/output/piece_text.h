@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "piece_input.h"
+#include "input.h"
 
 namespace se::cli {
 

@@ -242,7 +242,7 @@ std::string endingSentence(const RunOutcome& outcome) {
 }
 
 /// The size of a given start; null without one.
-Json startJson(const GivenStart& start) {
+Json startSizes(const GivenStart& start) {
     if (start.empty()) return {};
     return {{"triangles", start.triangles.size()},
             {"rings", start.rings.size()},
@@ -291,7 +291,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["best"] = outcome.trials ? trialsJson(*outcome.trials) : Json();
     json["what_if"] = Json::array();
     for (const WhatIf& each : outcome.params.whatIf) json["what_if"].push_back(lineOf(each));
-    json["start"] = startJson(outcome.params.start);
+    json["start"] = startSizes(outcome.params.start);
     json["run_hash"] = fmt::format("{:016x}", runHash(outcome.state, outcome.params));
     json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
     addAlerts(outcome.state.alerts, json);

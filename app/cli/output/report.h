@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "piece_input.h"
+#include "input.h"
 #include "spiraling_edge/explain/trial.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/prepare.h"

@@ -15,17 +15,19 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// "--rules robust, on the points of doctor --fix OUT.ply --drop noise". Requires a change.
-std::string optionsText(const SettingsChange& change) {
-    assert(change != SettingsChange{});
+std::string insteadText(const SpecChange& change) {
+    assert(!change.empty());
     std::string text = fmt::format("{}", fmt::join(optionsOf(change), " "));
-    if (change.drop.empty()) return text;
+    const std::string_view drop = textOf(change, "doctor");
+    if (drop.empty()) return text;
     return fmt::format("{}on the points of doctor --fix OUT.ply --drop {}",
-                       text.empty() ? "" : text + ", ", change.drop);
+                       text.empty() ? "" : text + ", ", drop);
 }
 
 Json trialJson(const Trial& trial) {
     Json json = {{"options", optionsOf(trial.change)}};
-    json["drop"] = trial.change.drop.empty() ? Json() : Json(trial.change.drop);
+    const std::string_view drop = textOf(trial.change, "doctor");
+    json["drop"] = drop.empty() ? Json() : Json(drop);
     json["work"] = trial.work;
     json["verdict"] = verdictJson(trial.verdict);
     return json;
@@ -43,7 +45,7 @@ std::string trialsText(const Trials& trials) {
         line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
         line("before", describe(first.verdict));
     if (trials.best == 0) return text + line("best", "as given; no change is better");
-    text += line("best", describe(best.verdict)) + line("instead", optionsText(best.change));
+    text += line("best", describe(best.verdict)) + line("instead", insteadText(best.change));
     const std::string losses = lossesText(best.verdict, first.verdict);
     return losses.empty() ? text : text + line("but", losses);
 }

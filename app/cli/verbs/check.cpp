@@ -14,7 +14,6 @@
 #include "output/output.h"
 #include "output/sentences.h"
 #include "output/verdict_text.h"
-#include "piece_input.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -31,11 +30,7 @@ using Json = nlohmann::ordered_json;
 struct CheckArguments {
     std::string mesh;
     std::string cloud;
-    PieceArguments piece;
-    RuleArguments rules;
-    NeighborArguments neighbors;
-    DerivedArguments derived;
-    std::vector<const CLI::Option*> preparing;  ///< Those of the four.
+    SpecOptions run;  ///< Those of the run, which prepare the points.
     ByteLimit limit;
     std::vector<std::string> allowed;
     bool json = false;
@@ -54,13 +49,9 @@ struct CheckArguments {
                "lost points are listed; with the options of the run, they are prepared as it "
                "prepared them, so that those it set aside are not listed")
             ->type_name("CLOUD");
-        const std::size_t before = app.get_options().size();
-        piece.addTo(app);
-        rules.addSetTo(app);
-        neighbors.addTo(app);
-        derived.addTo(app);
-        const std::vector<CLI::Option*> options = app.get_options();
-        preparing.assign(options.begin() + static_cast<std::ptrdiff_t>(before), options.end());
+        for (const char* key : {"crop", "thin", "rules", "switches"})
+            run.addTo(app, *findSpecField(key));
+        run.addTo(app, {SpecGroup::Lists, SpecGroup::Derived});
         addByteLimit(app, limit);
         app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
             ->type_name("CLASS")
@@ -80,9 +71,13 @@ struct CheckArguments {
     }
 
     /// True if an option of the run was given.
-    bool prepares() const {
-        return std::any_of(preparing.begin(), preparing.end(),
-                           [](const CLI::Option* option) { return option->count() > 0; });
+    bool prepares() const { return !run.given().empty(); }
+    /// The points, prepared as in the run. Throws Failure(Usage).
+    RunSpec spec() const {
+        RunSpec spec = specOf(run.given());
+        spec.source = cloud;
+        spec.maxBytes = limit.bytes;
+        return spec;
     }
     void validate() const {
         if (mesh == kStandardInput && cloud == kStandardInput)
@@ -108,9 +103,9 @@ struct CheckArguments {
 PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
     const auto judge = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
-        const Params params = paramsFrom(arguments.rules, arguments.neighbors);
-        const PrepareOptions options =
-            prepareOptionsFrom(params, arguments.neighbors, arguments.derived, file);
+        const RunSpec spec = arguments.spec();
+        const Params params = paramsFrom(spec);
+        const PrepareOptions options = prepareOptionsFrom(spec, params, file);
         const Result<Prepared> prepared = prepare(file, options);
         if (!prepared) return prepared.error();
         const auto made = judgeFor(file, options, prepared.value().points);
@@ -262,7 +257,7 @@ ExitCode checkVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const Piece piece = arguments.piece.piece();
+    const RunSpec spec = arguments.spec();
     const PointFile mesh = readInput(arguments.mesh, arguments.limit);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
@@ -274,7 +269,7 @@ ExitCode checkVerb(const Arguments& words) {
                         arguments.mesh, shellPath(arguments.mesh)));
     const bool alone = arguments.cloud.empty();
     const PointFile cloud =
-        alone ? PointFile{} : readPiece(arguments.cloud, piece, arguments.limit).file;
+        alone ? PointFile{} : readPiece(spec).file;
     const PointFile& file = alone ? mesh : cloud;
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);

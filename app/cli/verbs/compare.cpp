@@ -45,21 +45,21 @@ struct CompareArguments {
 };
 
 /// A and B as two runs.
-Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& other,
+Comparison compareTwoRuns(const CompareArguments& arguments, const RunSpec& other,
                           ProgressLine& line) {
     const std::string& input = arguments.input.input();
     // Read once: standard input cannot be read a second time.
     const PointFile file = arguments.input.read(line);
     const PreparedInput a = arguments.input.prepare(file, line);
-    const PreparedInput b = other.input().prepare(file, line);
+    const PreparedInput b = arguments.input.prepare(file, other, line);
     RunComparison runs = runWithProgress("comparing", input, line, [&](const Progress& progress) {
         return compareRuns({a.points, a.params}, {b.points, b.params}, progress);
     });
     MeshDifference meshes = compareMeshes(a.points.position, runs.a.triangles, runs.b.triangles);
     return {input,
             a.points.size(),
-            {titleOf(arguments.input), runs.a},
-            {titleOf(other.input()), runs.b},
+            {titleOf(arguments.input.spec()), runs.a},
+            {titleOf(other), runs.b},
             std::move(meshes),
             std::move(runs),
             {}};
@@ -85,7 +85,7 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
     other.triangles = std::move(matched.triangles);
     return {input,
             a.points.size(),
-            {titleOf(arguments.input), std::move(run)},
+            {titleOf(arguments.input.spec()), std::move(run)},
             {arguments.mesh, std::move(other)},
             std::move(meshes),
             std::nullopt,
@@ -106,7 +106,7 @@ ExitCode compareVerb(const Arguments& words) {
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
-    const ParsedInput other(optionsOfB(arguments.input, split.with));
+    const RunSpec other = specOfB(arguments.input.spec(), split.with);
     ProgressLine line(!arguments.quiet);
     const Comparison found =
         split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);

@@ -5,7 +5,7 @@
 
 #include "options.h"
 #include "output/output.h"
-#include "prepared_input.h"
+#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "teach/json_text.h"

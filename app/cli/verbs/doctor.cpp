@@ -11,7 +11,6 @@
 #include "output/output.h"
 #include "output/piece_text.h"
 #include "output/sentences.h"
-#include "piece_input.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
@@ -25,9 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct DoctorArguments {
-    std::string input;
-    PieceArguments piece;
-    ByteLimit limit;
+    InputArguments input;
     std::string fixed;
     std::vector<std::string> drop;
     bool json = false;
@@ -35,9 +32,7 @@ struct DoctorArguments {
     ForceOption force;
 
     void addTo(CLI::App& app) {
-        app.add_option("IN", input, "File with points, - or scene:ID")->required();
-        piece.addTo(app);
-        addByteLimit(app, limit);
+        input.addTo(app, {SpecGroup::Reading});
         auto* fix =
             addOutputOption(
                 app, "--fix", fixed,
@@ -66,7 +61,7 @@ struct DoctorArguments {
         if (fixed == "-" && json)
             throw Failure(ExitCode::Usage,
                           "--fix -: standard output takes the points or --json, not both");
-        force.require({{"", input}}, {{"--fix", fixed}});
+        force.require({{"", input.input()}}, {{"--fix", fixed}});
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
                 throw Failure(ExitCode::Usage,
@@ -195,7 +190,7 @@ void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
     throw Failure(
         ExitCode::CheckFailed,
         fmt::format("{}: {} not written: {}; {}, or add {} to write the rest",
-                    nameOfInput(arguments.input), arguments.fixed, most.error().message,
+                    nameOfInput(arguments.input.input()), arguments.fixed, most.error().message,
                     others.empty() ? "correct the file at its source" : others, kForceOption));
 }
 
@@ -215,14 +210,14 @@ ExitCode doctorVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const Piece piece = arguments.piece.piece();
+    const RunSpec spec = arguments.input.spec();
     ProgressLine line(!arguments.quiet);
-    const InputPiece read = readPiece(arguments.input, piece, arguments.limit);
+    const InputPiece read = readPiece(spec);
     const PointFile& file = read.file;
-    Visit visit{arguments.input,
-                shellPath(arguments.input) + pieceOptions(piece),
+    Visit visit{arguments.input.input(),
+                shellPath(spec.source) + optionsText(spec, {SpecGroup::Reading}),
                 read.points,
-                examineInput(file, arguments.input, line),
+                examineInput(file, arguments.input.input(), line),
                 arguments.fixed,
                 {},
                 {}};

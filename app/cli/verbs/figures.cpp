@@ -169,7 +169,7 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         const std::string path = (folder / input.name).string();
         writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
         if (!made.start.empty())
-            writeOutput(path + ".start.json", teach::startText(made.start) + "\n");
+            writeOutput(path + ".start.json", startJson(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
         printText(fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
                               input.shows));

@@ -12,7 +12,6 @@
 #include "output/output.h"
 #include "output/piece_text.h"
 #include "output/sentences.h"
-#include "piece_input.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/points/wall_types.h"
@@ -69,9 +68,9 @@ PointSet withSomeNormals(const PointFile& file) {
     return points;
 }
 
-Facts gather(const std::string& input, const Piece& piece, const ByteLimit& limit) {
+Facts gather(const RunSpec& spec) {
     Facts facts;
-    InputPiece read = readPiece(input, piece, limit);
+    InputPiece read = readPiece(spec);
     facts.file = std::move(read.file);
     facts.points = read.points;
     facts.box = boxAround(facts.file.position);
@@ -85,7 +84,7 @@ Facts gather(const std::string& input, const Piece& piece, const ByteLimit& limi
     options.reach = KNearest{1};
     Result<Prepared> prepared = prepare(facts.file, {options});
     if (!prepared && facts.file.hasNormals())
-        throw Failure(ExitCode::Input, input + ": " + prepared.error().message);
+        throw Failure(ExitCode::Input, spec.source + ": " + prepared.error().message);
     if (prepared) facts.prepared = prepared.value().report;
     if (facts.file.hasNormals()) points = std::move(prepared.value().points);
     std::vector<bool> usable(points.size());
@@ -214,16 +213,13 @@ std::string factsText(const std::string& input, const Facts& facts) {
 
 ExitCode infoVerb(const Arguments& words) {
     CLI::App app("Prints the content of a file.", "spiraling-edge info");
-    std::string input;
-    PieceArguments piece;
-    ByteLimit limit;
+    InputArguments arguments;
     bool json = false;
-    app.add_option("IN", input, "File with points, - or scene:ID")->required();
-    piece.addTo(app);
-    addByteLimit(app, limit);
+    arguments.addTo(app, {SpecGroup::Reading});
     app.add_flag("--json", json, "As JSON");
     if (const auto code = parseArguments(app, words)) return *code;
-    const Facts facts = gather(input, piece.piece(), limit);
+    const std::string& input = arguments.input();
+    const Facts facts = gather(arguments.spec());
     printText(json ? factsJson(input, facts) : factsText(input, facts));
     return ExitCode::Good;
 }

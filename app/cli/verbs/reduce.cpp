@@ -8,19 +8,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "failure_choice.h"
 #include "output/output.h"
-#include "output/rule_json.h"
 #include "output/sentences.h"
-#include "prepared_input.h"
+#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "teach/json_text.h"
+#include "spiraling_edge/spec/session_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -87,46 +85,6 @@ std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
     return places;
 }
 
-/// The options as shell words, as the user would type them. Those of a piece are left out: the
-/// reduced points are from the piece.
-std::string optionText(const InputArguments& input) {
-    std::string text;
-    for (const GivenOption& each : input.given()) {
-        if (each.name == "crop" || each.name == "thin") continue;
-        for (const std::string& word : each.words) text += " " + shellQuoted(word);
-    }
-    return text;
-}
-
-/// "auto", or the six numbers of the box.
-nlohmann::ordered_json boxJson(const std::string& text) {
-    if (text == "auto") return text;
-    const WallBox box = boxFromText(text);
-    return {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
-}
-
-/// Preparation options under their names in session files.
-void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) {
-    const PrepareOptions prepared = input.prepareOptions({});
-    const auto& reach = prepared.neighbors.reach;
-    if (const auto& scanner = prepared.scanner)
-        options["scanner"] = {scanner->x, scanner->y, scanner->z};
-    for (const GivenOption& each : input.given()) {
-        const std::string& value = each.words.back();
-        if (each.name == "neighbors") options["neighbors"] = std::get<KNearest>(reach).k;
-        if (each.name == "radius") options["radius"] = std::get<WithinRadius>(reach).radius;
-        if (each.name == "reach") options["reach"] = std::get<WithinSpacings>(reach).spacings;
-        if (each.name == "symmetric") options["symmetric"] = true;
-        if (each.name == "keep-opposing") options["keep_opposing"] = true;
-        if (each.name == "keep-noise") options["keep_noise"] = true;
-        if (each.name == "keep-strays") options["keep_strays"] = true;
-        if (each.name == "orient") options["normals"] = "oriented";
-        if (each.name == "derive-normals") options["normals"] = "derived";
-        if (each.name == "derive-rim") options["rim"] = true;
-        if (each.name == "box") options["box"] = boxJson(value);
-    }
-}
-
 /// Address at which the failure is created among the remaining points; the start if unknown.
 std::string addressIn(const PointFile& file, const InputArguments& input, const Params& params,
                       const FailureChoice& wanted) {
@@ -140,25 +98,14 @@ std::string addressIn(const PointFile& file, const InputArguments& input, const 
     return "0";
 }
 
-std::string sessionText(const std::string& points, const PreparedInput& run,
-                        const InputArguments& input, const FailureChoice& wanted,
-                        const std::string& address) {
-    nlohmann::ordered_json json;
-    json["format"] = "spiraling-edge session";
-    json["version"] = 1;
-    const std::string name = std::filesystem::path(points).filename().string();
-    // Avoids that "scene:a.ply" is taken for a built-in scene.
-    json["input"]["source"] = name.find(':') == std::string::npos ? name : "./" + name;
-    json["options"]["rules"] = input.ruleSet();
-    const Params plain = paramsByName(input.ruleSet()).value_or(Params{});
-    for (const RuleValue& each : differingRules(run.params, plain)) {
-        json["options"]["switches"][each.name] = ruleJson(*findRuleSetting(each.name), each.value);
-    }
-    addPreparing(json["options"], input);
-    json["address"] = address;
-    json["alert"] = std::string(wanted.kind->name) + ":1";
-    json["notes"] = "Reduced from " + input.input() + ".";
-    return teach::jsonText(json);
+/// The session of the reduced points, which are from the piece.
+std::string sessionOf(const std::string& points, const InputArguments& input,
+                      const FailureChoice& wanted, const std::string& address) {
+    SessionStart session{std::filesystem::path(points).filename().string(), input.spec(), address,
+                         std::string(wanted.kind->name) + ":1",
+                         "Reduced from " + input.input() + "."};
+    session.spec.piece = {};
+    return sessionText(session);
 }
 
 /// Test script; file names and options are data in it: each is one quoted word.
@@ -191,7 +138,8 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
         "fi\n",
         printable(arguments.input.input()), wanted.kind->name,
         nameOf(std::filesystem::path(points).replace_extension(".sh")), nameOf(points),
-        optionText(arguments.input));
+        optionsText(arguments.input.spec(),
+                    {SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived}));
 }
 
 /// Writes points, session and test, and prints the line that names them.
@@ -203,7 +151,7 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
     const Status status = writeMeshPly(output, reduced.file, {});
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
     const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
-    writeOutput(session, sessionText(output, run, arguments.input, wanted, address));
+    writeOutput(session, sessionOf(output, arguments.input, wanted, address));
     writeOutput(test, testText(output, arguments, wanted));
     if (arguments.quiet) return;
     std::string text =

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <span>
 
-#include "best_settings.h"
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
 #include "output/report.h"
 #include "output/sentences.h"
 #include "output/trace.h"
-#include "piece_input.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
@@ -21,7 +19,6 @@
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/reconstruct.h"
-#include "start_arguments.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -35,7 +32,7 @@ bool holdsNormalsAnyway(const MeshFormat& format) {
 bool cannotHoldNormals(const MeshFormat& format) { return format.bytesWithNormals == nullptr; }
 
 struct RunArguments {
-    std::string input;
+    InputArguments input;
     std::string output;
     bool usedPoints = false;
     bool faultFields = false;
@@ -49,15 +46,9 @@ struct RunArguments {
     bool quiet = false;
     ForceOption force;
     WriteOptions writing;
-    PieceArguments piece;
-    RuleArguments rules;
-    StartArguments start;
-    NeighborArguments neighbors;
-    DerivedArguments derived;
-    ByteLimit limit;
 
     void addTo(CLI::App& app) {
-        app.add_option("IN", input, "File with points, - or scene:ID")->required();
+        input.addTo(app);
         auto* out = addOutputOption(app, "-o,--output", output,
                                     "Write the mesh to this file, as " +
                                         listText(meshFormats(), &MeshFormat::name, "or") +
@@ -80,12 +71,6 @@ struct RunArguments {
         app.add_flag("--with-lists", lists,
                      "With -o FILE.ply: write the neighbor lists too, also computed ones")
             ->needs(out);
-        piece.addTo(app);
-        rules.addTo(app);
-        start.addTo(app);
-        neighbors.addTo(app);
-        derived.addTo(app);
-        addByteLimit(app, limit);
         app.add_flag("--best", best,
                      "Run with other settings too (rules, neighbors, normals, rims, points that "
                      "the doctor would drop) and keep the best mesh: faults at the fewest places, "
@@ -132,7 +117,7 @@ struct RunArguments {
                                       "a file .setrace with --trace",
                                       trace));
         }
-        force.require({{"", input}, {"--start", start.path()}},
+        force.require(input.files(),
                       {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
@@ -271,27 +256,37 @@ std::string emptinessSentence(const RunOutcome& outcome) {
                        outcome.mesh.usedPoints);
 }
 
-/// The settings of the options.
-RunSettings namedSettings(const RunArguments& arguments, const PointFile& file) {
-    RunSettings settings =
-        settingsFrom(arguments.rules, arguments.neighbors, arguments.derived, file);
-    settings.start = arguments.start.start(arguments.input);
-    return settings;
+/// Tries changes of a spec, with the line of progress. Throws Failure as runWithProgress() does.
+Trials tryOthers(const PointFile& file, const RunSpec& spec, ProgressLine& line) {
+    std::string what = "trying settings";
+    const auto visit = [&](const Trials& trials, const SpecChange& next) {
+        what = trialText(next) + ", run " + std::to_string(trials.tried.size() + 1);
+    };
+    return runWithProgress(what, spec.source, line, [&](const Progress& progress) {
+        return tryChanges(file, spec, visit, progress);
+    });
 }
 
-/// The settings of the run: the named ones, with --best the best change of them.
-RunSettings chooseSettings(const RunArguments& arguments, RunSettings settings,
-                           const PointFile& file, ProgressLine& line, RunOutcome& outcome) {
-    if (arguments.best) requireNoStart(settings.start, "--best");
-    if (outcome.points.kept < outcome.points.inFile)
-        requireNoStart(settings.start, "--crop, --thin");
+/// How a run is made: by the named settings, with --best by the best change of them.
+struct ChosenRun {
+    RunSpec spec;
+    std::vector<Index> leaveOut;  ///< Points that are set aside besides.
+};
+
+ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, const PointFile& file,
+                    ProgressLine& line, RunOutcome& outcome) {
+    ChosenRun chosen{named, {}};
+    const GivenStart start = paramsFrom(named).start;
+    if (arguments.best) requireNoStart(start, "--best");
+    if (outcome.points.kept < outcome.points.inFile) requireNoStart(start, "--crop, --thin");
     if (arguments.best) {
-        outcome.trials = tryOthers(file, settings, arguments.input, line);
-        settings = bestOf(*outcome.trials, settings);
+        outcome.trials = tryOthers(file, named, line);
+        const Trial& best = outcome.trials->tried[outcome.trials->best];
+        chosen = {changed(named, best.change), best.leaveOut};
     }
-    outcome.ruleSet = settings.rules;
-    outcome.params = paramsOf(settings).value();
-    return settings;
+    outcome.ruleSet = chosen.spec.rules;
+    outcome.params = paramsFrom(chosen.spec);
+    return chosen;
 }
 
 /// Prints the summary and determines the exit code.
@@ -328,36 +323,36 @@ ExitCode runVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
     RunOutcome outcome;
-    outcome.input = arguments.input;
-    // Wrong rules are reported before the input is read.
-    static_cast<void>(arguments.rules.params());
-    const Piece piece = arguments.piece.piece();
+    outcome.input = arguments.input.input();
+    // What is wrong with the options is reported before the input is read.
+    const RunSpec named = arguments.input.spec();
 
     ProgressLine line(!arguments.quiet);
     TraceWriter trace(arguments.trace,
                       arguments.stages ? teach::TraceDetail::Stages : teach::TraceDetail::Fans);
     StopWatch watch;
-    InputPiece read = readPiece(arguments.input, piece, arguments.limit);
+    InputPiece read = readPiece(named);
     PointFile& file = read.file;
     outcome.points = read.points;
     outcome.seconds.read = watch.lap();
     if (file.position.empty())
         throw Failure(ExitCode::Input,
-                      nameOfInput(arguments.input) + ": holds no points to triangulate");
-    const RunSettings named = namedSettings(arguments, file);
-    const RunSettings settings = chooseSettings(arguments, named, file, line, outcome);
+                      nameOfInput(named.source) + ": holds no points to triangulate");
+    const ChosenRun chosen = chooseRun(arguments, named, file, line, outcome);
     outcome.seconds.trials = watch.lap();
-    const PrepareOptions prepareOptions = prepareOptionsFor(settings.prepare, outcome.params);
+    PrepareOptions options = prepareOptionsFrom(chosen.spec, outcome.params, file);
+    options.leaveOut = chosen.leaveOut;
     Prepared prepared = runWithProgress(
-        "preparing", arguments.input, line,
-        [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
-    arguments.start.require(prepared.points, outcome.params.start, arguments.input);
+        "preparing", named.source, line,
+        [&](const Progress& progress) { return prepare(file, options, progress); });
+    arguments.input.requireStartFits(prepared.points, outcome.params.start);
     requirePossible(prepared.points, outcome.params);
     if (arguments.searchesPairs()) {
         prepared.points.judge = withoutOpeningsToClose(
-            runWithProgress("preparing", arguments.input, line,
+            runWithProgress("preparing", named.source, line,
                             [&](const Progress& progress) {
-                                return judgeFor(file, named.prepare, prepared.points, progress);
+                                return judgeFor(file, prepareOptionsFrom(named, outcome.params, file),
+                                                prepared.points, progress);
                             }),
             outcome.params);
         outcome.judged = departureText(*prepared.points.judge);

@@ -67,7 +67,7 @@ struct SampleArguments {
             ->check(CLI::Range(0.0, 100.0));
         app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
             ->type_name("K")
-            ->check(CLI::Range(1LL, kMaxNeighbors));
+            ->check(CLI::Range(std::size_t{1}, kMostNeighbors));
         force.addTo(app);
         addByteLimit(app, limit);
         app.add_flag("--list", list, "List the shapes");
@@ -167,7 +167,11 @@ ExitCode sampleVerb(const Arguments& words) {
     }
     arguments.validate();
     Field field = readSurface(arguments.input, arguments.isovalue, arguments.limit);
-    if (!arguments.box.empty()) cutBy(boxFromText(arguments.box), arguments.input, field);
+    if (!arguments.box.empty()) {
+        const RunSpec spec = specOf({{findSpecField("box"), arguments.box}});
+        if (spec.walls.from == WallChoice::From::Box)
+            cutBy(spec.walls.box, arguments.input, field);
+    }
 
     ProgressLine line(!arguments.quiet);
     StopWatch watch;

@@ -52,33 +52,22 @@ std::string slug(std::string_view set) {
 struct TableArguments {
     std::string volumes;
     std::string save;
-    std::optional<std::size_t> neighbors;
-    double reach = 1.6;
     std::uint64_t seed = 1;
     double curvature = 0.0;
     ByteLimit limit;
     bool json = false;
     bool quiet = false;
     ForceOption force;
-    RuleArguments rules;
+    SpecOptions run;  ///< Rules and lists.
 
     void addTo(CLI::App& app) {
         app.add_option("--volumes", volumes,
                        "Folder with lobster.nhdr and electron_cloud.nhdr (docs/table1.md names the "
                        "sources); without it shapes are used instead")
             ->type_name("DIR");
-        rules.addTo(app);
-        auto* count = app.add_option("-k,--neighbors", neighbors,
-                                     "Neighbors of a point: the K nearest, instead of --reach")
-                          ->type_name("K")
-                          ->check(CLI::Range(1LL, 1000LL));
-        app.add_option("--reach", reach,
-                       "Neighbors of a point: all within X times the mean distance to the nearest, "
-                       "like particles that repel each other")
-            ->type_name("X")
-            ->capture_default_str()
-            ->check(CLI::Range(1.0, 10.0))
-            ->excludes(count);
+        run.addTo(app, {SpecGroup::Rules});
+        for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
+        app.footer(rulesHelp());
         app.add_option("--seed", seed, "Seed of the particles")
             ->type_name("S")
             ->capture_default_str();
@@ -91,6 +80,13 @@ struct TableArguments {
         addByteLimit(app, limit);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
+    }
+
+    /// The run of each set of points; lists as of particles that repel each other.
+    RunSpec spec() const {
+        RunSpec spec;
+        spec.neighbors.reach = WithinSpacings{};
+        return specOf(run.given(), std::move(spec));
     }
 
     std::filesystem::path savedPath(const Row& row) const {
@@ -159,21 +155,18 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
 
 /// With the requested neighbor lists.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
-    PrepareOptions options;
-    if (arguments.neighbors) {
-        options.neighbors.reach = KNearest{*arguments.neighbors};
-    } else {
-        options.neighbors.reach = WithinSpacings{arguments.reach};
-    }
-    Result<Prepared> prepared = prepare(file, prepareOptionsFor(options, params));
+    Result<Prepared> prepared =
+        prepare(file, prepareOptionsFrom(arguments.spec(), params, file));
     if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
     return std::move(prepared.value().points);
 }
 
 /// "neighbors within 1.6 spacings".
 std::string reachText(const TableArguments& arguments) {
-    if (arguments.neighbors) return fmt::format("{} nearest neighbors", *arguments.neighbors);
-    return fmt::format("neighbors within {:g} spacings", arguments.reach);
+    const auto& reach = arguments.spec().neighbors.reach;
+    if (const auto* nearest = std::get_if<KNearest>(&reach))
+        return fmt::format("{} nearest neighbors", nearest->k);
+    return fmt::format("neighbors within {:g} spacings", std::get<WithinSpacings>(reach).spacings);
 }
 
 Made make(const Row& row, const TableArguments& arguments, const Params& params,
@@ -206,7 +199,7 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
     std::string text = fmt::format(
         "Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
         "alone, the best of the runs within a second\n\n",
-        arguments.rules.setName(), reachText(arguments), arguments.seed, arguments.curvature);
+        arguments.spec().rules, reachText(arguments), arguments.seed, arguments.curvature);
     text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
         "{:>5}\n",
@@ -240,11 +233,12 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
 
 std::string tableJson(const std::vector<Made>& all, const TableArguments& arguments) {
     nlohmann::ordered_json json;
-    json["rules"] = arguments.rules.setName();
-    json["neighbors"] = arguments.neighbors ? nlohmann::ordered_json(*arguments.neighbors)
-                                            : nlohmann::ordered_json();
-    json["reach"] =
-        arguments.neighbors ? nlohmann::ordered_json() : nlohmann::ordered_json(arguments.reach);
+    const RunSpec spec = arguments.spec();
+    const auto* nearest = std::get_if<KNearest>(&spec.neighbors.reach);
+    const auto* within = std::get_if<WithinSpacings>(&spec.neighbors.reach);
+    json["rules"] = spec.rules;
+    json["neighbors"] = nearest ? nlohmann::ordered_json(nearest->k) : nlohmann::ordered_json();
+    json["reach"] = within ? nlohmann::ordered_json(within->spacings) : nlohmann::ordered_json();
     json["seed"] = arguments.seed;
     json["curvature"] = arguments.curvature;
     json["sets"] = nlohmann::ordered_json::array();
@@ -284,7 +278,7 @@ ExitCode table1Verb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const Params params = arguments.rules.params();
+    const Params params = paramsFrom(arguments.spec());
     ProgressLine line(!arguments.quiet);
     std::vector<Made> all;
     all.reserve(kRows.size());

@@ -9,7 +9,7 @@
 #include "output/inversion_text.h"
 #include "output/ledger_text.h"
 #include "output/output.h"
-#include "prepared_input.h"
+#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/decision_query.h"

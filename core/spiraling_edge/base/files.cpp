@@ -15,13 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Duplicated, not opened: a socket cannot be opened, and of a file some may have been read.
-constexpr const char* kStandardInput = "/dev/stdin";
+constexpr const char* kStandardInputDevice = "/dev/stdin";
 
 /// An open file; closed by the destructor.
 class OpenFile {
   public:
     explicit OpenFile(const fs::path& path)
-        : descriptor_(path == kStandardInput ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+        : descriptor_(path == kStandardInputDevice ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                              : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
@@ -69,7 +69,7 @@ Error ByteLimit::exceededBy(const std::string& name) const {
 
 Result<std::string> readBytes(const fs::path& path, const ByteLimit& limit,
                               const Progress& progress) {
-    const std::string name = path == kStandardInput ? "standard input" : path.string();
+    const std::string name = path == kStandardInputDevice ? "standard input" : path.string();
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (!fs::exists(status)) return Error{name + ": there is no such file"};

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <iterator>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -19,32 +19,76 @@
 namespace se {
 namespace {
 
-/// Changes of any input, in the order in which they are tried. Points that the doctor would drop
-/// come after them, since detail goes with those.
-constexpr std::array kSets{SettingsChange{.rules = "robust"}, SettingsChange{.rules = "corrected"}};
-constexpr std::array kChanges{
-    SettingsChange{.rules = "robust", .normals = NormalSource::Oriented},
-    SettingsChange{.rules = "robust", .normals = NormalSource::Derived},
-    SettingsChange{.rules = "robust", .rim = true},
-    SettingsChange{.rules = "robust", .nearest = 10},
-    SettingsChange{.rules = "robust", .nearest = 16},
-    SettingsChange{.rules = "robust", .nearest = 8},
-    SettingsChange{.rules = "robust", .nearest = 12},
-    SettingsChange{.rules = "robust", .nearest = 20},
-    SettingsChange{.rules = "robust", .symmetric = true},
-    SettingsChange{.rules = "robust", .ruleOff = "fill"},
-    SettingsChange{.rules = "robust", .ruleOff = "shelve"},
-};
-/// True if a change leaves given normals alone that are right: those that do not fit are derived,
-/// those of which some are flipped turned.
-bool respects(const MeshJudge& judge, const SettingsChange& change) {
-    if (!change.normals) return true;
-    return *change.normals == NormalSource::Oriented ? judge.fit && !judge.areRight() : !judge.fit;
-}
-
 constexpr std::size_t kMaxTriedDrops = 3;  ///< Findings of the doctor that are tried.
 constexpr std::size_t kMaxTriedPairs = 3;  ///< Pairs of the best changes.
-static_assert(1 + kSets.size() + kMaxTriedDrops + kChanges.size() + kMaxTriedPairs <= kMaxTrials);
+constexpr std::size_t kUsualChanges = 11;
+static_assert(1 + 2 + kMaxTriedDrops + kUsualChanges + kMaxTriedPairs <= kMaxTrials);
+
+/// Changes of the rules alone, in the order in which they are tried.
+std::vector<SpecChange> setsOfRules() {
+    return {specChange({{"rules", "robust"}}), specChange({{"rules", "corrected"}})};
+}
+
+/// Changes of any input. Points that the doctor would drop come after them, since detail goes with
+/// those.
+std::vector<SpecChange> usualChanges() {
+    constexpr std::pair<std::string_view, std::string_view> kBesides[] = {
+        {"normals", "oriented"}, {"normals", "derived"}, {"rim", "on"},
+        {"neighbors", "10"},     {"neighbors", "16"},    {"neighbors", "8"},
+        {"neighbors", "12"},     {"neighbors", "20"},    {"symmetric", "on"},
+        {"switches", "fill=off"}, {"switches", "shelve=off"}};
+    static_assert(std::size(kBesides) == kUsualChanges);
+    std::vector<SpecChange> changes;
+    for (const auto& each : kBesides) changes.push_back(specChange({{"rules", "robust"}, each}));
+    return changes;
+}
+
+/// The part of a change that a run of `spec` over `file` does not have already.
+SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file) {
+    SpecChange left;
+    RunSpec with = spec;
+    // What is derived or searched anyway.
+    if (!file.hasNormals()) with.normals = NormalSource::Derived;
+    if (!file.hasNeighbors()) with.neighbors.recompute = true;
+    for (const FieldValue& each : change) {
+        const RunSpec next = changed(with, {each});
+        const bool present = each.field->type == SpecType::Rule
+                                 ? differenceOf(with, next).empty()
+                                 : next == with;
+        // Derived normals are oriented.
+        const bool derived =
+            each.field->key == "normals" && with.normals == NormalSource::Derived;
+        const bool fixed = each.field->key == "doctor" &&
+                           std::find(spec.fixes.begin(), spec.fixes.end(), each.text) !=
+                               spec.fixes.end();
+        if (!present && !derived && !fixed) left.push_back(each);
+        if (each.field->key == "rules") with = next;
+    }
+    return left;
+}
+
+/// Both changes in one; nothing if they set the same field to two values.
+std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b) {
+    SpecChange both = a;
+    for (const FieldValue& each : b) {
+        const std::string_view other = textOf(a, each.field->key);
+        if (!other.empty() && other != each.text) return std::nullopt;
+        if (other.empty()) both.push_back(each);
+    }
+    std::stable_sort(both.begin(), both.end(), [](const FieldValue& x, const FieldValue& y) {
+        return x.field < y.field;
+    });
+    return both;
+}
+
+/// True if a change leaves given normals alone that are right: those that do not fit are derived,
+/// those of which some are flipped turned.
+bool respects(const MeshJudge& judge, const SpecChange& change) {
+    const std::string_view normals = textOf(change, "normals");
+    if (normals.empty()) return true;
+    return normals == "oriented" ? judge.fit && !judge.areRight() : !judge.fit;
+}
+
 
 /// True for a mesh that no change can improve.
 bool isPerfect(const MeshVerdict& verdict) {
@@ -87,46 +131,47 @@ std::optional<Reconstruction> reconstructed(const PointSet& points, const Params
 /// The trials of one file.
 class TrialRuns {
   public:
-    TrialRuns(const PointFile& file, const RunSettings& present, const Progress& progress)
+    TrialRuns(const PointFile& file, const RunSpec& present, const Progress& progress)
         : file_(file), present_(present), progress_(progress) {}
 
     /// Changes of the set of rules alone.
-    std::vector<SettingsChange> sets() const {
-        std::vector<SettingsChange> changes;
-        for (const SettingsChange& each : kSets) addTo(changes, each);
+    std::vector<SpecChange> sets() const {
+        std::vector<SpecChange> changes;
+        for (const SpecChange& each : setsOfRules()) addTo(changes, each);
         return changes;
     }
 
     /// Changes of one thing besides the set of rules. Some may be without effect on this input, and
     /// so be one of sets().
-    Result<std::vector<SettingsChange>> singleChanges() {
+    Result<std::vector<SpecChange>> singleChanges() {
         if (const Status examined = diagnose(); !examined) return examined.error();
-        std::vector<SettingsChange> changes = sets();
+        std::vector<SpecChange> changes = sets();
         const auto known = static_cast<std::ptrdiff_t>(changes.size());
-        for (const SettingsChange& each : kChanges) addTo(changes, each);
+        for (const SpecChange& each : usualChanges()) addTo(changes, each);
         std::size_t drops = 0;
         for (const Finding& finding : diagnosis_->findings) {
             const bool tried =
                 finding.check->fix == Fix::Drop && finding.isProblem() && !finding.dropsAll();
             if (!tried || ++drops > kMaxTriedDrops) continue;
-            addTo(changes, {.rules = "robust", .drop = finding.check->name});
+            addTo(changes, specChange({{"doctor", finding.check->name}, {"rules", "robust"}}));
         }
         changes.erase(changes.begin(), changes.begin() + known);
         return changes;
     }
 
     /// Pairs of the best single changes: of those that are better than none.
-    static std::vector<SettingsChange> pairs(const Trials& trials) {
+    static std::vector<SpecChange> pairs(const Trials& trials) {
         const std::vector<Trial>& tried = trials.tried;
         std::vector<std::size_t> single;
         for (std::size_t i = 1; i < tried.size(); ++i) {
-            const bool ofRules = tried[i].change == SettingsChange{.rules = tried[i].change.rules};
+            const SpecChange& change = tried[i].change;
+            const bool ofRules = change.size() == 1 && change.front().field->key == "rules";
             if (!ofRules && isOffered(tried, i)) single.push_back(i);
         }
         std::stable_sort(single.begin(), single.end(), [&](std::size_t a, std::size_t b) {
             return rankOf(trials, a) < rankOf(trials, b);
         });
-        std::vector<SettingsChange> pairs;
+        std::vector<SpecChange> pairs;
         for (std::size_t i = 1; i < single.size(); ++i) {
             for (std::size_t j = 0; j < i && pairs.size() < kMaxTriedPairs; ++j) {
                 if (const auto both = bothOf(tried[single[j]].change, tried[single[i]].change))
@@ -137,15 +182,16 @@ class TrialRuns {
     }
 
     /// Runs with a change, which covers the shares `from` to `to` of the whole.
-    Result<Trial> run(const SettingsChange& change, double from, double to) {
+    Result<Trial> run(const SpecChange& change, double from, double to) {
         const Progress part = partOf(progress_, from, to);
         done_ = from;
-        const RunSettings settings = changed(present_, change);
-        const Result<Params> params = paramsOf(settings);
+        const RunSpec spec = changed(present_, change);
+        const Result<Params> params = paramsOf(spec);
         if (!params) return params.error();
-        PrepareOptions options = prepareOptionsFor(settings.prepare, params.value());
-        if (const Status dropped = leaveOutDropped(settings, options); !dropped)
-            return dropped.error();
+        const Result<PrepareOptions> plain = prepareOptionsOf(spec, params.value(), file_);
+        if (!plain) return plain.error();
+        PrepareOptions options = plain.value();
+        if (const Status dropped = leaveOutDropped(spec, options); !dropped) return dropped.error();
         const Result<Prepared> prepared = prepareWith(options, params.value(), part);
         if (!prepared) return prepared.error();
         const auto made =
@@ -161,11 +207,11 @@ class TrialRuns {
     }
 
   private:
-    void addTo(std::vector<SettingsChange>& changes, const SettingsChange& change) const {
-        const SettingsChange left = withoutPresent(change, present_, file_);
+    void addTo(std::vector<SpecChange>& changes, const SpecChange& change) const {
+        const SpecChange left = withoutPresent(change, present_, file_);
         if (judge_ && !respects(*judge_, left)) return;
         const bool known = std::find(changes.begin(), changes.end(), left) != changes.end();
-        if (left != SettingsChange{} && !known) changes.push_back(left);
+        if (!left.empty() && !known) changes.push_back(left);
     }
 
     /// The doctor's examination, once.
@@ -177,13 +223,10 @@ class TrialRuns {
         return success();
     }
 
-    Status leaveOutDropped(const RunSettings& settings, PrepareOptions& options) {
-        if (settings.drops.empty()) return success();
+    Status leaveOutDropped(const RunSpec& spec, PrepareOptions& options) {
+        if (spec.fixes.empty()) return success();
         if (const Status examined = diagnose(); !examined) return examined.error();
-        const std::vector<Index> kept = std::exchange(options.leaveOut, {});
-        const std::vector<Index> drop = proposedDrop(*diagnosis_, settings.drops).points;
-        std::set_union(kept.begin(), kept.end(), drop.begin(), drop.end(),
-                       std::back_inserter(options.leaveOut));
+        options.leaveOut = proposedDrop(*diagnosis_, spec.fixes).points;
         return success();
     }
 
@@ -203,7 +246,7 @@ class TrialRuns {
     }
 
     const PointFile& file_;
-    const RunSettings& present_;
+    const RunSpec& present_;
     const Progress& progress_;
     double done_ = 0.0;  ///< Share of the whole before the work in progress.
     std::optional<Diagnosis> diagnosis_;
@@ -213,13 +256,13 @@ class TrialRuns {
 /// The search in progress.
 class TrialSearch {
   public:
-    using Visit = std::function<void(const Trials&, const SettingsChange&)>;
+    using Visit = std::function<void(const Trials&, const SpecChange&)>;
 
     TrialSearch(TrialRuns& runs, const Visit& visit) : runs_(runs), visit_(visit) {}
 
     /// Tries changes until a mesh is good.
-    Status tryAll(const std::vector<SettingsChange>& changes) {
-        for (const SettingsChange& change : changes) {
+    Status tryAll(const std::vector<SpecChange>& changes) {
+        for (const SpecChange& change : changes) {
             if (isDone()) break;
             if (visit_) visit_(trials, change);
             const auto done = static_cast<double>(trials.tried.size());
@@ -257,12 +300,12 @@ class TrialSearch {
 
 }  // namespace
 
-std::string trialText(const SettingsChange& next) {
-    return next == SettingsChange{} ? "measuring the run as given" : "trying " + wordsOf(next);
+std::string trialText(const SpecChange& next) {
+    return next.empty() ? "measuring the run as given" : "trying " + wordsOf(next);
 }
 
 std::size_t plainRobust(const std::vector<Trial>& tried) {
-    const SettingsChange robust{.rules = "robust"};
+    const SpecChange robust = specChange({{"rules", "robust"}});
     const auto has = [&](const Trial& each) { return each.change == robust; };
     const auto found = std::find_if(tried.begin(), tried.end(), has);
     return static_cast<std::size_t>(found - tried.begin());
@@ -306,18 +349,18 @@ std::string describe(const MeshVerdict& verdict) {
            ", mean " + shortNumber(verdict.fidelity.meanDistance);
 }
 
-Result<Trials> tryChanges(const PointFile& file, const RunSettings& present,
-                          const std::function<void(const Trials&, const SettingsChange&)>& visit,
+Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,
+                          const std::function<void(const Trials&, const SpecChange&)>& visit,
                           const Progress& progress) {
     TrialRuns runs(file, present, progress);
     TrialSearch search(runs, visit);
-    if (const Status tried = search.tryAll({SettingsChange{}}); !tried) return tried.error();
+    if (const Status tried = search.tryAll({SpecChange{}}); !tried) return tried.error();
     if (const Status tried = search.tryAll(runs.sets()); !tried) return tried.error();
     if (!search.isDone()) {
-        const Result<std::vector<SettingsChange>> single = runs.singleChanges();
+        const Result<std::vector<SpecChange>> single = runs.singleChanges();
         if (!single) return single.error();
         if (const Status tried = search.tryAll(single.value()); !tried) return tried.error();
-        const std::vector<SettingsChange> pairs = TrialRuns::pairs(search.trials);
+        const std::vector<SpecChange> pairs = TrialRuns::pairs(search.trials);
         if (const Status tried = search.tryAll(pairs); !tried) return tried.error();
     }
     if (progress && !progress(1.0)) return Error{"Cancelled."};

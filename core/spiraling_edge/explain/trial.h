@@ -5,22 +5,22 @@
 #include <functional>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/explain/run_settings.h"
+#include "spiraling_edge/spec/spec_fields.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 
 namespace se {
 
 /// A run with changed settings.
 struct Trial {
-    SettingsChange change;
-    /// PrepareOptions::leaveOut of the run: with the points of SettingsChange::drop, ascending.
+    SpecChange change;
+    /// PrepareOptions::leaveOut of the run: with the points of SpecChange::drop, ascending.
     std::vector<Index> leaveOut;
     MeshVerdict verdict;
     std::uint64_t work = 0;  ///< Pivots, and changes made by the repair.
 };
 
 /// The trial of a change as work in progress: "trying rules of robust".
-std::string trialText(const SettingsChange& next);
+std::string trialText(const SpecChange& next);
 
 /// Trials in the order in which they were made.
 struct Trials {
@@ -57,8 +57,8 @@ std::string describe(const MeshVerdict& verdict);
 /// if the settings do not exist, if the points cannot be prepared, or if cancelled, which is
 /// checked between the parts of a trial. Deterministic: equal input and settings give equal trials.
 Result<Trials> tryChanges(
-    const PointFile& file, const RunSettings& present,
-    const std::function<void(const Trials&, const SettingsChange&)>& visit = {},
+    const PointFile& file, const RunSpec& present,
+    const std::function<void(const Trials&, const SpecChange&)>& visit = {},
     const Progress& progress = {});
 
 }  // namespace se

@@ -10,7 +10,6 @@
 #include <limits>
 #include <tuple>
 
-#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/points/usable_points.h"
 
 namespace se {
@@ -133,12 +132,6 @@ std::vector<FacingVote> votesTowardScanner(const FacingInput& input, const Vec3&
     for (FacingVote& each : votes)
         each.needed = std::max<std::size_t>(1, (each.outward + each.inward + 1) / 2);
     return votes;
-}
-
-Result<Vec3> scannerFromText(std::string_view text) {
-    const auto n = numbersIn(text, 3);
-    if (!n) return Error{"expected three numbers separated by commas: X,Y,Z"};
-    return Vec3((*n)[0], (*n)[1], (*n)[2]);
 }
 
 }  // namespace se

@@ -49,8 +49,4 @@ std::vector<FacingVote> votesOutward(const FacingInput& input);
 /// O(points log points).
 std::vector<FacingVote> votesTowardScanner(const FacingInput& input, const Vec3& scanner);
 
-/// The position of a scanner from three finite numbers separated by commas. Fails with a sentence
-/// that says what was expected.
-Result<Vec3> scannerFromText(std::string_view text);
-
 }  // namespace se

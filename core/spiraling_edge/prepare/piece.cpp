@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -181,34 +180,6 @@ std::string emptyBoxText(const PointFile& file, const std::string& name) {
 }
 
 }  // namespace
-
-Result<Box> cropFromText(std::string_view text) {
-    const auto n = numbersIn(text, 6);
-    if (!n) return Error{"expected six numbers separated by commas: X0,Y0,Z0,X1,Y1,Z1"};
-    Box box(Vec3((*n)[0], (*n)[1], (*n)[2]));
-    box.high = Vec3((*n)[3], (*n)[4], (*n)[5]);
-    for (int i = 0; i < 3; ++i) {
-        if (box.low[i] <= box.high[i]) continue;
-        const std::string axis(1, "XYZ"[i]);
-        std::string why = "expected the lower corner first; ";
-        why.append(axis).append("0 = ").append(plainText(box.low[i]));
-        why.append(" is above ").append(axis).append("1 = ").append(plainText(box.high[i]));
-        return Error{why};
-    }
-    return box;
-}
-
-std::string pieceOptions(const Piece& piece) {
-    std::string text;
-    // Joined by =, since a value with a minus sign would be parsed as an option.
-    if (piece.crop) {
-        const Box& box = *piece.crop;
-        for (int i = 0; i < 6; ++i)
-            text += (i == 0 ? " --crop=" : ",") + plainText(i < 3 ? box.low[i] : box.high[i - 3]);
-    }
-    if (piece.thin > 0.0) text += " --thin=" + plainText(piece.thin);
-    return text;
-}
 
 std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
     assert(piece.thin >= 0.0 && std::isfinite(piece.thin));

@@ -29,13 +29,6 @@ struct Piece {
 /// Name of the column in which a piece holds the index of each point in its file.
 inline constexpr std::string_view kIndexColumn = "index";
 
-/// A box from six finite numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1, the lower corner first.
-/// Fails with a sentence that says what was expected.
-Result<Box> cropFromText(std::string_view text);
-/// The options that choose a piece, as words for a shell, each after a blank: " --thin=0.5". Empty
-/// for the whole file. Numbers read back as they are.
-std::string pieceOptions(const Piece& piece);
-
 /// For each point: true if it is in the piece. Requires finite and ordered corners of the box, and
 /// a finite spacing that is not negative. Depends on nothing but the arguments. Expected O(points),
 /// but for points farther than 2^54 spacings from the origin.

@@ -1,10 +1,10 @@
-#include "index_ranges.h"
+#include "spiraling_edge/points/index_ranges.h"
 
 #include <algorithm>
 
 #include "spiraling_edge/base/text_scan.h"
 
-namespace se::view {
+namespace se {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<bool> marksOf(const IndexRanges& ranges, std::size_t count) {
     return marks;
 }
 
-}  // namespace se::view
+}  // namespace se

@@ -12,7 +12,7 @@
 
 #include "spiraling_edge/base/types.h"
 
-namespace se::view {
+namespace se {
 
 /// The indices from `first` to `last`, both included.
 struct IndexRange {
@@ -54,4 +54,4 @@ std::optional<IndexRanges> rangesFromText(std::string_view text);
 /// For each index below `count`: true if it is in a range.
 std::vector<bool> marksOf(const IndexRanges& ranges, std::size_t count);
 
-}  // namespace se::view
+}  // namespace se

@@ -1,0 +1,84 @@
+#include "spiraling_edge/spec/run_spec.h"
+
+#include <utility>
+
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+namespace se {
+Params rulesOf(const RunSpec& spec) {
+    Params params = paramsByName(spec.rules).value_or(Params{});
+    for (const RuleValue& each : spec.choices) applyRuleValues({&each, 1}, params);
+    return params;
+}
+
+Result<Params> paramsOf(const RunSpec& spec) {
+    std::optional<Params> params = paramsByName(spec.rules);
+    if (!params) return Error{"There is no rule set " + inQuotes(spec.rules) + "."};
+    if (const Status known = applyRuleValues(spec.choices, *params); !known) return known.error();
+    params->whatIf = spec.whatIf;
+    params->start = spec.start;
+    if (spec.start.empty() && isScene(spec.source))
+        params->start = startOfScene(spec.source.substr(kScenePrefix.size()));
+    return *params;
+}
+
+RunSpec specOf(const Params& params) {
+    RunSpec spec;
+    spec.choices = differingRules(params, *paramsByName(spec.rules));
+    spec.whatIf = params.whatIf;
+    spec.start = params.start;
+    return spec;
+}
+
+RunSpec withFixesAsOptions(RunSpec spec) {
+    for (const std::string& name : std::exchange(spec.fixes, {})) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        const Fix fix = check != nullptr ? check->fix : Fix::None;
+        if (fix == Fix::Orient) spec.normals = NormalSource::Oriented;
+        if (fix == Fix::Symmetric) spec.neighbors.symmetric = true;
+        if (fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
+        if (fix == Fix::Rim) spec.rim = true;
+        if (fix != Fix::NewLists) continue;
+        spec.neighbors.reach = KNearest{};
+        spec.neighbors.recompute = true;
+    }
+    return spec;
+}
+
+Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,
+                                        const PointFile& file) {
+    if (spec.scanner && file.hasNormals() && spec.normals == NormalSource::AsGiven) {
+        return Error{"The points have normals; only flipped or derived ones can face a scanner "
+                     "(--orient, --derive-normals)."};
+    }
+    PrepareOptions options;
+    options.neighbors = spec.neighbors;
+    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
+    options.normals = spec.normals;
+    options.scanner = spec.scanner;
+    if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
+    if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
+    options.rim = spec.rim;
+    options.setNoiseAside = params.setNoiseAside;
+    options.setStraysAside = params.setStraysAside;
+    return options;
+}
+
+RunSpec withRule(RunSpec spec, std::string_view name, double value) {
+    Params params = rulesOf(spec);
+    if (const RuleSetting* setting = findRuleSetting(name)) setting->set(params, value);
+    spec.choices = differingRules(params, paramsByName(spec.rules).value_or(Params{}));
+    return spec;
+}
+
+double valueOf(const RunSpec& spec, const RuleSetting& setting) {
+    return setting.get(rulesOf(spec));
+}
+
+double usualValueOf(const RunSpec& spec, const RuleSetting& setting) {
+    return setting.get(paramsByName(spec.rules).value_or(Params{}));
+}
+
+}  // namespace se
