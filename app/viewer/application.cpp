@@ -366,7 +366,7 @@ void Application::observeEdits() {
     if (session_.input().phase() == SessionPhase::Loading || ui_.growth.open) return;
     const Edits now = captureEdits(commands_);
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
-        const InputSpec& spec = session_.input().spec();
+        const RunSpec& spec = session_.input().spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
         const bool changed = std::exchange(undoInput_, spec) != spec;
         if (!same || !changed) return undo_.begin(now);

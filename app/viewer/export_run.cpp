@@ -115,7 +115,7 @@ void ExportRun::fail(int code, std::string message) {
 void ExportRun::start() {
     if (order_.lesson) {
         steps_ = chosenSteps(order_);
-        Result<InputSpec> input = inputOfStep(*order_.lesson, steps_.front());
+        Result<RunSpec> input = inputOfStep(*order_.lesson, steps_.front());
         if (!input)
             return fail(kExitInput,
                         stepPlace(*order_.lesson, steps_.front(), "rules") + input.error().message);

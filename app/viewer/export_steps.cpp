@@ -19,7 +19,7 @@ bool hasOwnView(const teach::LessonStep& step) {
 /// Opens the input of a step, if the one before had another.
 Status ExportRun::openStep(std::size_t step) {
     const LessonFile& file = *order_.lesson;
-    Result<InputSpec> input = inputOfStep(file, step);
+    Result<RunSpec> input = inputOfStep(file, step);
     if (!input) return Error{stepPlace(file, step, "rules") + input.error().message};
     const bool fresh = !(input.value() == opened_);
     opened_ = input.value();
@@ -64,8 +64,8 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
     if (words.empty()) {
         ui().compare.ask = CompareAsk::Stop;
     } else {
-        const Result<InputSpec> other =
-            comparedInput(opened_, teach::settingOf(file.lesson, step), words);
+        const Result<RunSpec> other =
+            comparedInput(opened_, words);
         if (!other) return Error{stepPlace(file, step, "compare") + other.error().message};
         ui().compare.begin = CompareWith::otherRun(other.value());
     }

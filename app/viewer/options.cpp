@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -11,9 +12,9 @@
 #include "export/lesson_frames.h"
 #include "export/numbered_files.h"
 #include "export_options.h"
-#include "input_options.h"
 #include "jobs/open_lesson.h"
 #include "jobs/thread.h"
+#include "options/spec_options.h"
 #include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
@@ -30,17 +31,6 @@
 namespace se::view {
 
 namespace {
-
-std::vector<std::string> ruleSetNames() {
-    const auto names = paramSetNames();
-    return {names.begin(), names.end()};
-}
-
-std::string ruleSets() {
-    std::string text;
-    for (const std::string& name : ruleSetNames()) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
 
 std::string sceneList() {
     std::string text = "Scenes:";
@@ -64,14 +54,15 @@ std::string shapeList() {
 
 /// Options that need a check before they go into Options.
 struct RawOptions {
-    RawInput input;
+    SpecOptions run;
+    SampleSpec grow;
+    double iso = 0.0;
     std::string size;
     std::string theme;
     std::string meshStyle;
     std::string pointTint;
     std::string layout;
     std::string place;
-    std::vector<std::string> choices;
     std::string screenshot;
     std::string background;
     std::string labels;
@@ -83,6 +74,35 @@ struct RawOptions {
     bool actions = false;
 };
 
+/// Options for new points; names as in `spiraling-edge sample`.
+void addGrowing(CLI::App& app, RawOptions& raw) {
+    SampleSpec& grow = raw.grow;
+    auto* made = app.add_option("--new", grow.surface,
+                                "Start with new points that spread over a shape or over an "
+                                "isosurface of a volume (" +
+                                    wordList(volumeExtensions(), "") + ")")
+                     ->type_name("SHAPE");
+    auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
+    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles))->needs(made);
+    app.add_option("--spacing", grow.spacing, "With --new: as many points as fit at distance S")
+        ->type_name("S")
+        ->check(CLI::PositiveNumber)
+        ->excludes(count)
+        ->needs(made);
+    app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
+    app.add_option("--seed", grow.seed, "With --new: seed of the random start positions")
+        ->type_name("S")
+        ->needs(made);
+    app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
+        ->type_name("X")
+        ->check(CLI::Range(0.0, 100.0))
+        ->needs(made);
+    app.add_option("--steps", grow.steps, "With --new: pause after N steps of spreading")
+        ->type_name("N")
+        ->check(CLI::Range(1, Sampler::allSteps()))
+        ->needs(made);
+}
+
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option(
         "FILE", o.input.source,
@@ -90,13 +110,13 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
             "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
             "--new; a session file; a lesson, as a file or lesson:ID. Without it, the start "
             "page");
-    app.add_option("--rules", o.input.rules,
-                   "Reading of the paper: " + ruleSets() + " (default paper)")
-        ->check(CLI::IsMember(ruleSetNames()));
-    app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
-        ->type_name("NAME=on|off")
-        ->allow_extra_args(false);
-    addInputOptions(app, o, raw.input);
+    raw.run.addTo(app, {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists,
+                        SpecGroup::Derived});
+    app.add_option("--start", o.startFile,
+                   "Begin with the triangles and edge rings of this JSON file "
+                   "(docs/file-formats.md)")
+        ->type_name("FILE");
+    addGrowing(app, raw);
     app.add_option(
         "--goto", o.goTo,
         "Start with a decision framed: PIVOT[.STAGE[.N]], for example 137.sphere.3, 50%, or "
@@ -167,6 +187,33 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.footer([] { return sceneList() + "\n\n" + shapeList(); });
 }
 
+/// New points of --new; --box clips their surface. Throws as takeOver() does.
+void takeOverGrowing(const CLI::App& app, const RawOptions& raw, Options& o) {
+    if (!o.input.source.empty())
+        throw CLI::ValidationError("--new", "cannot be combined with a FILE");
+    o.grow = raw.grow;
+    if (o.input.walls.from == WallChoice::From::Around)
+        throw CLI::ValidationError("--box auto", "expected six numbers, the box that clips --new");
+    if (o.input.walls.from == WallChoice::From::Box) o.grow->box = o.input.walls.box;
+    o.input.walls = {};
+    std::erase_if(o.given, [](const FieldValue& each) { return each.field->key == "box"; });
+    if (app.count("--iso") > 0) o.grow->isovalue = raw.iso;
+    if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
+}
+
+/// What is to be run. Throws as takeOver() does.
+void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
+    o.given = raw.run.given();
+    const Status valid = applyChange(o.given, o.input);
+    if (!valid) throw CLI::ValidationError(valid.error().message);
+    if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
+        o.grow = SampleSpec{};
+        o.grow->surface = std::exchange(o.input.source, {});
+        o.grow->count = kUsualPoints;
+    }
+    if (app.count("--new") > 0) takeOverGrowing(app, raw, o);
+}
+
 /// Throws the errors that CLI11 reports as wrong usage.
 void takeOver(const RawOptions& raw, Options& o) {
     o.size = pictureSize(raw.size.empty() ? "1280x800" : raw.size);
@@ -174,11 +221,6 @@ void takeOver(const RawOptions& raw, Options& o) {
         throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
     }
     if (raw.size.empty()) o.size.reset();
-    for (const std::string& text : raw.choices) {
-        const Result<RuleValue> choice = ruleValueFromText(text);
-        if (!choice) throw CLI::ValidationError("--rule " + text, choice.error().message);
-        o.input.choices.push_back(choice.value());
-    }
     if (!raw.place.empty()) {
         const Result<ViewPosition> place = viewPositionFromText(raw.place);
         if (!place) throw CLI::ValidationError("--place", place.error().message);
@@ -238,27 +280,13 @@ void chooseBenchScene(Options& o) {
 
 }  // namespace
 
-Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base) {
+Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base) {
     if (!text.starts_with('-')) return CompareWith::otherFile(text);
-    Options o;
-    RawOptions raw;
-    CLI::App app{"", "--with"};
-    app.set_help_flag();
-    o.input = base;
-    o.input.source.clear();
-    app.add_option("--rules", o.input.rules)->check(CLI::IsMember(ruleSetNames()));
-    app.add_option("--rule", raw.choices)->allow_extra_args(false);
-    addPreparing(app, o, raw.input);
-    try {
-        app.parse(text, false);
-        if (app.count("--rules") > 0) o.input.choices.clear();
-        takeOver(raw, o);
-        takeOverPreparing(raw.input, o);
-    } catch (const CLI::ParseError& e) {
-        return Error{text + ": " + e.what() + "."};
-    }
-    o.input.source = base.source;
-    return CompareWith::otherRun(std::move(o.input));
+    std::istringstream parts(text);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(parts), {}};
+    const Result<RunSpec> other = comparedInput(base, words);
+    return other ? Result<CompareWith>(CompareWith::otherRun(other.value()))
+                 : Error{text + ": " + other.error().message + "."};
 }
 
 Status chooseComparison(Options& o) {
@@ -293,29 +321,10 @@ Status adoptSession(Options& o) {
     if (!read) return read.error();
     o.sessionPath = path;
     o.session = std::move(read.value());
-    const InputSpec& kept = o.session->input;
-    o.input.source = kept.source;
-    const bool symmetric = o.input.neighbors.symmetric || kept.neighbors.symmetric;
-    if (!o.reachGiven) o.input.neighbors = kept.neighbors;
-    o.input.fixes = kept.fixes;
-    if (o.input.piece.isWhole()) {
-        o.input.piece = kept.piece;
-        o.input.leftOut = kept.leftOut;
-    }
-    if (!o.input.scanner) o.input.scanner = kept.scanner;
-    if (o.input.start.empty()) o.input.start = kept.start;
-    o.input.neighbors.symmetric = symmetric;
-    if (!o.normalsGiven) o.input.normals = kept.normals;
-    if (!o.wallsGiven) o.input.walls = kept.walls;
-    o.input.keepOpposing = o.input.keepOpposing || kept.keepOpposing;
-    o.input.keepNoise = o.input.keepNoise || kept.keepNoise;
-    o.input.keepStrays = o.input.keepStrays || kept.keepStrays;
-    o.input.rim = o.input.rim || kept.rim;
-    if (!o.rulesGiven) {
-        o.input.rules = kept.rules;
-        o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());
-    }
-    if (o.input.whatIf.empty()) o.input.whatIf = kept.whatIf;
+    // Options of the command line change those of the session.
+    RunSpec kept = o.session->input;
+    if (!o.input.piece.isWhole()) kept.leftOut = {};
+    o.input = otherRun(std::move(kept), o.given);
     return success();
 }
 
@@ -411,8 +420,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
         chooseBenchScene(o);
+        takeOverInput(app, raw, o);
         takeOver(raw, o);
-        takeOverInput(app, raw.input, o);
         takeOverPicture(raw, o);
         takeOverExport(app, raw.exported, o);
         if (app.count("--screenshot") > 0) {
@@ -438,7 +447,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    o.rulesGiven = app.count("--rules") > 0;
     o.theme = themeFromName(raw.theme);
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);

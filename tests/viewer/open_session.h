@@ -19,7 +19,7 @@ inline std::filesystem::path ownPlace(const std::string& name) {
 }
 
 /// As loadInput(), without the file.
-inline Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec,
+inline Result<std::shared_ptr<const Model>> loadModel(const RunSpec& spec,
                                                       LoadProgress& progress) {
     const Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();

@@ -168,7 +168,7 @@ TEST_CASE("Derived data is requested by the names of the command line, and check
     const ParsedOptions parsed = parse({"a.ply", "-k", "9", "--symmetric", "--derive-normals",
                                         "--box", "0,0,0,1,2,3", "--derive-rim", "--keep-noise"});
     REQUIRE(parsed.options.has_value());
-    const InputSpec& input = parsed.options->input;
+    const RunSpec& input = parsed.options->input;
     CHECK(std::get<KNearest>(input.neighbors.reach).k == 9);
     CHECK(input.neighbors.symmetric);
     CHECK(input.normals == NormalSource::Derived);

@@ -9,9 +9,8 @@
 #include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/overview.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "run/strings.h"
-#include "run/trial_settings.h"
 #include "session/playback.h"
 #include "spiraling_edge/base/number_text.h"
 
@@ -50,8 +49,8 @@ std::vector<Index> pointsAt(const Model& model, const AlertSearch& alerts, std::
     return points;
 }
 
-RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
-    if (remedy.rule == nullptr) return {std::string(remedy.set), {}, rules.whatIf};
+RunSpec rulesWith(const RunSpec& rules, const Remedy& remedy) {
+    if (remedy.rule == nullptr) return withSet(rules, remedy.set);
     return withRule(rules, remedy.rule->name, 1.0);
 }
 
@@ -222,7 +221,7 @@ bool showsFinishedMesh(const CommandContext& context) {
 }
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
-    context.ui.requests.rules = rulesWith(rulesOf(context.session.input().spec()), remedy);
+    context.ui.requests.rules = rulesWith(context.session.input().spec(), remedy);
     context.ui.requests.resume = Resume::End;
 }
 
@@ -240,7 +239,7 @@ void fixByTrials(CommandContext& context) {
     if (context.ui.verdict.fixing) return job.start();
     assert(job.best() != nullptr);
     actions::requestSettings(context,
-                             withChange(context.session.input().spec(), job.best()->change));
+                             changed(context.session.input().spec(), job.best()->change));
     context.ui.requests.resume = Resume::End;
 }
 
@@ -251,10 +250,10 @@ std::string openText(const OpenLoops& loops) {
 }
 
 void closeHoles(CommandContext& context, double width) {
-    RuleSet rules = rulesOf(context.session.input().spec());
+    RunSpec rules = context.session.input().spec();
     const RuleSetting* closes = findRuleSetting("closeholes");
     assert(closes != nullptr);
-    if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.name = "robust";
+    if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.rules = "robust";
     context.ui.verdict.closing = {width, context.session.alerts().search().openLoops().count};
     context.ui.requests.rules = withRule(rules, "holewidth", width);
     context.ui.requests.resume = Resume::End;
@@ -277,11 +276,11 @@ std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
 }
 
 void showBeside(CommandContext& context, const Remedy& remedy) {
-    const InputSpec& spec = context.session.input().spec();
+    const RunSpec& spec = context.session.input().spec();
     actions::pause(context);
     actions::applyLayoutPreset(context, LayoutPreset::Compare);
     context.ui.compare.begin =
-        CompareWith::otherRun(withRules(spec, rulesWith(rulesOf(spec), remedy)));
+        CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy)));
 }
 
 bool openOnVerdict(CommandContext& context) {

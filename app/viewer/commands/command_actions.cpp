@@ -35,10 +35,10 @@ void closeDialogs(UiState& ui) {
 
 void pause(C& c) { c.playback.pause(); }
 
-void requestSettings(C& c, const InputSpec& spec) {
+void requestSettings(C& c, const RunSpec& spec) {
     UiRequests& requests = c.ui.requests;
-    if (withRules(c.session.input().spec(), rulesOf(spec)) == spec) {
-        requests.rules = rulesOf(spec);
+    if (withRulesOf(c.session.input().spec(), spec) == spec) {
+        requests.rules = spec;
         return;
     }
     requests.settings = spec;
@@ -140,7 +140,7 @@ void toggleBookmarkHere(C& c) {
 
 void resetRules(C& c) {
     if (!c.session.ready()) return;
-    RuleSet rules = c.session.input().rules();
+    RunSpec rules = c.session.input().rules();
     if (rules.choices.empty())
         return c.session.messages().say("All rules have the values of their set.");
     rules.choices.clear();
@@ -149,7 +149,7 @@ void resetRules(C& c) {
 
 void clearWhatIfs(C& c) {
     if (!c.session.ready()) return;
-    RuleSet rules = c.session.input().rules();
+    RunSpec rules = c.session.input().rules();
     if (rules.whatIf.empty()) return c.session.messages().say("No what-ifs are active.");
     rules.whatIf.clear();
     c.ui.requests.rules = std::move(rules);

@@ -14,7 +14,7 @@ namespace se::view::actions {
 void pause(CommandContext& c);
 /// Requests a run of the open input with other options: shown at its end, or at the same position
 /// if only rules differ.
-void requestSettings(CommandContext& c, const InputSpec& spec);
+void requestSettings(CommandContext& c, const RunSpec& spec);
 /// Closes the overlays above the panels and clears the selection.
 void escape(CommandContext& c);
 void nextMeshStyle(CommandContext& c);

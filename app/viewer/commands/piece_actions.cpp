@@ -8,8 +8,8 @@
 
 #include "command_actions.h"
 #include "panel_state/ui_state.h"
-#include "run/index_ranges.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/points/index_ranges.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "run/strings.h"
 #include "scene/picking.h"
 #include "session/session.h"
@@ -139,17 +139,17 @@ void showAside(CommandContext& context, const AsidePoints& group) {
 void bringBack(CommandContext& context, const AsidePoints& group) {
     Session& session = context.session;
     if (!session.ready()) return;
-    const InputSpec& spec = session.input().spec();
+    const RunSpec& spec = session.input().spec();
     UiRequests& requests = context.ui.requests;
     actions::pause(context);
     if (group.reason == AsideReason::LeftOut) requests.leftOut = IndexRanges{};
     if (group.reason == AsideReason::Fixed) {
-        Fixes fixes = spec.fixes;
+        std::vector<std::string> fixes = spec.fixes;
         std::erase(fixes, group.fix);
         requests.fixes = std::move(fixes);
     }
-    if (group.reason == AsideReason::Noise) requests.rules = withRule(rulesOf(spec), "noise", 0.0);
-    if (group.reason == AsideReason::Stray) requests.rules = withRule(rulesOf(spec), "strays", 0.0);
+    if (group.reason == AsideReason::Noise) requests.rules = withRule(spec, "noise", 0.0);
+    if (group.reason == AsideReason::Stray) requests.rules = withRule(spec, "strays", 0.0);
 }
 
 namespace actions {

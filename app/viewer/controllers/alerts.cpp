@@ -7,7 +7,6 @@
 #include "commands/alert_actions.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
-#include "run/trial_settings.h"
 
 namespace se::view {
 
@@ -96,7 +95,7 @@ void AlertController::reportChange() {
     const AlertSearch& alerts = c_.session.alerts().search();
     if (!alerts.done()) return;
     const std::string before = std::exchange(verdict_, verdictText(alerts));
-    const RuleSet rules = rulesOf(c_.session.input().spec());
+    const RunSpec rules = c_.session.input().spec();
     const bool sameRules = std::exchange(rules_, rules) == rules;
     if (before.empty() || (before == verdict_ && sameRules)) return;
     // The message about the position in the new run stays.

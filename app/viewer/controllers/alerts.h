@@ -36,7 +36,7 @@ class AlertController {
     std::string asked_;        ///< By the command line, until it was shown.
     std::string source_;       ///< The input of the last known alerts.
     std::string verdict_;      ///< Of that input; empty before any was known.
-    RuleSet rules_;            ///< Of the last known alerts.
+    RunSpec rules_;            ///< Of the last known alerts.
     bool interactive_ = true;  ///< A user is present.
     bool opened_ = false;
     Status status_ = success();

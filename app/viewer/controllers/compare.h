@@ -83,7 +83,7 @@ class CompareController {
     Theme theme_ = Theme::Dark;
     Selection selected_{};
     std::uint32_t generation_ = 0;
-    std::optional<InputSpec> spec_;  ///< Options of the run that was open before.
+    std::optional<RunSpec> spec_;  ///< Options of the run that was open before.
 };
 
 }  // namespace se::view

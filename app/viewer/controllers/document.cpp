@@ -65,7 +65,7 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.layoutPreset = edits.layout;
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
     putBack(edits.annotations, ui);
-    const InputSpec& spec = context.session.input().spec();
+    const RunSpec& spec = context.session.input().spec();
     if (edits.input != spec) actions::requestSettings(context, edits.input);
     // With other points the numbers may refer to others.
     if (!ui.requests.settings) context.session.select(edits.selected);
@@ -132,7 +132,7 @@ void DocumentController::expectArrival(const std::string& file) {
 }
 
 /// The page with new points is closed for the input that is opened.
-void DocumentController::openInput(InputSpec spec) {
+void DocumentController::openInput(RunSpec spec) {
     if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
     spec.maxBytes = std::max(spec.maxBytes, c_.session.input().opening().maxBytes);
     c_.session.open(std::move(spec));
@@ -167,7 +167,7 @@ void DocumentController::open(const std::string& path) {
     if (!named && looksLikeSession(path)) return openSession(path);
     foreign_ = true;
     const Session& session = c_.session;
-    InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
+    RunSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
     spec.leftOut = {};
     spec.piece = {};
@@ -189,7 +189,7 @@ void DocumentController::open(const std::string& path) {
     openInput(std::move(spec));
 }
 
-void DocumentController::openSpec(InputSpec spec) {
+void DocumentController::openSpec(RunSpec spec) {
     c_.playback.pause();
     const Session& session = c_.session;
     expectArrival(spec.source);
@@ -200,7 +200,7 @@ void DocumentController::openSpec(InputSpec spec) {
     openInput(std::move(spec));
 }
 
-void DocumentController::openStep(InputSpec spec, const std::string& address) {
+void DocumentController::openStep(RunSpec spec, const std::string& address) {
     expectArrival({});
     arrival_.goTo = address;
     openInput(std::move(spec));
@@ -318,7 +318,7 @@ void DocumentController::carryOut(UiRequests& requests) {
     const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
-        const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
+        const RunSpec spec = *std::exchange(requests.openSpec, std::nullopt);
         const bool same = c_.session.ready() && c_.session.input().spec().source == spec.source;
         leave({same ? LeaveFor::Reload : LeaveFor::Open, spec.source, {}, spec});
     }
@@ -357,7 +357,7 @@ void DocumentController::go(const Leave& to) {
 void DocumentController::reload() {
     const Session& session = c_.session;
     const bool failed = session.input().phase() == SessionPhase::Failed || !session.ready();
-    const InputSpec spec = failed ? session.input().opening() : session.input().spec();
+    const RunSpec spec = failed ? session.input().opening() : session.input().spec();
     if (!spec.source.empty()) c_.session.open(spec);
 }
 
@@ -368,8 +368,8 @@ void DocumentController::takeChanges(UiRequests& requests) {
     const auto settings = std::exchange(requests.settings, std::nullopt);
     if (!c_.session.ready() || c_.session.input().phase() == SessionPhase::Loading) return;
     c_.playback.pause();
-    InputSpec spec = settings ? *settings : c_.session.input().spec();
-    if (rules) spec = withRules(std::move(spec), *rules);
+    RunSpec spec = settings ? *settings : c_.session.input().spec();
+    if (rules) spec = withRulesOf(std::move(spec), *rules);
     if (fixes) spec.fixes = *fixes;
     if (leftOut) spec.leftOut = *leftOut;
     // What-ifs name points by their numbers, which change.
@@ -382,8 +382,9 @@ void DocumentController::takeChanges(UiRequests& requests) {
 }
 
 /// Re-runs the input; all annotations stay.
-void DocumentController::takeRules(const RuleSet& rules, Resume resume) {
-    if (!c_.session.ready() || rules == c_.session.input().rules()) return;
+void DocumentController::takeRules(const RunSpec& rules, Resume resume) {
+    const RunSpec now = c_.session.input().rules();
+    if (!c_.session.ready() || withRulesOf(now, rules) == now) return;
     c_.playback.pause();
     c_.session.rerun(rules, resume);
 }
@@ -446,7 +447,7 @@ void DocumentController::keepSettings() { keptSpec_ = c_.session.input().spec();
 
 bool DocumentController::hasNewSettings() const {
     if (!c_.session.ready()) return false;
-    InputSpec now = c_.session.input().spec();
+    RunSpec now = c_.session.input().spec();
     // A lesson has settings of its own, and those of other inputs come with them.
     if (c_.ui.lesson.walk.isOpen() || now.source != keptSpec_.source) return false;
     now.points = keptSpec_.points;

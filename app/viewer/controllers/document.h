@@ -37,7 +37,7 @@ class DocumentController {
     /// page with new points.
     void open(const std::string& path);
     /// Opens the input of a step of the open lesson at an address.
-    void openStep(InputSpec spec, const std::string& address);
+    void openStep(RunSpec spec, const std::string& address);
     /// Something else than a step of the open lesson was opened; once.
     bool takeForeignOpening() { return std::exchange(foreign_, false); }
     /// The requested input is not open yet.
@@ -109,16 +109,16 @@ class DocumentController {
     /// Opens the input again with other fixes, points and rules, as far as they are requested, and
     /// goes to the end of its run; bookmarks and notes stay.
     void takeChanges(UiRequests& requests);
-    void takeRules(const RuleSet& rules, Resume resume);
+    void takeRules(const RunSpec& rules, Resume resume);
     /// Waits for another input; `file` goes to the list of recent files.
     void expectArrival(const std::string& file);
-    void openInput(InputSpec spec);
+    void openInput(RunSpec spec);
     void aimAtScene(const std::string& source);
     void compareWithTrace(const std::string& path);
     void spreadOver(const std::string& volume);
     /// Opens an input with its options: the current one prepared in another way, or points that
     /// were sampled here and are shown already.
-    void openSpec(InputSpec spec);
+    void openSpec(RunSpec spec);
     void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
@@ -139,7 +139,7 @@ class DocumentController {
     std::string annotatedSource_;       ///< The source of the current annotations.
     std::string original_;              ///< The open session file, as it was read.
     Annotations saved_;                 ///< Annotations in the session file.
-    InputSpec keptSpec_;                ///< The settings when the input was opened or saved.
+    RunSpec keptSpec_;                ///< The settings when the input was opened or saved.
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;

@@ -185,7 +185,7 @@ void LessonController::goTo(std::size_t step) {
     if (step != walk().step()) panel().countsHands = false;
     walk().goTo(step);
     keepStep();
-    const Result<InputSpec> input = inputOfStep(walk().setting(), walk().folder());
+    const Result<RunSpec> input = inputOfStep(walk().setting(), walk().folder());
     if (!input) return c_.session.messages().say(input.error().message);
     input_ = input.value();
     entering_ = true;
@@ -228,8 +228,8 @@ void LessonController::leaveStep() {
 }
 
 void LessonController::compare() {
-    const Result<InputSpec> other =
-        comparedInput(input_, walk().setting(), walk().shownStep().compare);
+    const Result<RunSpec> other =
+        comparedInput(input_, walk().shownStep().compare);
     if (!other) return c_.session.messages().say(other.error().message);
     choices_.compare(CompareWith::otherRun(other.value()));
 }

@@ -169,7 +169,7 @@ void SamplingController::use() {
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) return;
     growth_.pause();
-    InputSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
+    RunSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
     spec.leftOut = {};

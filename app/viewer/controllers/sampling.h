@@ -20,7 +20,7 @@ class SamplingController {
 
     /// Opens the page with these particles; `usual` has the options for opening the points later.
     void begin(SampleSpec spec);
-    void setUsual(const InputSpec& usual) { usual_ = usual; }
+    void setUsual(const RunSpec& usual) { usual_ = usual; }
     /// Takes the results of the thread. True if there is something new to draw.
     bool poll();
     /// Carries out the requests of page and commands.
@@ -47,7 +47,7 @@ class SamplingController {
 
     CommandContext& c_;
     Growth growth_;
-    InputSpec usual_;
+    RunSpec usual_;
     std::unique_ptr<Model> model_;
     DrawList list_;
     std::uint32_t revision_ = 0;

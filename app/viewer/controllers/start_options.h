@@ -10,6 +10,7 @@
 #include "export/order.h"
 #include "panel_state/picture_look.h"
 #include "run/model.h"
+#include "run/sample_spec.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
 #include "scene/point_tint.h"
@@ -22,12 +23,9 @@ namespace se::view {
 struct Options {
     /// Start of the program, from which the time to the first frame is counted.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    InputSpec input;        ///< An empty source: begin with the start page.
+    RunSpec input;        ///< An empty source: begin with the start page.
     std::string startFile;  ///< --start; empty: the start of the input.
-    bool rulesGiven = false;
-    bool reachGiven = false;             ///< --neighbors, --radius or --reach.
-    bool normalsGiven = false;           ///< --orient or --derive-normals.
-    bool wallsGiven = false;             ///< --box, without --new.
+    SpecChange given;                    ///< Options of the run; `input` has them.
     std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
     std::optional<SessionFile> session;  ///< The session in FILE, if it is one.
     std::string sessionPath;

@@ -50,7 +50,7 @@ std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view
     return key.empty() ? text : text + std::string(key) + ": ";
 }
 
-Result<InputSpec> inputOfStep(const LessonFile& file, std::size_t step) {
+Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step) {
     return inputOfStep(teach::settingOf(file.lesson, step), file.folder);
 }
 

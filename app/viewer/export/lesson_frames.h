@@ -16,7 +16,7 @@ Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& sour
 std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key);
 
 /// The input of a step, from 0, with its rules. Fails with a sentence.
-Result<InputSpec> inputOfStep(const LessonFile& file, std::size_t step);
+Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step);
 
 /// `layers` with those that the step pins and hides.
 LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step);

@@ -16,7 +16,7 @@ bool sameInput(const Params& a, const Params& b) {
            a.setStraysAside == b.setStraysAside;
 }
 
-Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
+Result<Opened> openInput(const RunSpec& spec, LoadProgress& progress) {
     Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
     Opened opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
@@ -25,7 +25,7 @@ Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
 }
 
 /// The same points with the params of other rules.
-Result<Opened> openAgain(const InputSpec& spec, const Rerun& rerun, LoadProgress& progress) {
+Result<Opened> openAgain(const RunSpec& spec, const Rerun& rerun, LoadProgress& progress) {
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
     if (!sameInput(params.value(), rerun.model->params)) return openInput(spec, progress);
@@ -64,7 +64,7 @@ std::vector<MovedModel> movedModels(const Model& model) {
     return made;
 }
 
-Result<Opened> openRun(const InputSpec& spec, const std::optional<Rerun>& rerun,
+Result<Opened> openRun(const RunSpec& spec, const std::optional<Rerun>& rerun,
                        LoadProgress& progress) {
     Result<Opened> made = rerun ? openAgain(spec, *rerun, progress) : openInput(spec, progress);
     if (!made) return made;
@@ -92,13 +92,13 @@ Result<Opened> openRun(const InputSpec& spec, const std::optional<Rerun>& rerun,
 
 }  // namespace
 
-void Loader::start(const InputSpec& spec) { start(spec, std::nullopt); }
+void Loader::start(const RunSpec& spec) { start(spec, std::nullopt); }
 
-void Loader::start(const InputSpec& spec, const Rerun& rerun) {
+void Loader::start(const RunSpec& spec, const Rerun& rerun) {
     start(spec, std::optional<Rerun>(rerun));
 }
 
-void Loader::start(const InputSpec& spec, std::optional<Rerun> rerun) {
+void Loader::start(const RunSpec& spec, std::optional<Rerun> rerun) {
     cancel();
     progress_ = std::make_shared<LoadProgress>();
     query_.start([spec, rerun = std::move(rerun), progress = progress_](const Progress&) {

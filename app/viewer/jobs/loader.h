@@ -36,7 +36,7 @@ struct Opened {
 /// An open run to be re-run, with the position of its cursor.
 struct Rerun {
     std::shared_ptr<const Model> model;
-    InputSpec spec;
+    RunSpec spec;
     CursorPosition cursor;
 };
 
@@ -49,10 +49,10 @@ class Loader {
     Loader& operator=(const Loader&) = delete;
 
     /// Opens another input; an opening in progress is cancelled.
-    void start(const InputSpec& spec);
+    void start(const RunSpec& spec);
     /// Opens the same input under other rules or with other what-ifs; points that stay the same are
     /// not prepared again. Fails if a new what-if is refused.
-    void start(const InputSpec& spec, const Rerun& rerun);
+    void start(const RunSpec& spec, const Rerun& rerun);
     void cancel();
     /// An input is being opened, or waits to be taken.
     bool busy() const { return query_.busy(); }
@@ -64,7 +64,7 @@ class Loader {
     void waitUntilDone() { query_.waitUntilDone(); }
 
   private:
-    void start(const InputSpec& spec, std::optional<Rerun> rerun);
+    void start(const RunSpec& spec, std::optional<Rerun> rerun);
 
     std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
     BackgroundQuery<Opened> query_;

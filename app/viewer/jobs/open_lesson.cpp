@@ -42,13 +42,6 @@ LessonEntry entryOf(const teach::EmbeddedLesson& embedded) {
     return entry;
 }
 
-void takeSettings(const RunSettings& settings, InputSpec& spec) {
-    spec.rules = settings.rules;
-    spec.choices = settings.choices;
-    spec.whatIf = settings.whatIf;
-    spec.neighbors = settings.prepare.neighbors;
-}
-
 }  // namespace
 
 const std::vector<LessonEntry>& lessonEntries() {
@@ -97,28 +90,20 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
     return opened;
 }
 
-Result<InputSpec> inputOfStep(const teach::StepSetting& setting,
+Result<RunSpec> inputOfStep(const teach::StepSetting& setting,
                               const std::filesystem::path& folder) {
     const Result<std::string> source =
         teach::pointsSource(teach::lessonSource(setting.input, folder));
     if (!source) return source.error();
-    const Result<RunSettings> settings = teach::runSettings(setting);
-    if (!settings) return settings.error();
-    InputSpec spec;
-    spec.source = source.value();
-    takeSettings(settings.value(), spec);
+    Result<RunSpec> spec = teach::runSpec(setting);
+    if (!spec) return spec;
+    spec.value().source = source.value();
     return spec;
 }
 
-Result<InputSpec> comparedInput(const InputSpec& spec, const teach::StepSetting& setting,
-                                const std::vector<std::string>& words) {
-    const Result<RunSettings> settings = teach::runSettings(setting);
-    if (!settings) return settings.error();
-    const Result<RunSettings> changed = teach::comparedSettings(settings.value(), words);
-    if (!changed) return changed.error();
-    InputSpec other = spec;
-    takeSettings(changed.value(), other);
-    return other;
+Result<RunSpec> comparedInput(const RunSpec& spec, const std::vector<std::string>& words) {
+    const Result<SpecChange> change = changeFromWords(words);
+    return change ? Result<RunSpec>(otherRun(spec, change.value())) : change.error();
 }
 
 }  // namespace se::view

@@ -21,12 +21,12 @@ void lowerPriority() {
 
 }  // namespace
 
-void TrialJob::open(std::shared_ptr<const PointFile> file, RunSettings settings) {
+void TrialJob::open(std::shared_ptr<const PointFile> file, RunSpec spec) {
     job_.cancel();
     file_ = std::move(file);
-    settings_ = std::move(settings);
+    spec_ = std::move(spec);
     // Preparing takes one thread; the search for faults takes all, at low priority.
-    settings_.prepare.neighbors.threads = 1;
+    spec_.neighbors.threads = 1;
     started_ = false;
     trials_ = {};
     trying_.clear();
@@ -37,14 +37,14 @@ void TrialJob::start() {
     if (started_ || file_ == nullptr) return;
     started_ = true;
     trying_ = trialText({});
-    job_.start([file = file_, settings = settings_](auto& results) {
+    job_.start([file = file_, spec = spec_](auto& results) {
         lowerPriority();
         double share = 0.0;
-        const auto visit = [&](const Trials& trials, const SettingsChange& next) {
+        const auto visit = [&](const Trials& trials, const SpecChange& next) {
             results.add({trials, trialText(next)});
             results.report(share);
         };
-        Result<Trials> all = tryChanges(*file, settings, visit, [&](double done) {
+        Result<Trials> all = tryChanges(*file, spec, visit, [&](double done) {
             share = done;
             return results.report(done);
         });

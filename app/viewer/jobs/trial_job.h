@@ -11,8 +11,8 @@ namespace se::view {
 
 class TrialJob {
   public:
-    /// Sets the input to try, prepared with `settings`; trials in progress are cancelled.
-    void open(std::shared_ptr<const PointFile> file, RunSettings settings);
+    /// Sets the input to try, prepared by `spec`; trials in progress are cancelled.
+    void open(std::shared_ptr<const PointFile> file, RunSpec spec);
     /// Starts the trials, unless they were started.
     void start();
     /// Ends them at the user's request; what was tried stays.
@@ -44,7 +44,7 @@ class TrialJob {
     };
 
     std::shared_ptr<const PointFile> file_;
-    RunSettings settings_;
+    RunSpec spec_;
     bool started_ = false;
     Trials trials_;
     std::string trying_;

@@ -5,7 +5,7 @@
 
 #include "disc.h"
 #include "run/number_format.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "sphere_contact.h"
 
 namespace se::view {

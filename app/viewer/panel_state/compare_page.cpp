@@ -4,22 +4,22 @@
 
 namespace se::view {
 
-void CompareForm::takeOther(const InputSpec& other, const Model& model) {
-    rules = rulesOf(other);
+void CompareForm::takeOther(const RunSpec& other, const Model& model) {
+    rules = other;
     prepare.take(other, model);
     prepare.open = false;
     whatIf.clear();
     complaint.clear();
 }
 
-void CompareForm::take(const InputSpec& spec, const Model& model) {
+void CompareForm::take(const RunSpec& spec, const Model& model) {
     takeOther(usualOther(spec), model);
     ruleFilter = {};
 }
 
-void CompareForm::follow(const InputSpec& before, const InputSpec& now, const Model& model) {
+void CompareForm::follow(const RunSpec& before, const RunSpec& now, const Model& model) {
     // With the rules of `now` only the preparation remains to differ.
-    if (differenceText(withRules(before, rulesOf(now)), now) != "the same") {
+    if (differenceText(withRulesOf(before, now), now) != "the same") {
         prepare.take(now, model);
         prepare.open = false;
     }
@@ -34,11 +34,11 @@ void CompareForm::addWhatIf() {
     whatIf.clear();
 }
 
-Result<InputSpec> CompareForm::spec(const InputSpec& base) const {
-    return prepare.spec(withRules(base, rules));
+Result<RunSpec> CompareForm::spec(const RunSpec& base) const {
+    return prepare.spec(withRulesOf(base, rules));
 }
 
-InputSpec trueRunOf(InputSpec spec) {
+RunSpec trueRunOf(RunSpec spec) {
     spec.whatIf.clear();
     return spec;
 }

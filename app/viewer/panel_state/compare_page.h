@@ -14,26 +14,26 @@
 namespace se::view {
 
 struct CompareForm {
-    RuleSet rules;        ///< Set, single rules and what-ifs.
+    RunSpec rules;        ///< Its set, single rules and what-ifs count.
     PrepareForm prepare;  ///< Lists, normals, walls, rims.
     std::string whatIf;   ///< The line of another what-if, while it is typed.
     std::array<char, 64> ruleFilter{};
     std::string complaint;
 
     /// Starts with the most informative rule set beside `spec`; all else as in `spec`.
-    void take(const InputSpec& spec, const Model& model);
+    void take(const RunSpec& spec, const Model& model);
     /// Starts with `other`, which is compared with already.
-    void takeOther(const InputSpec& other, const Model& model);
+    void takeOther(const RunSpec& other, const Model& model);
     /// The open run was opened again as `now`: its own changes are applied to both.
-    void follow(const InputSpec& before, const InputSpec& now, const Model& model);
+    void follow(const RunSpec& before, const RunSpec& now, const Model& model);
     /// Adds the line of a what-if to those of the other run; otherwise sets the complaint.
     void addWhatIf();
     /// `base` with these choices. Fails with a sentence.
-    Result<InputSpec> spec(const InputSpec& base) const;
+    Result<RunSpec> spec(const RunSpec& base) const;
 };
 
 /// `spec` without its what-ifs.
-InputSpec trueRunOf(InputSpec spec);
+RunSpec trueRunOf(RunSpec spec);
 
 /// Request by a command or panel, carried out at the end of the frame.
 enum class CompareAsk : std::uint8_t {
@@ -60,7 +60,7 @@ struct ComparePage {
     std::optional<Selection> wantsWhy;  ///< Subject of a query to both runs.
     std::optional<Selection> why;       ///< Subject of the last query.
     /// The run as it was before it was opened again with other options.
-    std::optional<InputSpec> before;
+    std::optional<RunSpec> before;
 
     /// A layout shows two views.
     bool isIn(LayoutPreset layout) const {

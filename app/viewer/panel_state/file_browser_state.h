@@ -97,7 +97,7 @@ struct MeshForm {
     std::string question;     ///< The file that would be replaced; empty: none.
     bool justAsked = false;   ///< The button No gets the keyboard focus.
     std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
-    std::string savedSource;  ///< A source, see InputSpec.
+    std::string savedSource;  ///< A source, see RunSpec.
     bool justSaved = false;   ///< The settings of the run are in a file, with its mesh.
     std::string copied;       ///< The command that was copied last.
 

@@ -3,20 +3,30 @@
 #include "prepare_form.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
 #include "run/number_format.h"
 #include "run/strings.h"
-#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se::view {
 
 namespace {
 
-constexpr std::uint64_t kMaxNeighbors = 1000;
 /// Default radius, which includes about as many points as the 12 nearest.
 constexpr double kRadiusInSpacings = 2.1;
+
+/// The rules that set neighbors or points aside.
+constexpr const char* kOpposing = "opposing";
+constexpr const char* kNoise = "noise";
+constexpr const char* kStrays = "strays";
+
+bool isOff(const RunSpec& spec, const char* rule) {
+    return valueOf(spec, *findRuleSetting(rule)) == 0.0;
+}
 
 /// Digits of a suggested value.
 double rounded(double value) { return numberFromText(formatted("%.4g", value)).value_or(value); }
@@ -45,13 +55,13 @@ BoxFields proposedFields(const WallBox& box) {
 
 }  // namespace
 
-void PrepareForm::take(const InputSpec& spec, const Model& model) {
+void PrepareForm::take(const RunSpec& spec, const Model& model) {
     *this = {};
     open = true;
     symmetric = spec.neighbors.symmetric;
-    keepOpposing = spec.keepOpposing;
-    keepNoise = spec.keepNoise;
-    keepStrays = spec.keepStrays;
+    keepOpposing = isOff(spec, kOpposing);
+    keepNoise = isOff(spec, kNoise);
+    keepStrays = isOff(spec, kStrays);
     rim = spec.rim;
     normals = spec.normals;
     for (int i = 0; spec.scanner && i < 3; ++i)
@@ -86,57 +96,47 @@ void PrepareForm::show(Fix fix) {
     count = std::to_string(KNearest{}.k);
 }
 
-Status PrepareForm::setScanner(std::optional<Vec3>& at) const {
-    at.reset();
-    const auto isEmpty = [](const std::string& text) { return text.empty(); };
-    if (std::all_of(scanner.begin(), scanner.end(), isEmpty)) return success();
-    Vec3 read{};
-    for (int i = 0; i < 3; ++i) {
-        const auto number = numberFromText(scanner[static_cast<std::size_t>(i)]);
-        if (!number) return Error{"Scanner: expected three numbers, or none."};
-        read[i] = *number;
-    }
-    at = read;
-    return success();
+SpecChange PrepareForm::values() const {
+    SpecChange values;
+    const auto set = [&values](std::string_view key, const std::string& text) {
+        values.push_back({findSpecField(key), text});
+    };
+    if (reach == Reach::Nearest) set("neighbors", count);
+    if (reach == Reach::Radius) set("radius", radius);
+    if (reach == Reach::Spacings) set("reach", spacings);
+    if (symmetric) set("symmetric", "on");
+    if (normals == NormalSource::Oriented) set("normals", "oriented");
+    if (normals == NormalSource::Derived) set("normals", "derived");
+    const std::string at = scanner[0] + "," + scanner[1] + "," + scanner[2];
+    if (at != ",,") set("scanner", at);
+    if (walls == WallChoice::From::Around) set("box", "auto");
+    if (rim) set("rim", "on");
+    return values;
 }
 
-Status PrepareForm::setReach(NeighborOptions& neighbors) const {
-    neighbors = {};
-    neighbors.symmetric = symmetric;
-    neighbors.recompute = reach != Reach::File;
-    if (reach == Reach::Nearest) {
-        const auto number = numberIn<std::uint64_t>(count);
-        if (!number || *number == 0 || *number > kMaxNeighbors) {
-            return Error{"Nearest: expected a whole number from 1 to 1000."};
-        }
-        neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
+Result<RunSpec> PrepareForm::spec(RunSpec base) const {
+    base.neighbors = {};
+    base.normals = NormalSource::AsGiven;
+    base.scanner.reset();
+    base.walls = {};
+    base.rim = false;
+    for (const auto& [field, text] : values()) {
+        const Status set = setField(*field, base, text);
+        if (set) continue;
+        std::string name(field->key);
+        name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+        return Error{name + ": " + set.error().message + "."};
     }
-    if (reach == Reach::Radius || reach == Reach::Spacings) {
-        const bool byRadius = reach == Reach::Radius;
-        const double number = numberFromText(byRadius ? radius : spacings).value_or(0.0);
-        if (!(number > 0.0))
-            return Error{std::string(byRadius ? "Radius" : "Spacings") +
-                         ": expected a number > 0."};
-        if (byRadius) neighbors.reach = WithinRadius{number};
-        if (!byRadius) neighbors.reach = WithinSpacings{number};
-    }
-    return success();
-}
-
-Result<InputSpec> PrepareForm::spec(InputSpec base) const {
-    if (const Status set = setReach(base.neighbors); !set) return set.error();
-    base.normals = normals;
-    if (const Status set = setScanner(base.scanner); !set) return set.error();
-    base.walls = {walls, {}};
     if (walls == WallChoice::From::Box) {
         const Result<WallBox> six = boxFromFields(box);
         if (!six) return six.error();
-        base.walls.box = six.value();
+        base.walls = {walls, six.value()};
     }
-    base.keepOpposing = keepOpposing;
-    base.keepNoise = keepNoise;
-    base.keepStrays = keepStrays;
-    base.rim = rim;
+    for (const auto& [name, keeps] : {std::pair{kOpposing, keepOpposing},
+                                      {kNoise, keepNoise},
+                                      {kStrays, keepStrays}}) {
+        if (keeps != isOff(base, name)) base = withRule(std::move(base), name, keeps ? 0.0 : 1.0);
+    }
     // The choice made here replaces the one of a fix, unless they agree.
     std::erase_if(base.fixes, [this](const std::string& name) {
         PrepareForm fixed = *this;

@@ -7,6 +7,7 @@
 
 #include "growth_page.h"
 #include "run/model.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se::view {
 
@@ -34,7 +35,7 @@ struct PrepareForm {
 
     /// Starts with the options of `spec`, including the doctor's fixes; the box with that around
     /// the points of `model`.
-    void take(const InputSpec& spec, const Model& model);
+    void take(const RunSpec& spec, const Model& model);
     /// Drops what was typed.
     void close() {
         open = wantsKeyboard = false;
@@ -42,13 +43,13 @@ struct PrepareForm {
     }
     /// `base` with these options, without the fixes that they contradict. Fails with a sentence
     /// about the first field that is wrong.
-    Result<InputSpec> spec(InputSpec base) const;
+    Result<RunSpec> spec(RunSpec base) const;
 
     friend bool operator==(const PrepareForm&, const PrepareForm&) = default;
 
   private:
-    Status setReach(NeighborOptions& neighbors) const;
-    Status setScanner(std::optional<Vec3>& at) const;
+    /// The values of the fields that are set.
+    SpecChange values() const;
     /// Makes the choices of a fix.
     void show(Fix fix);
 };

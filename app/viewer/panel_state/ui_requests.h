@@ -9,7 +9,7 @@
 
 #include "run/doctor_fixes.h"
 #include "run/model.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "run/same_position.h"
 
 namespace se::view {
@@ -32,17 +32,17 @@ struct UiRequests {
     FrameRequest frame = FrameRequest::None;
     bool undo = false;
     bool redo = false;
-    std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.
+    std::optional<std::vector<std::string>> fixes;  ///< std::vector<std::string> to open the input with again; empty: the file as it is.
     /// Points of the file to open the input without, by their indices; empty: all of them.
     std::optional<IndexRanges> leftOut;
-    std::optional<InputSpec> settings;     ///< The open input with other options.
-    std::optional<RuleSet> rules;          ///< Rules to re-run with; see withRule().
+    std::optional<RunSpec> settings;     ///< The open input with other options.
+    std::optional<RunSpec> rules;          ///< Rules of this to re-run with; see withRule().
     Resume resume = Resume::SamePosition;  ///< With `rules`.
     std::string open;                      ///< A path or `scene:ID`; empty: nothing.
     std::string saveSessionAs;             ///< A path; empty: nothing.
     std::string copyText;                  ///< Text for the clipboard; empty: nothing.
     /// An input with its options: prepared in another way, or sampled points.
-    std::optional<InputSpec> openSpec;
+    std::optional<RunSpec> openSpec;
 };
 
 enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
@@ -53,7 +53,7 @@ struct Leave {
     LeaveFor what = LeaveFor::Quit;
     std::string path;                              ///< Of LeaveFor::Open: a path or `scene:ID`.
     std::string notice;                            ///< Message on arrival.
-    std::optional<InputSpec> spec = std::nullopt;  ///< Input to open, with its options.
+    std::optional<RunSpec> spec = std::nullopt;  ///< Input to open, with its options.
 };
 
 /// The question, while it is open.

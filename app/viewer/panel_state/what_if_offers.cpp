@@ -177,8 +177,8 @@ Result<WhatIf> WhatIfForm::neighbors(std::uint32_t pivot) const {
 
 std::uint32_t forkPivot(const Session& session) { return std::max(1U, session.record().pivot); }
 
-RuleSet withWhatIf(const RuleSet& rules, const WhatIf& what) {
-    RuleSet made = rules;
+RunSpec withWhatIf(const RunSpec& rules, const WhatIf& what) {
+    RunSpec made = rules;
     const auto decides = [](WhatIfKind kind) {
         return kind == WhatIfKind::Keep || kind == WhatIfKind::Drop;
     };
@@ -191,8 +191,8 @@ RuleSet withWhatIf(const RuleSet& rules, const WhatIf& what) {
     return made;
 }
 
-RuleSet withoutWhatIf(const RuleSet& rules, std::size_t i) {
-    RuleSet made = rules;
+RunSpec withoutWhatIf(const RunSpec& rules, std::size_t i) {
+    RunSpec made = rules;
     if (i < made.whatIf.size()) {
         made.whatIf.erase(made.whatIf.begin() + static_cast<std::ptrdiff_t>(i));
     }

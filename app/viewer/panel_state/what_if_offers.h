@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
@@ -47,8 +47,8 @@ struct WhatIfForm {
 /// The pivot from which a change of the points at the cursor applies: its own, or the first.
 std::uint32_t forkPivot(const Session& session);
 /// `rules` with one more what-if; it replaces one about the same thing at the same place.
-RuleSet withWhatIf(const RuleSet& rules, const WhatIf& what);
+RunSpec withWhatIf(const RunSpec& rules, const WhatIf& what);
 /// `rules` without the what-if at position `i`.
-RuleSet withoutWhatIf(const RuleSet& rules, std::size_t i);
+RunSpec withoutWhatIf(const RunSpec& rules, std::size_t i);
 
 }  // namespace se::view

@@ -47,7 +47,7 @@ bool matches(const RuleRow& row, const std::vector<std::string_view>& words) {
 
 }  // namespace
 
-std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter) {
+std::vector<RuleGroup> ruleGroups(const RunSpec& rules, std::string_view filter) {
     const std::string wanted = lowerCase(filter);
     const std::vector<std::string_view> words = wordsOf(wanted);
     std::vector<RuleGroup> groups;
@@ -61,7 +61,7 @@ std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter)
     return groups;
 }
 
-std::size_t differingCount(const RuleSet& rules) {
+std::size_t differingCount(const RunSpec& rules) {
     const auto rows = ruleSettings();
     return static_cast<std::size_t>(
         std::count_if(rows.begin(), rows.end(), [&](const RuleSetting& each) {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 
@@ -24,9 +24,9 @@ struct RuleGroup {
 
 /// The rules that have every word of `filter` in name, section, summary, value or the paper's
 /// sentence, in any case, or "differs" for those that differ from their set.
-std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter);
+std::vector<RuleGroup> ruleGroups(const RunSpec& rules, std::string_view filter);
 /// Number of rules that differ from their set.
-std::size_t differingCount(const RuleSet& rules);
+std::size_t differingCount(const RunSpec& rules);
 /// The effect of a rule, of a switch when on.
 std::string ruleSentence(const RuleRow& row);
 /// Text of the tooltip: effect, possible values, and the paper's sentence.

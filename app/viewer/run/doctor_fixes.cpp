@@ -14,7 +14,7 @@ namespace se::view {
 
 namespace {
 
-bool has(const Fixes& fixes, Fix kind) {
+bool has(const std::vector<std::string>& fixes, Fix kind) {
     return std::any_of(fixes.begin(), fixes.end(), [kind](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
         return check != nullptr && check->fix == kind;
@@ -105,8 +105,8 @@ std::string_view fixText(Fix fix) {
     return kTexts[static_cast<std::size_t>(fix)];
 }
 
-Fixes safeFixes(std::span<const Finding> findings) {
-    Fixes fixes;
+std::vector<std::string> safeFixes(std::span<const Finding> findings) {
+    std::vector<std::string> fixes;
     for (const Fix kind : {Fix::Repair, Fix::Orient}) {
         const auto found = std::find_if(findings.begin(), findings.end(),
                                         [kind](const Finding& f) { return f.check->fix == kind; });
@@ -115,7 +115,7 @@ Fixes safeFixes(std::span<const Finding> findings) {
     return fixes;
 }
 
-Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& progress) {
+Result<FixesDone> fixInput(PointFile& file, const std::vector<std::string>& fixes, const Progress& progress) {
     FixesDone done;
     std::vector<Vec3> places = fixes.empty() ? std::vector<Vec3>{} : file.position;
     done.kept.resize(file.position.size());
@@ -145,7 +145,7 @@ Result<FixesDone> fixInput(PointFile& file, const Fixes& fixes, const Progress& 
 }
 
 std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,
-                                    const Fixes& fixes, PointFile& file) {
+                                    const std::vector<std::string>& fixes, PointFile& file) {
     std::vector<std::string> done;
     const PointSet& points = prepared.points;
     if (has(fixes, Fix::Orient) && options.normals == NormalSource::Oriented) {

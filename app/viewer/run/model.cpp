@@ -16,7 +16,6 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "strings.h"
 #include "teach/practice.h"
@@ -51,7 +50,7 @@ Result<std::string> readHashed(const fs::path& path, const ByteLimit& limit, std
 }
 
 /// Sampled points, unless they are in memory.
-Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& progress) {
+Result<PointFile> readSample(const RunSpec& spec, Model& model, LoadProgress& progress) {
     Result<SampleSpec> sample = sampleFromSource(spec.source);
     if (!sample) return sample.error();
     sample.value().maxBytes = spec.maxBytes;
@@ -69,7 +68,7 @@ Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& 
 }
 
 /// Standard input, which was read when the program started.
-Result<PointFile> takeStandardInput(const InputSpec& spec, Model& model) {
+Result<PointFile> takeStandardInput(const RunSpec& spec, Model& model) {
     model.name = "standard input";
     if (!spec.points) return Error{"Standard input can be read only once, at the start."};
     model.hash = hashOfPoints(*spec.points);
@@ -87,7 +86,7 @@ void nameLikeFigure(Model& model, const Figure& figure) {
     if (address && !numbers && figure.scene.start == nullptr) model.namesIn = address->pivot;
 }
 
-Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& progress) {
+Result<PointFile> readSource(const RunSpec& spec, Model& model, LoadProgress& progress) {
     const std::string& source = spec.source;
     if (isSample(source)) return readSample(spec, model, progress);
     if (isStandardInput(source)) return takeStandardInput(spec, model);
@@ -246,36 +245,10 @@ void placeModel(Model& model) {
     }
 }
 
-InputSpec withFixOptions(InputSpec spec) {
-    for (const std::string& name : spec.fixes) {
-        const DoctorCheck* check = findDoctorCheck(name);
-        if (check == nullptr) continue;
-        if (check->fix == Fix::Orient) spec.normals = NormalSource::Oriented;
-        if (check->fix == Fix::Symmetric) spec.neighbors.symmetric = true;
-        if (check->fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
-        if (check->fix == Fix::Rim) spec.rim = true;
-        if (check->fix != Fix::NewLists) continue;
-        spec.neighbors.reach = KNearest{};
-        spec.neighbors.recompute = true;
-    }
-    return spec;
-}
-
-PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file) {
-    PrepareOptions options;
-    options.neighbors = spec.neighbors;
-    options.normals = spec.normals;
-    options.rim = spec.rim;
-    options.scanner = spec.scanner;
-    if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
-    if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
-    return prepareOptionsFor(std::move(options), params);
-}
-
 namespace {
 
 /// Reads the piece of the source.
-Result<PointFile> readPiece(const InputSpec& spec, Model& model, LoadProgress& progress) {
+Result<PointFile> readPiece(const RunSpec& spec, Model& model, LoadProgress& progress) {
     Result<PointFile> file = readSource(spec, model, progress);
     if (!file) return file;
     model.pointsInFile = file.value().position.size();
@@ -310,13 +283,8 @@ void takeFixed(FixesDone done, Model& model) {
 }
 
 /// Points that may take part in the run, and how to prepare them. Repaired if `spec` has fixes.
-Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model& model,
+Result<PrepareOptions> takePoints(const RunSpec& spec, PointFile& file, Model& model,
                                   const LoadProgress& progress) {
-    if (spec.scanner && file.hasNormals() && spec.normals == NormalSource::AsGiven) {
-        return Error{
-            "The points have normals; only flipped or derived ones can face a scanner (--orient, "
-            "--derive-normals)."};
-    }
     if (const Status some = leaveOut(spec.leftOut, file, model); !some) return some.error();
     model.fixed = !spec.fixes.empty();
     Result<FixesDone> done =
@@ -325,7 +293,7 @@ Result<PrepareOptions> takePoints(const InputSpec& spec, PointFile& file, Model&
     if (!done) return done.error();
     takeFixed(std::move(done.value()), model);
     // Around the points that are left, like the file that the doctor writes.
-    return prepareOptions(withFixOptions(spec), model.params, file);
+    return prepareOptionsOf(withFixesAsOptions(spec), model.params, file);
 }
 
 /// Fails if the run of the model cannot begin with its given start, which names points by numbers.
@@ -344,7 +312,7 @@ Status requireStartOf(const Model& model, const PointSet& points) {
 
 }  // namespace
 
-Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
+Result<Loaded> loadInput(const RunSpec& spec, LoadProgress& progress) {
     auto model = std::make_shared<Model>();
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();

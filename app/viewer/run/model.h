@@ -14,8 +14,8 @@
 
 #include "aside.h"
 #include "doctor_fixes.h"
-#include "index_ranges.h"
-#include "rule_set.h"
+#include "spiraling_edge/points/index_ranges.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
@@ -34,9 +34,6 @@ namespace se::view {
 /// Error of an opening that the user cancelled.
 Error openingCancelled();
 
-/// Sources that are no files: "scene:ID".
-inline constexpr std::string_view kScenePrefix = "scene:";
-inline bool isScene(std::string_view source) { return source.starts_with(kScenePrefix); }
 inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
 }
@@ -48,55 +45,6 @@ inline bool isPractice(std::string_view source) { return teach::practiceSeed(sou
 inline const Figure* figureOfSource(std::string_view source) {
     return isScene(source) ? figureOfScene(source.substr(kScenePrefix.size())) : nullptr;
 }
-
-/// The source name of standard input, whose content is in InputSpec::points.
-inline constexpr std::string_view kStandardInput = "-";
-inline bool isStandardInput(std::string_view source) { return source == kStandardInput; }
-
-/// Source of the walls that boundary points lie on.
-struct WallChoice {
-    enum class From : std::uint8_t {
-        File,    ///< The types that the file has, if any.
-        Around,  ///< The box around all points.
-        Box,     ///< `box`.
-    };
-    From from = From::File;
-    WallBox box{};
-    friend bool operator==(const WallChoice& a, const WallChoice& b) {
-        const bool same = a.box.low == b.box.low && a.box.high == b.box.high;
-        return a.from == b.from && (a.from != From::Box || same);
-    }
-};
-
-/// Input and options to open.
-struct InputSpec {
-    /// A path, `-`, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
-    std::string source;
-    NeighborOptions neighbors;
-    std::string rules = "paper";          ///< A name that paramsByName() knows.
-    std::vector<RuleValue> choices = {};  ///< Single rules that differ from that set.
-    Fixes fixes = {};                     ///< Checks whose fixes the user has applied.
-    NormalSource normals = NormalSource::AsGiven;
-    WallChoice walls = {};
-    bool rim = false;           ///< Find where the surface ends without a wall (rim.h).
-    bool keepOpposing = false;  ///< Overrides the rules: also neighbors with opposing normals.
-    bool keepNoise = false;     ///< Overrides the rules: no point is set aside for noise.
-    bool keepStrays = false;    ///< Overrides the rules: no point is set aside as a stray.
-    /// Points of `source`, if in memory already: then nothing is read or sampled.
-    std::shared_ptr<const PointFile> points = nullptr;
-    std::vector<WhatIf> whatIf = {};   ///< Decisions that the user overrides.
-    std::optional<Vec3> scanner = {};  ///< PrepareOptions::scanner.
-    Piece piece = {};                  ///< The part of the file that is read.
-    IndexRanges leftOut = {};          ///< Points of the piece to run without, by their indices.
-    GivenStart start =
-        {};  ///< Triangles and rings that the run begins with; empty: those of a scene.
-    std::uint64_t maxBytes = ByteLimit{}.bytes;  ///< Limit of reading; no part of a session.
-    friend bool operator==(const InputSpec&, const InputSpec&) = default;
-};
-/// `spec` with the options that its fixes choose, besides those that change the file.
-InputSpec withFixOptions(InputSpec spec);
-/// Options for prepare(), for points of `file`.
-PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);
 
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1. The
 /// box is also around points that were left out, so that these change no position.
@@ -152,7 +100,7 @@ struct Loaded {
     std::shared_ptr<const PointFile> given;
 };
 /// Reads or builds the points, prepares and validates them. Fails with a sentence for the user.
-Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
+Result<Loaded> loadInput(const RunSpec& spec, LoadProgress& progress);
 
 /// Effects of the fixes, as one piece of a sentence; empty if there were none.
 std::string fixesText(const Model& model);

@@ -22,29 +22,9 @@ Result<std::string> inputFrom(const std::filesystem::path& folder, const std::st
                  "."};
 }
 
-teach::LessonOptions optionsOf(const NeighborOptions& lists) {
-    teach::LessonOptions options;
-    options.symmetric = lists.symmetric;
-    if (!lists.recompute) return options;
-    if (const auto* nearest = std::get_if<KNearest>(&lists.reach)) options.neighbors = nearest->k;
-    if (const auto* within = std::get_if<WithinRadius>(&lists.reach))
-        options.radius = within->radius;
-    if (const auto* within = std::get_if<WithinSpacings>(&lists.reach))
-        options.reach = within->spacings;
-    return options;
-}
-
-teach::LessonRules rulesOfLesson(const InputSpec& spec) {
-    teach::LessonRules rules;
-    if (spec.rules != "paper") rules.set = spec.rules;
-    for (const RuleValue& each : spec.choices) rules.rule.push_back(lineOf(each));
-    for (const WhatIf& each : spec.whatIf) rules.whatIfs.push_back(lineOf(each));
-    return rules;
-}
-
 }  // namespace
 
-Result<std::string> lessonOfBookmarks(const InputSpec& spec, const Annotations& annotations,
+Result<std::string> lessonOfBookmarks(const RunSpec& spec, const Annotations& annotations,
                                       const std::filesystem::path& folder) {
     const Result<std::string> input = inputFrom(folder, spec.source);
     if (!input) return input.error();
@@ -52,8 +32,7 @@ Result<std::string> lessonOfBookmarks(const InputSpec& spec, const Annotations& 
     for (const Bookmark& each : annotations.bookmarks)
         positions.push_back({toString(each.address), each.note,
                              each.camera ? toText(ViewPosition{"", each.camera}) : std::string{}});
-    return teach::lessonOfNotes(input.value(), optionsOf(spec.neighbors), rulesOfLesson(spec),
-                                annotations.notes, positions);
+    return teach::lessonOfNotes(input.value(), spec, annotations.notes, positions);
 }
 
 }  // namespace se::view

@@ -12,7 +12,7 @@ namespace se::view {
 
 /// The text of a lesson in `folder`: `notes` as its introduction, and a step for each bookmark.
 /// Fails if the input could not be found from there. Requires a bookmark.
-Result<std::string> lessonOfBookmarks(const InputSpec& spec, const Annotations& annotations,
+Result<std::string> lessonOfBookmarks(const RunSpec& spec, const Annotations& annotations,
                                       const std::filesystem::path& folder);
 
 }  // namespace se::view

@@ -14,7 +14,7 @@
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
-#include "teach/start_file.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se::view {
 
@@ -82,7 +82,7 @@ std::string inputOf(const Steps& steps) { return shellPath(steps.input) + steps.
 
 /// The doctor's commands for the fixes that repair or drop points. Exit code 1 only means that
 /// findings are left; the next command must not run after any other failure.
-void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
+void addDoctor(const RunSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
     for (const std::string& name : spec.fixes) {
@@ -113,62 +113,20 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
 }
 
 /// The command that writes a given start, and the option that reads it.
-std::string addStart(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
+std::string addStart(const RunSpec& spec, const MeshTarget& target, Steps& steps) {
     if (spec.start.empty()) return {};
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     const std::string file = besideMesh(target, stem + ".start.json");
-    steps.before += "printf '%s\\n' " + shellQuoted(teach::startText(spec.start)) + " > " +
+    steps.before += "printf '%s\\n' " + shellQuoted(startJson(spec.start)) + " > " +
                     shellPath(file) + " && ";
     steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
                   file + ".";
     return " --start " + shellPath(file);
 }
 
-std::string reachOption(const NeighborOptions& lists) {
-    if (!lists.recompute) return {};
-    if (const auto* nearest = std::get_if<KNearest>(&lists.reach))
-        return " --neighbors " + std::to_string(nearest->k);
-    if (const auto* within = std::get_if<WithinSpacings>(&lists.reach))
-        return " --reach " + exact(within->spacings);
-    return " --radius " + exact(std::get<WithinRadius>(lists.reach).radius);
-}
-
-std::string wallOption(const WallChoice& walls) {
-    if (walls.from == WallChoice::From::Around) return " --box auto";
-    // Joined by =, since a value with a minus sign would be parsed as an option.
-    if (walls.from == WallChoice::From::Box) return " --box=" + boxText(walls.box, ',');
-    return {};
-}
-
-std::string scannerOption(const std::optional<Vec3>& at) {
-    if (!at) return {};
-    return " --scanner=" + exact(at->x) + "," + exact(at->y) + "," + exact(at->z);
-}
-
-std::string runOptions(const InputSpec& spec) {
-    std::string text;
-    const auto flag = [&text](bool on, const char* name) {
-        if (on) text += std::string(" ") + name;
-    };
-    if (spec.rules != "paper") text += " --rules " + spec.rules;
-    for (const RuleValue& each : spec.choices) text += " --rule " + lineOf(each);
-    for (const WhatIf& each : spec.whatIf) text += " --what-if " + shellQuoted(lineOf(each));
-    text += reachOption(spec.neighbors);
-    flag(spec.neighbors.symmetric, "--symmetric");
-    flag(spec.keepOpposing, "--keep-opposing");
-    flag(spec.keepNoise, "--keep-noise");
-    flag(spec.keepStrays, "--keep-strays");
-    flag(spec.normals == NormalSource::Oriented, "--orient");
-    flag(spec.normals == NormalSource::Derived, "--derive-normals");
-    text += scannerOption(spec.scanner);
-    text += wallOption(spec.walls);
-    flag(spec.rim, "--derive-rim");
-    return text;
-}
-
 }  // namespace
 
-MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
+MeshCommand meshCommand(const RunSpec& spec, const MeshTarget& target) {
     if (!spec.leftOut.empty()) {
         return {{},
                 "There is no command for points left out in the view. Save the session, which "
@@ -180,11 +138,12 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     }
     Steps steps = stepsToSource(spec.source, target);
     if (steps.input.empty()) return {{}, steps.note};
-    steps.piece = pieceOptions(spec.piece);
+    steps.piece = optionsText(spec, {SpecGroup::Reading});
     addDoctor(spec, target, steps);
     const std::string start = addStart(spec, target, steps);
     MeshCommand command{steps.before + kProgram + " run " + inputOf(steps), steps.note};
-    command.text += start + runOptions(withFixOptions(spec));
+    command.text += start + optionsText(withFixesAsOptions(spec), {SpecGroup::Rules, SpecGroup::Lists,
+                                                                   SpecGroup::Derived});
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellPath(target.path);
@@ -196,7 +155,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
 
 MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
     assert(session.ready());
-    const InputSpec& spec = session.input().spec();
+    const RunSpec& spec = session.input().spec();
     for (std::size_t i = 0; i < spec.whatIf.size(); ++i) {
         if (session.input().whatIfProblem(i).empty()) continue;
         return {{},

@@ -18,7 +18,7 @@ struct MeshCommand {
 
 /// The line for an input whose what-ifs all have an effect; intermediate files are written to the
 /// folder of the mesh.
-MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target);
+MeshCommand meshCommand(const RunSpec& spec, const MeshTarget& target);
 /// The line for the open input. Requires session.ready().
 MeshCommand meshCommand(const Session& session, const MeshTarget& target);
 

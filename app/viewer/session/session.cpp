@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "jobs/questions.h"
-#include "run/trial_settings.h"
 
 namespace se::view {
 
@@ -11,9 +10,9 @@ Session::Session() : moves_(*this), drag_(*this), questions_(std::make_unique<Qu
 
 Session::~Session() = default;
 
-void Session::open(InputSpec spec) { input_.open(std::move(spec)); }
+void Session::open(RunSpec spec) { input_.open(std::move(spec)); }
 
-void Session::rerun(const RuleSet& rules, Resume resume) {
+void Session::rerun(const RunSpec& rules, Resume resume) {
     const bool opens = input_.phase() == SessionPhase::Loading && !input_.isRerun();
     if (!ready() || opens) return;
     moves_.cancel();
@@ -75,7 +74,7 @@ void Session::adopt(Opened opened) {
     hits_.open(model_);
     watches_.open(model_);
     alerts_.open(model_);
-    trials_.open(input_.file(), settingsOf(input_.spec(), *input_.file()));
+    trials_.open(input_.file(), withFixesAsOptions(input_.spec()));
     ++generation_;
     ++revision_;
     overviewJob_ = std::make_unique<OverviewJob>(model_);

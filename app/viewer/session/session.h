@@ -50,11 +50,11 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     // Opening. The open input stays until the new one is ready, or failed.
-    void open(InputSpec spec);
+    void open(RunSpec spec);
     /// Runs the open input again, with other rules or what-ifs, in a thread. messages() reports
     /// the new cursor position and the reason for it; the selection stays. If the change is
     /// refused, the reason is reported and all stays as it is. Ignored unless ready().
-    void rerun(const RuleSet& rules, Resume resume = Resume::SamePosition);
+    void rerun(const RunSpec& rules, Resume resume = Resume::SamePosition);
     /// Returns at once to the input that was open before, or to none.
     void cancelOpening();
     /// After a failure: returns to the input that was open before, or to none.

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <type_traits>
 #include <vector>
 
 #include "run/strings.h"
-#include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/sampling/volume.h"
+#include "spiraling_edge/spec/spec_fields.h"
 #include "teach/json_text.h"
+#include "teach/spec_json.h"
 
 namespace se::view {
 
@@ -18,6 +23,52 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+/// Problem of a part of the file; empty if there is none.
+using Complaint = std::optional<std::string>;
+
+Complaint expected(const std::string& field, const std::string& what) {
+    return "\"" + field + "\": expected " + what;
+}
+
+const json* find(const json& object, const char* name) {
+    const auto found = object.find(name);
+    return found == object.end() ? nullptr : &*found;
+}
+
+/// Reads a field, text or true and false, if it is present. False: it has another type.
+template <typename Value>
+bool readField(const json& object, const char* name, Value& out) {
+    const json* field = find(object, name);
+    if (field == nullptr) return true;
+    const bool fits = std::is_same_v<Value, bool> ? field->is_boolean() : field->is_string();
+    if (fits) out = field->get<Value>();
+    return fits;
+}
+
+/// Writes a field; if it is not `given`, an older one is removed.
+template <typename Value>
+void writeField(json& object, const char* name, bool given, const Value& value) {
+    object.erase(name);
+    if (given) object[name] = value;
+}
+
+/// Reads "options" of a session, or of its comparison.
+Complaint readOptions(const json& object, RunSpec& out) {
+    const json* options = find(object, "options");
+    if (options == nullptr) return std::nullopt;
+    if (!options->is_object()) return expected("options", "an object");
+    const Status read = teach::readOptions(*options, out);
+    return read ? std::nullopt : Complaint(read.error().message);
+}
+
+/// Options as JSON, with the unknown fields of `options` kept.
+json optionsToJson(const RunSpec& input, json options) {
+    for (const SpecField& field : specFields()) options.erase(std::string(field.key));
+    options.erase("start");
+    options.update(json::parse(optionsJson(input)));
+    return options;
+}
 
 constexpr int kFileVersion = 1;
 constexpr std::string_view kFormat = "spiraling-edge session";
@@ -140,11 +191,64 @@ Complaint readComparison(const json& object, const fs::path& folder, SessionFile
         return std::nullopt;
     }
     if (find(*with, "options") == nullptr) return wrong;
-    InputSpec spec;
+    RunSpec spec;
     spec.source = out.input.source;
     if (Complaint c = readOptions(*with, spec)) return "\"compare\": " + *c;
     out.with = CompareWith::otherRun(std::move(spec));
     return std::nullopt;
+}
+
+bool readCount(const json& object, const char* name, std::uint32_t least, std::uint32_t& out) {
+    const json* count = find(object, name);
+    if (count == nullptr) return true;
+    if (!count->is_number_unsigned() || *count > std::numeric_limits<std::uint32_t>::max() ||
+        *count < least)
+        return false;
+    out = count->get<std::uint32_t>();
+    return true;
+}
+
+bool readBreakpoint(const json& object, Breakpoint& out) {
+    return object.is_object() && object.contains("line") && readField(object, "line", out.line) &&
+           readField(object, "name", out.name) && readField(object, "on", out.on) &&
+           readField(object, "log_only", out.logOnly) && readCount(object, "skip", 0, out.skip) &&
+           readCount(object, "every", 1, out.every);
+}
+
+/// Reads breakpoints and watches. A line that is not understood is kept unchanged; the panel
+/// reports it.
+Complaint readStops(const json& object, Annotations& out) {
+    if (const json* list = find(object, "breakpoints"); list != nullptr) {
+        const bool good =
+            list->is_array() && std::all_of(list->begin(), list->end(), [&](const json& each) {
+                return readBreakpoint(each, out.breakpoints.emplace_back());
+            });
+        if (!good)
+            return expected("breakpoints",
+                            "a list of objects with \"line\" and optionally \"name\", \"skip\", "
+                            "\"every\" (from 1), \"on\" and \"log_only\"");
+    }
+    const json* list = find(object, "watches");
+    if (list == nullptr) return std::nullopt;
+    const bool good =
+        list->is_array() &&
+        std::all_of(list->begin(), list->end(), [](const json& each) { return each.is_string(); });
+    if (!good) return expected("watches", "a list of texts");
+    out.watches = list->get<std::vector<std::string>>();
+    return std::nullopt;
+}
+
+void stopsToJson(const Annotations& annotations, json& object) {
+    object["breakpoints"] = json::array();
+    for (const Breakpoint& each : annotations.breakpoints) {
+        object["breakpoints"].push_back({{"line", each.line},
+                                         {"name", each.name},
+                                         {"skip", each.skip},
+                                         {"every", each.every},
+                                         {"on", each.on},
+                                         {"log_only", each.logOnly}});
+    }
+    object["watches"] = annotations.watches;
 }
 
 Complaint readNotes(const json& object, SessionFile& out) {

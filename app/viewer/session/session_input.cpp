@@ -13,22 +13,22 @@ double SessionInput::rerunSeconds() const {
     return std::chrono::duration<double>(Clock::now() - rerunSince_).count();
 }
 
-void SessionInput::start(InputSpec spec, bool rerun) {
+void SessionInput::start(RunSpec spec, bool rerun) {
     isRerun_ = rerun;
     opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
 }
 
-void SessionInput::open(InputSpec spec) {
+void SessionInput::open(RunSpec spec) {
     start(std::move(spec), false);
     loader_.start(opening_);
 }
 
-void SessionInput::rerun(const RuleSet& rules, std::shared_ptr<const Model> model,
+void SessionInput::rerun(const RunSpec& rules, std::shared_ptr<const Model> model,
                          CursorPosition cursor) {
     rerunSince_ = Clock::now();
-    start(withRules(spec_, rules), true);
+    start(withRulesOf(spec_, rules), true);
     loader_.start(opening_, {std::move(model), spec_, cursor});
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jobs/loader.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 
@@ -24,11 +24,11 @@ class SessionInput {
     /// Why the last opening failed.
     const std::string& error() const { return error_; }
     /// Specification of the open input.
-    const InputSpec& spec() const { return spec_; }
+    const RunSpec& spec() const { return spec_; }
     /// Specification of the last opening, which may have failed.
-    const InputSpec& opening() const { return opening_; }
-    /// The rules of the open input, or of the one that is being opened.
-    RuleSet rules() const { return rulesOf(isRerunning() ? opening_ : spec_); }
+    const RunSpec& opening() const { return opening_; }
+    /// The spec with the rules of the open input, or of the one that is being opened.
+    const RunSpec& rules() const { return isRerunning() ? opening_ : spec_; }
     /// Reason why a what-if of spec() has no effect; empty if it has one.
     const std::string& whatIfProblem(std::size_t i) const;
     /// Input of prepare(), with which a mesh is written.
@@ -42,8 +42,8 @@ class SessionInput {
     double rerunSeconds() const;
 
     // Changes, by the session.
-    void open(InputSpec spec);
-    void rerun(const RuleSet& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
+    void open(RunSpec spec);
+    void rerun(const RunSpec& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
     void cancel() { loader_.cancel(); }
     /// Returns to the input that was open before, or to none.
     void dismiss(bool ready) { phase_ = ready ? SessionPhase::Ready : SessionPhase::Empty; }
@@ -55,10 +55,10 @@ class SessionInput {
     void waitUntilDone() { loader_.waitUntilDone(); }
 
   private:
-    void start(InputSpec spec, bool rerun);
+    void start(RunSpec spec, bool rerun);
 
-    InputSpec spec_;
-    InputSpec opening_;
+    RunSpec spec_;
+    RunSpec opening_;
     SessionPhase phase_ = SessionPhase::Empty;
     std::string error_;
     bool isRerun_ = false;

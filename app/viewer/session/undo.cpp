@@ -51,13 +51,17 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.annotations.breakpoints != to.annotations.breakpoints) add(text, "breakpoints");
     if (from.annotations.watches != to.annotations.watches) add(text, "watches");
     // The other changes are consequences of this one.
-    const InputSpec& a = from.input;
-    const InputSpec& b = to.input;
-    if (withRules(a, rulesOf(b)) != b) {
+    const RunSpec& a = from.input;
+    const RunSpec& b = to.input;
+    if (withRulesOf(a, b) != b) {
         if (a.fixes != b.fixes) return "the doctor's fix";
         return a.leftOut != b.leftOut ? "points left out" : "preparation of the points";
     }
-    if (a != b) add(text, describeChange(rulesOf(a), rulesOf(b)));
+    if (a == b) return text;
+    const std::vector<RuleValue> rules = differingRules(ruleParams(b), ruleParams(a));
+    if (a.whatIf != b.whatIf) add(text, "what-if");
+    else if (a.rules != b.rules) add(text, "rules " + b.rules);
+    else add(text, rules.size() == 1 ? "rule " + rules.front().name : "rules");
     return text;
 }
 

@@ -25,7 +25,7 @@ struct Edits {
     CameraPose camera;
     Selection selected;
     Annotations annotations;
-    InputSpec input;  ///< The options of the open input: a change runs it again.
+    RunSpec input;  ///< The options of the open input: a change runs it again.
     friend bool operator==(const Edits&, const Edits&) = default;
 };
 

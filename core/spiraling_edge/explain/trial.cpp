@@ -349,6 +349,13 @@ std::string describe(const MeshVerdict& verdict) {
            ", mean " + shortNumber(verdict.fidelity.meanDistance);
 }
 
+std::string noneBetterText(const Trials& trials) {
+    assert(!trials.tried.empty());
+    const std::size_t changes = trials.tried.size() - 1;
+    return "No better settings among " + std::to_string(changes) +
+           (changes == 1 ? " change" : " changes") + " tried.";
+}
+
 Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,
                           const std::function<void(const Trials&, const SpecChange&)>& visit,
                           const Progress& progress) {

@@ -48,6 +48,9 @@ std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before);
 /// compared, in the unit of the points.
 std::string describe(const MeshVerdict& verdict);
 
+/// "No better settings among 5 changes tried." Requires a trial.
+std::string noneBetterText(const Trials& trials);
+
 /// Runs `file` with the settings `present` and with changes of them, a fixed list in a fixed order:
 /// sets of rules, normals (oriented where given ones fit but contradict each other, derived where
 /// they do not fit: given_normals.h; all meshes are judged by judgeFor() of the file), rims, points

@@ -7,7 +7,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se {
-Params rulesOf(const RunSpec& spec) {
+Params ruleParams(const RunSpec& spec) {
     Params params = paramsByName(spec.rules).value_or(Params{});
     for (const RuleValue& each : spec.choices) applyRuleValues({&each, 1}, params);
     return params;
@@ -66,15 +66,28 @@ Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& param
     return options;
 }
 
+RunSpec withRulesOf(RunSpec spec, const RunSpec& rules) {
+    spec.rules = rules.rules;
+    spec.choices = rules.choices;
+    spec.whatIf = rules.whatIf;
+    return spec;
+}
+
+RunSpec withSet(RunSpec spec, std::string_view set) {
+    spec.rules = set;
+    spec.choices.clear();
+    return spec;
+}
+
 RunSpec withRule(RunSpec spec, std::string_view name, double value) {
-    Params params = rulesOf(spec);
+    Params params = ruleParams(spec);
     if (const RuleSetting* setting = findRuleSetting(name)) setting->set(params, value);
     spec.choices = differingRules(params, paramsByName(spec.rules).value_or(Params{}));
     return spec;
 }
 
 double valueOf(const RunSpec& spec, const RuleSetting& setting) {
-    return setting.get(rulesOf(spec));
+    return setting.get(ruleParams(spec));
 }
 
 double usualValueOf(const RunSpec& spec, const RuleSetting& setting) {

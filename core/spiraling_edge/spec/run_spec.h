@@ -72,7 +72,7 @@ struct RunSpec {
 
 /// The rules alone, without what-ifs and start. Those that do not exist are passed over: they were
 /// refused where they came in.
-Params rulesOf(const RunSpec& spec);
+Params ruleParams(const RunSpec& spec);
 /// The params of a run. Fails if there is no such set or rule.
 Result<Params> paramsOf(const RunSpec& spec);
 
@@ -88,6 +88,10 @@ RunSpec withFixesAsOptions(RunSpec spec);
 Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,
                                         const PointFile& file);
 
+/// `spec` with the rules and what-ifs of another.
+RunSpec withRulesOf(RunSpec spec, const RunSpec& rules);
+/// `spec` with another set of rules, and no single choices.
+RunSpec withSet(RunSpec spec, std::string_view set);
 /// `spec` with the value of one rule. Where it is that of the set, no choice is left; an unknown
 /// name changes nothing.
 RunSpec withRule(RunSpec spec, std::string_view name, double value);

@@ -354,8 +354,8 @@ void addPart(std::string& text, std::string_view part) {
 
 /// The single rules in which `to` differs: from `from` if both have the same set.
 std::vector<RuleValue> rulesThatDiffer(const RunSpec& from, const RunSpec& to) {
-    if (from.rules == to.rules) return differingRules(rulesOf(to), rulesOf(from));
-    return differingRules(rulesOf(to), paramsByName(to.rules).value_or(Params{}));
+    if (from.rules == to.rules) return differingRules(ruleParams(to), ruleParams(from));
+    return differingRules(ruleParams(to), paramsByName(to.rules).value_or(Params{}));
 }
 
 /// True if a field that excludes this one is set.

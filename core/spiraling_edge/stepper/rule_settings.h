@@ -51,6 +51,9 @@ double degreesOf(double cosine);
 /// The setting of that name; null if there is none.
 const RuleSetting* findRuleSetting(std::string_view name);
 
+/// §6.3: the gap in degrees above which a neighbor is kept (the rule `maxgap`).
+double gapLimitDegrees(const Params& params);
+
 /// The text of a value: "on", "120", "nearest". It reads back as the same value.
 std::string valueText(const RuleSetting& setting, double value);
 /// The valid values in words: "on or off", "a number from 90 to 180 (degrees)", "nearest, farthest

@@ -33,6 +33,11 @@ const RuleSetting* findRuleSetting(std::string_view name) {
     return row == rows.end() ? nullptr : &*row;
 }
 
+double gapLimitDegrees(const Params& params) {
+    static const RuleSetting* const setting = findRuleSetting("maxgap");
+    return setting->get(params);
+}
+
 std::string valueText(const RuleSetting& setting, double value) {
     if (setting.options.empty()) return numberText(value);
     return std::string(setting.options[static_cast<std::size_t>(value)]);

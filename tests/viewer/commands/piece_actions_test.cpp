@@ -127,7 +127,7 @@ TEST_CASE("All points cannot be left out, Esc ends the tool") {
 
 TEST_CASE("Undo brings the points back, with the what-ifs that were removed with them") {
     PieceApp app("piece-undo");
-    app.ui.requests.rules = rulesOf(app.session.input().spec());
+    app.ui.requests.rules = app.session.input().spec();
     app.ui.requests.rules->whatIf = {whatIfFromText("2 move 30 0.01 -0.02 1.03").value()};
     app.carryOut();
     const Edits before = captureEdits(app.context);
@@ -173,15 +173,15 @@ TEST_CASE("A session keeps the points left out, a command line cannot, another i
 
 TEST_CASE("Noise comes back by its rule, points dropped by a fix by taking back the fix") {
     PieceApp app("piece-return");
-    app.ui.requests.rules = RuleSet{"robust", {}, {}};
+    app.ui.requests.rules = RunSpec{"robust", {}, {}};
     app.carryOut();
     bringBack(app.context, {AsideReason::Noise});
     REQUIRE(app.ui.requests.rules);
     const RuleSetting& noise = *findRuleSetting("noise");
     CHECK(valueOf(*app.ui.requests.rules, noise) == 0.0);
     app.ui.requests = {};
-    app.ui.requests.fixes = Fixes{"duplicates", "flipped_normals"};
+    app.ui.requests.fixes = std::vector<std::string>{"duplicates", "flipped_normals"};
     app.carryOut();
     bringBack(app.context, {AsideReason::Fixed, "duplicates"});
-    CHECK(app.ui.requests.fixes == Fixes{"flipped_normals"});
+    CHECK(app.ui.requests.fixes == std::vector<std::string>{"flipped_normals"});
 }

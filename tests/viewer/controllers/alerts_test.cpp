@@ -8,7 +8,6 @@
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 #include "run/strings.h"
-#include "run/trial_settings.h"
 #include "spiraling_edge/prepare/judge.h"
 
 #include <doctest/doctest.h>
@@ -299,7 +298,7 @@ TEST_CASE(
     const std::size_t trianglesBefore = app.session.shownTriangles().size();
     const std::size_t placesBefore = app.session.alerts().search().places().size();
     // Before all settings are tried it waits for them.
-    const InputSpec& spec = app.session.input().spec();
+    const RunSpec& spec = app.session.input().spec();
     app.session.trials().open(app.session.input().file(),
                               settingsOf(spec, *app.session.input().file()));
     CHECK(canFix(app.context));
@@ -572,7 +571,7 @@ TEST_CASE("alerts: a note tells if a run is too large to be checked during stepp
 }
 
 TEST_CASE("Alerts of a tangled run are the first of each class, with the number of all") {
-    InputSpec spec{"sample:torus,n=400", {WithinRadius{1e300}, true, 0, true}, "paper"};
+    RunSpec spec{"sample:torus,n=400", {WithinRadius{1e300}, true, 0, true}, "paper"};
     Session session;
     session.open(spec);
     session.waitUntilDone();

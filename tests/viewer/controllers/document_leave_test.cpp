@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 using namespace se;
 using namespace se::view;
@@ -99,7 +99,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
 TEST_CASE("Other settings than those of the opening are asked about, until they are saved") {
     LeavingApp app;
     const auto runByRobust = [&] {
-        app.ui.requests.rules = withRule(rulesOf(app.session.input().spec()), "fill", 1.0);
+        app.ui.requests.rules = withRule(app.session.input().spec(), "fill", 1.0);
         app.frame();
     };
     runByRobust();

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-InputSpec scene(const char* source) { return {source, {}, "paper"}; }
+RunSpec scene(const char* source) { return {source, {}, "paper"}; }
 
 }  // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("An opened input comes once, with the start of its run") {
 
 TEST_CASE("A scene that begins in the middle of a run opens there, or not at all without a point") {
     Loader loader;
-    InputSpec spec = scene("scene:figure-6");
+    RunSpec spec = scene("scene:figure-6");
     loader.start(spec);
     loader.waitUntilDone();
     auto opened = loader.take();
@@ -117,7 +117,7 @@ TEST_CASE("A file is hashed as it is read, an unreadable one is reported by its 
 }
 
 TEST_CASE("Points from standard input can be opened repeatedly") {
-    InputSpec spec = scene("-");
+    RunSpec spec = scene("-");
     LoadProgress progress;
     const auto missing = loadInput(spec, progress);
     REQUIRE_FALSE(missing.ok());

@@ -12,10 +12,10 @@ using namespace se::view;
 
 namespace {
 
-InputSpec spec(const char* scene, const char* rules) { return {scene, {}, rules}; }
+RunSpec spec(const char* scene, const char* rules) { return {scene, {}, rules}; }
 
 /// Lists of that many neighbors, instead of those of the scene.
-InputSpec spec(const char* scene, const char* rules, Index neighbors) {
+RunSpec spec(const char* scene, const char* rules, Index neighbors) {
     return {scene, {KNearest{neighbors}, true, 0, true}, rules};
 }
 
@@ -25,7 +25,7 @@ struct RunAt {
 
     template <typename Kind>
     static std::unique_ptr<RunAt> at(
-        const InputSpec& input, Stage stage,
+        const RunSpec& input, Stage stage,
         bool (*wanted)(const Kind&) = [](const Kind&) { return true; }) {
         auto place = std::make_unique<RunAt>();
         place->session.open(input);
@@ -144,7 +144,7 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
 }
 
 TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triangles less") {
-    InputSpec input = spec("scene:linked-tori", "corrected", 32);
+    RunSpec input = spec("scene:linked-tori", "corrected", 32);
     for (const char* rule : {"guard", "reinsert", "flip", "reseat"}) {
         input.choices.push_back({rule, true});
     }
@@ -167,7 +167,7 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
 }
 
 TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
-    InputSpec input = spec("scene:sphere", "paper", 24);
+    RunSpec input = spec("scene:sphere", "paper", 24);
     input.choices.push_back({"fill", true});
     const auto place = RunAt::at<FillEvidence>(input, Stage::Fill);
     REQUIRE(place != nullptr);

@@ -119,7 +119,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
     form.normals = NormalSource::Derived;
     form.walls = WallChoice::From::Around;
     form.keepNoise = form.keepOpposing = true;
-    const Result<InputSpec> spec = form.spec({"scene:sphere", {}, "robust"});
+    const Result<RunSpec> spec = form.spec({"scene:sphere", {}, "robust"});
     REQUIRE(spec.ok());
     CHECK(spec.value().rules == "robust");
     const Result<Loaded> loaded = loadInput(spec.value(), progress);
@@ -148,7 +148,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
 TEST_CASE("The form shows the choices of fixes, other choices there take precedence") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
-    InputSpec fixed{"scene:sphere", {}, "paper"};
+    RunSpec fixed{"scene:sphere", {}, "paper"};
     fixed.fixes = {"zero_normals",  "flipped_normals",   "short_lists",
                    "types_off_box", "unsymmetric_lists", "open_border"};
     PrepareForm form;
@@ -164,13 +164,13 @@ TEST_CASE("The form shows the choices of fixes, other choices there take precede
     form.reach = PrepareForm::Reach::Spacings;
     form.spacings = "1.5";
     form.normals = NormalSource::AsGiven;
-    const InputSpec chosen = form.spec(fixed).value();
+    const RunSpec chosen = form.spec(fixed).value();
     CHECK(std::get<WithinSpacings>(chosen.neighbors.reach).spacings == 1.5);
     CHECK(chosen.fixes ==
-          Fixes{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
+          std::vector<std::string>{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
     form.walls = WallChoice::From::File;
     form.symmetric = form.rim = false;
-    CHECK(form.spec(fixed).value().fixes == Fixes{"zero_normals"});
+    CHECK(form.spec(fixed).value().fixes == std::vector<std::string>{"zero_normals"});
     form.spacings = "-1";
     CHECK(form.spec(fixed).error().message.starts_with("Spacings:"));
 }
@@ -190,7 +190,7 @@ TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {
 
 TEST_CASE("7 the walls of a given box make boundary points of a sphere cut in half") {
     LoadProgress progress;
-    InputSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};
+    RunSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};
     const Result<Loaded> cut = loadInput(spec, progress);
     REQUIRE(cut.ok());
     const auto walls = [](const Model& model) {
@@ -215,7 +215,7 @@ TEST_CASE("Sampled points are opened at the camera's position, others discard th
     CameraPose pose;
     pose.distance = 2.5F;
     app.camera.setPose(pose);
-    InputSpec spec;
+    RunSpec spec;
     spec.source = "sample:torus,n=300";
     spec.points = std::make_shared<const PointFile>(points.value());
     spec.walls = {WallChoice::From::Around, {}};

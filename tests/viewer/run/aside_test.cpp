@@ -19,7 +19,7 @@ using namespace se::view;
 namespace {
 
 /// The points of a file in memory, with the options of `spec`.
-Result<Loaded> loadPoints(const PointFile& file, InputSpec spec = {}) {
+Result<Loaded> loadPoints(const PointFile& file, RunSpec spec = {}) {
     spec.source = std::string(kStandardInput);
     spec.points = std::make_shared<const PointFile>(file);
     LoadProgress progress;
@@ -65,7 +65,7 @@ TEST_CASE("Points that the preparation sets aside are listed by reason, with the
     CHECK(groupOf(model, "not_finite").points == std::vector<Index>{9});
     CHECK(groupOf(model, "copy").points == std::vector<Index>{copy});
     CHECK(returnText(AsideReason::NotFinite).empty());
-    InputSpec derived;
+    RunSpec derived;
     derived.normals = NormalSource::Derived;
     CHECK(countOf(loadPoints(file, derived).value().model->aside) == 2);
     CHECK(loadPoints(plainSphere()).value().model->aside.empty());
@@ -80,7 +80,7 @@ TEST_CASE("Points set aside for noise are as many as the report counts") {
         file.position.push_back(out * (1.0 + 0.1 * (a.x + a.y + a.z)));
         file.normal.push_back(out);
     }
-    InputSpec spec;
+    RunSpec spec;
     spec.rules = "robust";
     const Result<Loaded> loaded = loadPoints(file, spec);
     REQUIRE(loaded);
@@ -93,7 +93,7 @@ TEST_CASE("Points set aside for noise are as many as the report counts") {
 
 TEST_CASE("Points dropped by a fix are listed with the fix, at their places") {
     const PointFile file = flawedSphere();
-    InputSpec spec;
+    RunSpec spec;
     spec.fixes = {"duplicates"};
     const Result<Loaded> loaded = loadPoints(file, spec);
     REQUIRE(loaded);
@@ -115,7 +115,7 @@ TEST_CASE("Points dropped by a fix are listed with the fix, at their places") {
 TEST_CASE("Points left out are not run, the others keep their index, place and scale") {
     const PointFile file = plainSphere();
     const Result<Loaded> whole = loadPoints(file);
-    InputSpec spec;
+    RunSpec spec;
     spec.leftOut = {{0, 4}, {20, 20}};
     const Result<Loaded> loaded = loadPoints(file, spec);
     REQUIRE(loaded);
@@ -141,7 +141,7 @@ TEST_CASE("What is framed is the piece, and numbers in the file hold with fixes 
     for (Index p = 0; p < file.position.size(); ++p) {
         if (file.position[p].z < 0.0) below.push_back(p);
     }
-    InputSpec spec;
+    RunSpec spec;
     spec.leftOut = rangesOf(below);
     spec.fixes = {"duplicates"};
     const Result<Loaded> loaded = loadPoints(file, spec);
@@ -157,7 +157,7 @@ TEST_CASE("What is framed is the piece, and numbers in the file hold with fixes 
 
 TEST_CASE("A run without any point is refused, indices beyond the file are passed over") {
     const PointFile file = plainSphere();
-    InputSpec spec;
+    RunSpec spec;
     spec.leftOut = {{0, 100'000'000}};
     const Result<Loaded> none = loadPoints(file, spec);
     REQUIRE_FALSE(none);

@@ -1,4 +1,4 @@
-#include "run/index_ranges.h"
+#include "spiraling_edge/points/index_ranges.h"
 
 #include <doctest/doctest.h>
 

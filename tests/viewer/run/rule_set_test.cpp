@@ -1,5 +1,5 @@
 /// Changes of rules during a look at a run: cursor position, undo, session file.
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ using test::OpenSession;
 namespace {
 
 /// Re-runs as a panel does, up to the end.
-void ask(HeadlessApp& app, const RuleSet& rules) {
+void ask(HeadlessApp& app, const RunSpec& rules) {
     app.ui.requests.rules = rules;
     app.document.carryOut(app.ui.requests);
     app.waitUntilDone();
@@ -54,7 +54,7 @@ std::string firstAddress(const Session& session, Verdict verdict) {
 }  // namespace
 
 TEST_CASE("A rule with the value of its set is no choice") {
-    RuleSet rules;
+    RunSpec rules;
     rules = withRule(rules, "maxgap", 100.0);
     rules = withRule(rules, "tie", 1.0);
     CHECK(rules.choices == std::vector<RuleValue>{{"tie", 1.0}, {"maxgap", 100.0}});
@@ -72,7 +72,7 @@ TEST_CASE("The rows have all rules by section, words of name, section and senten
     std::size_t count = 0;
     for (const RuleGroup& group : ruleGroups({}, "")) count += group.rows.size();
     CHECK(count == ruleSettings().size());
-    const auto found = [](const RuleSet& rules, const char* filter) {
+    const auto found = [](const RunSpec& rules, const char* filter) {
         std::string names;
         for (const RuleGroup& group : ruleGroups(rules, filter)) {
             for (const RuleRow& row : group.rows) names += std::string(row.setting->name) + " ";
@@ -161,7 +161,7 @@ TEST_CASE("Rules are undone and redone, and kept in the session file") {
     ask(app, {});
     app.document.open(path);
     app.waitUntilDone();
-    CHECK(rulesOf(app.session.input().spec()) ==
+    CHECK(app.session.input().spec() ==
           withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("No such shape, no such file, a box that leaves nothing: the reason is
 
 TEST_CASE("Sampled points open like a file, with the options of that line") {
     LoadProgress progress;
-    const InputSpec spec{"sample:sphere,n=300,seed=2", {}, "paper"};
+    const RunSpec spec{"sample:sphere,n=300,seed=2", {}, "paper"};
     const Result<Loaded> loaded = loadInput(spec, progress);
     REQUIRE(loaded.ok());
     CHECK(loaded.value().model->name == "sphere, 300 points");
@@ -91,7 +91,7 @@ TEST_CASE("Sampled points open like a file, with the options of that line") {
     REQUIRE(points.ok());
     CHECK(loaded.value().model->points.position == points.value().position);
     // Points in memory are used unchanged.
-    InputSpec known = spec;
+    RunSpec known = spec;
     auto other = std::make_shared<PointFile>(points.value());
     other->position.pop_back();
     other->normal.pop_back();

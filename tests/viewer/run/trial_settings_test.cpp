@@ -1,4 +1,3 @@
-#include "run/trial_settings.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +9,7 @@ using namespace se;
 using namespace se::view;
 
 TEST_CASE("The options of an input are the settings of its run, fixes included") {
-    InputSpec spec;
+    RunSpec spec;
     spec.rules = "robust";
     spec.choices = {{"delay", 0.0}};
     spec.keepNoise = true;
@@ -33,8 +32,8 @@ TEST_CASE("A change of settings is the same change of the options of an input") 
                                 .rim = true,
                                 .drop = "noise"};
     const PointFile file = findScene("torus")->build();
-    const InputSpec after = withChange({}, change);
-    CHECK(after.fixes == Fixes{"noise"});
+    const RunSpec after = withChange({}, change);
+    CHECK(after.fixes == std::vector<std::string>{"noise"});
     const RunSettings same = changed(settingsOf({}, file), change);
     const RunSettings settings = settingsOf(after, file);
     CHECK(paramsOf(settings).value() == paramsOf(same).value());

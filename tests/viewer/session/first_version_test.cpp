@@ -59,13 +59,13 @@ std::string lostLine(const fs::path& path, const std::string& text) {
 
 TEST_CASE("0.1.0: a session has the input and the options that were set") {
     const SessionFile session = savedSession();
-    const InputSpec& input = session.input;
+    const RunSpec& input = session.input;
     CHECK(fs::path(input.source) == kFolder.lexically_normal() / "points.xyz");
     CHECK(session.inputHash == "fnv1a64:04485b5e5d062ae0");
     CHECK(input.rules == "corrected");
     CHECK(input.choices == std::vector<RuleValue>{
                                {"cap", 12.0}, {"closetwo", 0.0}, {"maxgap", 110.5}, {"tie", 1.0}});
-    CHECK(input.fixes == Fixes{"duplicates"});
+    CHECK(input.fixes == std::vector<std::string>{"duplicates"});
     CHECK(input.neighbors.recompute);
     REQUIRE(std::holds_alternative<WithinSpacings>(input.neighbors.reach));
     CHECK(std::get<WithinSpacings>(input.neighbors.reach).spacings == 2.1);
@@ -103,10 +103,10 @@ TEST_CASE("0.1.0: a session has the place, the looks and the comparison that wer
     CHECK(session.selected == Selection::ofEdge(41, 40));
     CHECK(session.alert == "unused_points:1");
     REQUIRE(session.with.kind == CompareWith::Kind::Run);
-    const InputSpec& other = session.with.run;
+    const RunSpec& other = session.with.run;
     CHECK(other.rules == "robust");
     CHECK(other.choices == std::vector<RuleValue>{{"flip", 0.0}});
-    CHECK(other.fixes == Fixes{"duplicates"});
+    CHECK(other.fixes == std::vector<std::string>{"duplicates"});
     CHECK(other.normals == NormalSource::Oriented);
     REQUIRE(std::holds_alternative<KNearest>(other.neighbors.reach));
     CHECK(std::get<KNearest>(other.neighbors.reach).k == 12);

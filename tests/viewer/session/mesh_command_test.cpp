@@ -24,12 +24,12 @@ namespace {
 
 constexpr const char* kSphere = "scene:sphere";
 
-std::string textOf(const InputSpec& spec, const MeshTarget& target = {"m.ply", false}) {
+std::string textOf(const RunSpec& spec, const MeshTarget& target = {"m.ply", false}) {
     return meshCommand(spec, target).text;
 }
 
-InputSpec specOf(std::string source) {
-    InputSpec spec;
+RunSpec specOf(std::string source) {
+    RunSpec spec;
     spec.source = std::move(source);
     return spec;
 }
@@ -70,7 +70,7 @@ TEST_CASE("The command of a mesh that replaces the points says so") {
 }
 
 TEST_CASE("The command has every option in which the input differs from the defaults") {
-    InputSpec spec = specOf(kSphere);
+    RunSpec spec = specOf(kSphere);
     spec.rules = "robust";
     spec.choices = {ruleValueFromText("maxgap=100").value(), ruleValueFromText("flip=off").value()};
     spec.whatIf = {whatIfFromText("137.sphere keep 812").value()};
@@ -93,7 +93,7 @@ TEST_CASE("The command has every option in which the input differs from the defa
 }
 
 TEST_CASE("A piece is read by the first command") {
-    InputSpec spec = specOf("/in/a.ply");
+    RunSpec spec = specOf("/in/a.ply");
     spec.piece.crop = cropFromText("-1,0,0,1,2,0.5").value();
     spec.piece.thin = 0.25;
     CHECK(textOf(spec) ==
@@ -117,7 +117,7 @@ TEST_CASE("Sampled points are written first, beside the mesh") {
 }
 
 TEST_CASE("A repair by the doctor is a command before, an option chosen by it an option") {
-    InputSpec spec = specOf("/in/a.ply");
+    RunSpec spec = specOf("/in/a.ply");
     spec.fixes = {"flipped_normals", "duplicates", "unscaled_normals", "near_duplicates",
                   "short_lists"};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
@@ -137,7 +137,7 @@ TEST_CASE("Points from standard input have no command: a sentence names the step
 
 TEST_CASE("A what-if without effect is refused by the command line, with a sentence") {
     test::HeadlessApp app("refused-test");
-    InputSpec spec = specOf(kSphere);
+    RunSpec spec = specOf(kSphere);
     spec.whatIf = {whatIfFromText("99999.sphere keep 1").value()};
     app.session.open(spec);
     app.session.waitUntilDone();
@@ -170,7 +170,7 @@ int runInShell(const std::string& command) {
 }
 
 /// The first test of a run that a what-if can invert.
-WhatIf turnedTest(const InputSpec& spec) {
+WhatIf turnedTest(const RunSpec& spec) {
     LoadProgress progress;
     const auto model = test::loadModel(spec, progress).value();
     EventLog log;
@@ -187,7 +187,7 @@ WhatIf turnedTest(const InputSpec& spec) {
 }
 
 /// Compares the file saved by the viewer with that of the copied command; they must be equal.
-void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false,
+void checkReproduced(const RunSpec& spec, const char* name = "m.ply", bool usedOnly = false,
                      bool faultFields = false) {
     test::HeadlessApp app("reproduced test");  // a space in the path
     MeshController saving(app.context);
@@ -224,7 +224,7 @@ struct SceneFile {
         REQUIRE(writeMeshPly(path, file, {}).ok());
     }
     ~SceneFile() { fs::remove(path); }
-    InputSpec spec() const { return specOf(path.string()); }
+    RunSpec spec() const { return specOf(path.string()); }
 };
 template <typename Change>
 SceneFile(const char*, Change) -> SceneFile<Change>;
@@ -242,7 +242,7 @@ TEST_CASE("The copied command writes the same bytes: scenes, all formats, used p
 
 TEST_CASE("The copied command writes the same bytes: a file with rules, lists and what-ifs") {
     const SceneFile file("sphere", [](PointFile&) {});
-    InputSpec spec = file.spec();
+    RunSpec spec = file.spec();
     spec.rules = "corrected";
     spec.choices = {ruleValueFromText("maxgap=100.5").value()};
     spec.neighbors = {KNearest{9}, true, 0, true, true};
@@ -260,7 +260,7 @@ TEST_CASE("The copied command writes the same bytes: a file with rules, lists an
 }
 
 TEST_CASE("The copied command writes the same bytes: normals, walls and rims that are derived") {
-    InputSpec spec = specOf("scene:sheet");
+    RunSpec spec = specOf("scene:sheet");
     spec.walls.from = WallChoice::From::Around;
     checkReproduced(spec);
     spec.walls = {WallChoice::From::Box, {{-1.5, -1.0, -1.0}, {1.0, 1.0, 1.0}}};
@@ -286,11 +286,11 @@ TEST_CASE("The copied command writes the same bytes: sampled points, and repaire
         file.attributes[0].values.push_back(0.0);
         if (file.hasTypes()) file.type.push_back(0);
     });
-    InputSpec spec = flawed.spec();
-    for (const Fixes& fixes :
-         {Fixes{"duplicates"}, Fixes{"unscaled_normals", "flipped_normals"},
-          Fixes{"near_duplicates", "short_lists", "unsymmetric_lists"}, Fixes{"open_border"},
-          Fixes{"unscaled_normals", "in_line", "types_off_box"}}) {
+    RunSpec spec = flawed.spec();
+    for (const std::vector<std::string>& fixes :
+         {std::vector<std::string>{"duplicates"}, std::vector<std::string>{"unscaled_normals", "flipped_normals"},
+          std::vector<std::string>{"near_duplicates", "short_lists", "unsymmetric_lists"}, std::vector<std::string>{"open_border"},
+          std::vector<std::string>{"unscaled_normals", "in_line", "types_off_box"}}) {
         spec.fixes = fixes;
         checkReproduced(spec);
         checkReproduced(spec, "all-digits.obj");
@@ -304,7 +304,7 @@ TEST_CASE("The copied command writes the same bytes: the box around the remainin
         file.attributes[0].values.push_back(0.0);
         if (file.hasTypes()) file.type.push_back(0);
     });
-    InputSpec spec = stray.spec();
+    RunSpec spec = stray.spec();
     spec.walls.from = WallChoice::From::Around;
     spec.fixes = {"isolated_points"};
     checkReproduced(spec);
@@ -313,7 +313,7 @@ TEST_CASE("The copied command writes the same bytes: the box around the remainin
 #endif
 
 TEST_CASE("A given start is written first, beside the mesh") {
-    InputSpec spec = specOf("/in/a.ply");
+    RunSpec spec = specOf("/in/a.ply");
     spec.start.triangles = {{0, 2, 3}};
     spec.start.rings = {{0, 2, 3}};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});

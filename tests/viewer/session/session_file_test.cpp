@@ -107,7 +107,7 @@ TEST_CASE(
     CHECK(text.find("sample:../scans/lobster.nhdr,n=900,iso=40") != std::string::npos);
     const Result<SessionFile> read = sessionFromJson(text, "a.sesession", "/other/work");
     REQUIRE(read.ok());
-    const InputSpec& back = read.value().input;
+    const RunSpec& back = read.value().input;
     CHECK(back.source == "sample:/other/scans/lobster.nhdr,n=900,iso=40");
     CHECK(back.neighbors.symmetric);
     CHECK(back.normals == NormalSource::Oriented);

@@ -50,8 +50,8 @@ void drawRuleFields(const PanelContext& context, CompareForm& form) {
 
 /// Differences in the preparation of the other input.
 std::string prepareNote(const PanelContext& context, const CompareForm& form) {
-    const InputSpec& here = context.session().input().spec();
-    const Result<InputSpec> there = form.prepare.spec(here);
+    const RunSpec& here = context.session().input().spec();
+    const Result<RunSpec> there = form.prepare.spec(here);
     if (!there) return "a field is wrong";
     const std::string text = differenceText(here, there.value());
     return text == "the same" ? "as in A" : text;
@@ -98,7 +98,7 @@ void drawWhatIfs(const PanelContext& context, CompareForm& form) {
 /// Choices that need one click only.
 void drawShortcuts(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
-    const InputSpec& here = context.session().input().spec();
+    const RunSpec& here = context.session().input().spec();
     dimText("Or one of these:");
     if (compareButton(context, "Mesh or trace...", "mesh",
                       "A mesh, or a trace (.setrace), that another program made from the same "
@@ -118,7 +118,7 @@ void drawShortcuts(const PanelContext& context) {
 void drawCompareForm(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     CompareForm& form = page.form;
-    const InputSpec& here = context.session().input().spec();
+    const RunSpec& here = context.session().input().spec();
     if (!page.now->refusal().empty())
         wrappedText("! " + page.now->refusal(), context.palette.rejected);
     dimText("B, to compare with the open run:");
@@ -126,7 +126,7 @@ void drawCompareForm(const PanelContext& context) {
     drawPrepared(context, form);
     drawWhatIfs(context, form);
     ImGui::Spacing();
-    const Result<InputSpec> spec = form.spec(here);
+    const Result<RunSpec> spec = form.spec(here);
     const std::string difference = spec ? differenceText(here, spec.value()) : "";
     if (compareButton(context, "Compare", "begin", "Run it in the background and compare")) {
         form.complaint = spec ? std::string{} : spec.error().message;
@@ -356,7 +356,7 @@ void drawWorking(const PanelContext& context) {
 /// A and B by name.
 void drawNames(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
-    const InputSpec& run = context.session().input().spec();
+    const RunSpec& run = context.session().input().spec();
     const CompareWith& with = page.now->with();
     drawLetter(context, "A", context.palette.used);
     wrappedText(runTitle(run));

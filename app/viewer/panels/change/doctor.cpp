@@ -70,13 +70,13 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
     return remedyFor(finding,
-                     shellPath(input) + pieceOptions(context.session().input().spec().piece),
+                     shellPath(input) + optionsText(context.session().input().spec(), {SpecGroup::Reading}),
                      shellPath(output));
 }
 
 /// Requests to open the input again, with these fixes besides those it has.
-void follow(const PanelContext& context, const Fixes& more) {
-    Fixes fixes = context.session().input().spec().fixes;
+void follow(const PanelContext& context, const std::vector<std::string>& more) {
+    std::vector<std::string> fixes = context.session().input().spec().fixes;
     fixes.insert(fixes.end(), more.begin(), more.end());
     context.requests().fixes = std::move(fixes);
 }
@@ -109,20 +109,20 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     ImGui::PopFont();
 }
 
-/// Fixes that were applied to the input, and a button to undo them.
+/// std::vector<std::string> that were applied to the input, and a button to undo them.
 void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
     if (session.input().spec().fixes.empty()) return;
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
     if (smallButton(context, "Use the file as is", "doctor as it is",
                     "Open the input without any fixes"))
-        context.requests().fixes = Fixes{};
+        context.requests().fixes = std::vector<std::string>{};
     ImGui::Spacing();
     ImGui::Separator();
 }
 
 void drawFixAll(const PanelContext& context) {
-    const Fixes fixes = safeFixes(context.session().doctorJob().findings());
+    const std::vector<std::string> fixes = safeFixes(context.session().doctorJob().findings());
     if (fixes.empty()) return;
     std::string text;
     for (const std::string& name : fixes) {

@@ -11,7 +11,7 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
     if (textButton(context, "Prepare again", "prepare ok",
                    "Read the input again with these options, and go to the start") ||
         entered) {
-        Result<InputSpec> spec = form.spec(context.session().input().spec());
+        Result<RunSpec> spec = form.spec(context.session().input().spec());
         form.complaint = spec ? std::string{} : spec.error().message;
         if (spec) {
             context.requests().openSpec = std::move(spec.value());

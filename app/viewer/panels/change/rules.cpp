@@ -22,9 +22,9 @@ constexpr float kIndentWidth = 2.0F;
 /// The row to draw, and the choice made there.
 struct RuleList {
     const PanelContext& context;
-    const RuleSet& rules;
+    const RunSpec& rules;
     const RuleListFields& place;
-    std::optional<RuleSet> chosen = std::nullopt;
+    std::optional<RunSpec> chosen = std::nullopt;
 
     void set(const RuleSetting& setting, double value) {
         chosen = withRule(rules, setting.name, value);
@@ -121,17 +121,17 @@ void drawRow(RuleList& list, const RuleRow& row) {
 
 }  // namespace
 
-std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
+std::optional<RunSpec> drawRuleSets(const PanelContext& context, const RunSpec& rules,
                                     const RuleListFields& place) {
-    std::optional<RuleSet> chosen;
+    std::optional<RunSpec> chosen;
     const float reset = ImGui::CalcTextSize("Reset all").x + 2.0F * context.em;
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - reset, 4.0F * context.em,
                                        kControl * context.em));
-    if (ImGui::BeginCombo("##set", rules.name.c_str())) {
+    if (ImGui::BeginCombo("##set", rules.rules.c_str())) {
         for (const std::string_view name : paramSetNames()) {
             const std::string text(name);
-            if (ImGui::Selectable(text.c_str(), text == rules.name))
-                chosen = RuleSet{text, {}, rules.whatIf};
+            if (ImGui::Selectable(text.c_str(), text == rules.rules))
+                chosen = withSet(rules, text);
         }
         ImGui::EndCombo();
     }
@@ -141,12 +141,12 @@ std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& 
     ImGui::BeginDisabled(differingCount(rules) == 0);
     if (textButton(context, "Reset all", place.prefix + "rules reset all",
                    "Reset all rules to the values of the set"))
-        chosen = RuleSet{rules.name, {}, rules.whatIf};
+        chosen = withSet(rules, rules.rules);
     ImGui::EndDisabled();
     return chosen;
 }
 
-std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
+std::optional<RunSpec> drawRuleList(const PanelContext& context, const RunSpec& rules,
                                     const RuleListFields& place) {
     RuleList list{context, rules, place};
     ImGui::SetNextItemWidth(-1.0F);
@@ -169,10 +169,10 @@ std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& 
 void drawRules(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
-    const RuleSet rules = session.input().rules();
+    const RunSpec rules = session.input().rules();
     const std::size_t count = differingCount(rules);
     const RuleListFields place{context.ui().ruleFilter, ""};
-    std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
+    std::optional<RunSpec> chosen = drawRuleSets(context, rules, place);
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fitted(session.input().isRerunning() ? "re-running ..."
                                      : count == 0                  ? "values of the set"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "panels/panel.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 
@@ -17,10 +17,10 @@ struct RuleListFields {
 };
 
 /// Choice of the rule set; empty if nothing changed in this frame.
-std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
+std::optional<RunSpec> drawRuleSets(const PanelContext& context, const RunSpec& rules,
                                     const RuleListFields& place);
 /// The filter, and all rules that match it.
-std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
+std::optional<RunSpec> drawRuleList(const PanelContext& context, const RunSpec& rules,
                                     const RuleListFields& place);
 
 }  // namespace se::view

@@ -4,7 +4,7 @@
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
@@ -13,24 +13,24 @@ namespace se::view {
 
 namespace {
 
-void ask(const PanelContext& context, const RuleSet& rules) { context.requests().rules = rules; }
+void ask(const PanelContext& context, const RunSpec& rules) { context.requests().rules = rules; }
 
 /// Adds a what-if, or reports why the fields form none.
-void requestOrReport(const PanelContext& context, const RuleSet& rules,
+void requestOrReport(const PanelContext& context, const RunSpec& rules,
                      const Result<WhatIf>& what) {
     if (what) return ask(context, withWhatIf(rules, what.value()));
     context.session().messages().say(what.error().message);
 }
 
 /// A button that adds a what-if.
-void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
+void offer(const PanelContext& context, const RunSpec& rules, const WhatIf& what,
            const std::string& label, const std::string& name) {
     if (textButton(context, label, "what if " + name,
                    describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it."))
         ask(context, withWhatIf(rules, what));
 }
 
-void drawPresent(const PanelContext& context, const RuleSet& rules) {
+void drawPresent(const PanelContext& context, const RunSpec& rules) {
     Session& session = context.session();
     for (std::size_t i = 0; i < rules.whatIf.size(); ++i) {
         const WhatIf& what = rules.whatIf[i];
@@ -59,7 +59,7 @@ void drawDragHint(const Session& session) {
         dimText("Drag a point of this pivot in the view: its decisions follow.");
 }
 
-void drawOffers(const PanelContext& context, const RuleSet& rules) {
+void drawOffers(const PanelContext& context, const RunSpec& rules) {
     const Session& session = context.session();
     const Event* event = session.event();
     heading(context, "Here", addressText(session));
@@ -79,7 +79,7 @@ Index subject(const Session& session) {
     return session.selected() != kNone ? session.selected() : session.picture().pivot;
 }
 
-void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
+void drawMove(const PanelContext& context, const RunSpec& rules, std::uint32_t pivot) {
     WhatIfForm& form = context.state<WhatIfForm>();
     constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
         requestOrReport(context, rules, form.move(pivot));
 }
 
-void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
+void drawList(const PanelContext& context, const RunSpec& rules, std::uint32_t pivot) {
     WhatIfForm& form = context.state<WhatIfForm>();
     ImGui::SetNextItemWidth(-1.0F);
     textField("##list", "its neighbors, as numbers", form.list);
@@ -108,7 +108,7 @@ void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t p
         requestOrReport(context, rules, form.neighbors(pivot));
 }
 
-void drawPoint(const PanelContext& context, const RuleSet& rules) {
+void drawPoint(const PanelContext& context, const RunSpec& rules) {
     const Session& session = context.session();
     const Index point = subject(session);
     ImGui::Spacing();
@@ -136,7 +136,7 @@ void drawWhatIf(const PanelContext& context) {
     const Session& session = context.session();
     context.state<MoveTool>().offeredIn = ImGui::GetFrameCount();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
-    const RuleSet rules = session.input().rules();
+    const RunSpec rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
     tabNote(count == 0 ? "" : counted(count, "change", "changes"));
     drawPresent(context, rules);

@@ -2,7 +2,6 @@
 #include "commands/alert_actions.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "run/trial_settings.h"
 #include "session/session.h"
 
 namespace se::view {

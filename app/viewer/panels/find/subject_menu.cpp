@@ -9,7 +9,7 @@
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "run/rule_set.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "session/playback.h"
 #include "session/session.h"
 
@@ -43,7 +43,7 @@ void drawWhatIfs(const PanelContext& context, Index point) {
     Session& session = context.session();
     ImGui::Separator();
     ImGui::TextDisabled("What if ...");
-    const RuleSet rules = session.input().rules();
+    const RunSpec rules = session.input().rules();
     const auto offers = offersAbout(session, point);
     for (std::size_t i = 0; i < offers.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

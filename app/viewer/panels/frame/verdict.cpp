@@ -14,7 +14,6 @@
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "run/number_format.h"
-#include "run/trial_settings.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
 

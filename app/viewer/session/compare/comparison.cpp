@@ -148,7 +148,7 @@ Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Mode
 }  // namespace
 
 bool Comparison::fits(const Session& run) const {
-    const InputSpec& spec = run.input().spec();
+    const RunSpec& spec = run.input().spec();
     return with_.kind != CompareWith::Kind::Run ||
            (with_.run.source == spec.source && with_.run.piece == spec.piece &&
             with_.run.leftOut == spec.leftOut);

@@ -19,7 +19,7 @@ struct Pair {
     Comparison comparison;
 
     void beside(const std::string& rules, std::vector<RuleValue> choices = {}) {
-        InputSpec spec = run.input().spec();
+        RunSpec spec = run.input().spec();
         spec.rules = rules;
         spec.choices = std::move(choices);
         comparison.start(run, CompareWith::otherRun(spec));
@@ -98,7 +98,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     pair.beside("robust");
     const std::uint32_t revision = pair.comparison.revision();
     CHECK_FALSE(pair.comparison.result()->meshes.same());
-    InputSpec spec = pair.run.input().spec();
+    RunSpec spec = pair.run.input().spec();
     spec.rules = "robust";
     pair.run.open(spec);
     pair.waitUntilDone();
@@ -165,7 +165,7 @@ TEST_CASE(
 TEST_CASE(
     "The form of the other run begins with the most informative rules, and takes every setting") {
     LoadProgress progress;
-    const InputSpec base{"scene:torus", {}, "paper"};
+    const RunSpec base{"scene:torus", {}, "paper"};
     const auto model = test::loadModel(base, progress);
     REQUIRE(model.ok());
     CompareForm form;
@@ -181,7 +181,7 @@ TEST_CASE(
         other.rules = withRule(other.rules, setting.name, value);
         const auto spec = other.spec(base);
         REQUIRE(spec.ok());
-        CHECK_MESSAGE(valueOf(rulesOf(spec.value()), setting) == doctest::Approx(value),
+        CHECK_MESSAGE(valueOf(spec.value(), setting) == doctest::Approx(value),
                       setting.name);
     }
     form.rules = withRule(form.rules, "flip", 0.0);
@@ -202,7 +202,7 @@ TEST_CASE(
 
 TEST_CASE("The form of the other run takes what-ifs, and offers the run without them") {
     LoadProgress progress;
-    InputSpec fork{"scene:torus", {}, "paper"};
+    RunSpec fork{"scene:torus", {}, "paper"};
     fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
     const auto model = test::loadModel(fork, progress);
     REQUIRE(model.ok());
@@ -222,13 +222,13 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the run without 
 
 TEST_CASE("Changes of the open run are applied to the form of the other one") {
     LoadProgress progress;
-    const InputSpec before{"scene:torus", {}, "paper"};
+    const RunSpec before{"scene:torus", {}, "paper"};
     const auto model = test::loadModel(before, progress);
     REQUIRE(model.ok());
     CompareForm form;
     form.take(before, *model.value());
     form.rules = withRule(form.rules, "maxgap", 100.0);
-    InputSpec now = before;
+    RunSpec now = before;
     now.choices = {{"tie", 1.0}};
     form.prepare.rim = true;
     form.follow(before, now, *model.value());
@@ -240,8 +240,8 @@ TEST_CASE("Changes of the open run are applied to the form of the other one") {
 }
 
 TEST_CASE("The differences of the other run are described in words") {
-    const InputSpec paper{"scene:torus", {}, "paper"};
-    InputSpec other = paper;
+    const RunSpec paper{"scene:torus", {}, "paper"};
+    RunSpec other = paper;
     CHECK(differenceText(paper, other) == "the same");
     other.rules = "robust";
     CHECK(differenceText(paper, other) == "robust rules");
@@ -253,7 +253,7 @@ TEST_CASE("The differences of the other run are described in words") {
     CHECK(differenceText(paper, other) == "freesector off, 16 nearest");
     CHECK(runTitle(other) == "paper rules, freesector off, 16 nearest");
     CHECK(usualOther(paper).rules == "robust");
-    InputSpec robust = paper;
+    RunSpec robust = paper;
     robust.rules = "robust";
     CHECK(usualOther(robust).rules == "paper");
 }

@@ -194,7 +194,7 @@ TEST_CASE("With other rules of the run the trace is compared again") {
     pair.write(pair.text("sphere=off"));
     pair.compare();
     REQUIRE(pair.comparison.result()->trace->comparison.difference);
-    pair.run.rerun(withRule(rulesOf(pair.run.input().spec()), "sphere", 0.0));
+    pair.run.rerun(withRule(pair.run.input().spec(), "sphere", 0.0));
     pair.run.waitUntilDone();
     pair.comparison.waitUntilDone(pair.run);
     REQUIRE(pair.comparison.result() != nullptr);
