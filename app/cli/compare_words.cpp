@@ -56,8 +56,8 @@ RunSpec specOfB(const RunSpec& a, const Arguments& with) {
 }
 
 std::string titleOf(const RunSpec& spec) {
-    const std::string title = optionsText(spec, {SpecGroup::Reading, SpecGroup::Rules,
-                                                 SpecGroup::Lists, SpecGroup::Derived});
+    const std::string title = optionsText(
+        spec, {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
     return title.empty() ? "the paper's rules" : title.substr(1);
 }
 

@@ -11,7 +11,7 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
-#include "teach/start_file.h"
+#include "teach/spec_json.h"
 
 namespace se::cli {
 namespace {

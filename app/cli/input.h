@@ -34,8 +34,7 @@ InputPiece readPiece(const RunSpec& spec);
 /// The params of a spec. Throws Failure(Usage).
 Params paramsFrom(const RunSpec& spec);
 /// Its options of preparing. Throws Failure(Usage) where they do not fit the file.
-PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
-                                  const PointFile& file);
+PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params, const PointFile& file);
 
 /// Throws Failure(Usage) if there is a start, which names points by numbers, for work that changes
 /// them: `what` ("--crop") begins the message.

@@ -96,7 +96,7 @@ struct LessonStep {
     std::vector<NamedPoint> names;  ///< Of that input.
     std::string at;                 ///< Empty: as the step before.
     std::string until;
-    std::string expect;                  ///< Outcome of the decision at `at`, as outcomeText().
+    std::string expect;  ///< Outcome of the decision at `at`, as outcomeText().
     /// Set, single rules and what-ifs of this step alone, as they are written.
     SpecChange rules;
     std::vector<std::string> compare;    ///< Words in which another run differs, as of --with.

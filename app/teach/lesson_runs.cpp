@@ -108,8 +108,7 @@ std::string lessonSource(const std::string& input, const std::filesystem::path& 
     return (folder / input).lexically_normal().string();
 }
 
-Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source,
-                               RunSpec spec) {
+Result<PreparedRun> prepareRun(const PointFile& file, const std::string& source, RunSpec spec) {
     spec.source = source;
     Result<Params> params = paramsOf(spec);
     if (!params) return params.error();

@@ -12,7 +12,8 @@ namespace {
 
 /// The figure that an input is of; null if it is of none.
 const Figure* figureOf(std::string_view input) {
-    return input.starts_with(kScenePrefix) ? figureOfScene(input.substr(kScenePrefix.size())) : nullptr;
+    return input.starts_with(kScenePrefix) ? figureOfScene(input.substr(kScenePrefix.size()))
+                                           : nullptr;
 }
 
 /// The names of the figure that an input is of; empty if it is of none.
@@ -67,9 +68,8 @@ StepSetting settingOf(const Lesson& lesson, std::size_t step) {
         setting.answerPlace = each.question->until;
     }
     setting.run.insert(setting.run.end(), lesson.options.begin(), lesson.options.end());
-    std::stable_sort(
-        setting.run.begin(), setting.run.end(),
-        [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });
+    std::stable_sort(setting.run.begin(), setting.run.end(),
+                     [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });
     return setting;
 }
 

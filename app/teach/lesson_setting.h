@@ -14,7 +14,7 @@ namespace se::teach {
 /// Input, rules and position at a step.
 struct StepSetting {
     std::string input;  ///< As in the lesson: scene:ID, or a path relative to its folder.
-    SpecChange run;      ///< Options and rules, as they are written.
+    SpecChange run;     ///< Options and rules, as they are written.
     std::vector<NamedPoint> names;  ///< Those of the lesson, or of the figure.
     std::string view;  ///< By name; empty: viewDirection() has that of the figure, if there is one.
     std::string at;    ///< Position: that of the question while it is open. "0": the start.

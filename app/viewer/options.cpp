@@ -26,7 +26,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "teach/lesson_runs.h"
 #include "teach/lesson_text.h"
-#include "teach/start_file.h"
+#include "teach/spec_json.h"
 
 namespace se::view {
 
@@ -110,8 +110,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
             "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
             "--new; a session file; a lesson, as a file or lesson:ID. Without it, the start "
             "page");
-    raw.run.addTo(app, {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists,
-                        SpecGroup::Derived});
+    raw.run.addTo(app,
+                  {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
     app.add_option("--start", o.startFile,
                    "Begin with the triangles and edge rings of this JSON file "
                    "(docs/file-formats.md)")

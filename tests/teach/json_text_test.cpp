@@ -5,7 +5,7 @@
 #include "lesson_files.h"
 #include "teach/lesson_read.h"
 #include "teach/result.h"
-#include "teach/start_file.h"
+#include "teach/spec_json.h"
 #include "teach/trace/setrace.h"
 
 namespace se::teach {

@@ -22,9 +22,9 @@ TEST_CASE("a step goes on where the one before ended") {
     CHECK(settingOf(lesson, 2).at == "9.sphere.1");
     CHECK(settingOf(lesson, 3).input == "scene:grid");
     CHECK(settingOf(lesson, 3).at == "4.sphere.5");
-    CHECK(settingOf(lesson, 3).rules.rule == std::vector<std::string>{"sphere=off"});
+    CHECK(settingOf(lesson, 3).run == specChange({{"switches", "sphere=off"}}));
     CHECK(settingOf(lesson, 4).input == "scene:grid");
-    CHECK(settingOf(lesson, 4).rules.empty());
+    CHECK(settingOf(lesson, 4).run.empty());
 }
 
 TEST_CASE("names and view are those of the figure unless the lesson gives others") {
@@ -43,17 +43,6 @@ TEST_CASE("names and view are those of the figure unless the lesson gives others
     const StepSetting torus = settingOf(lesson, 2);
     CHECK(torus.names == std::vector<NamedPoint>{{"a", 3}});
     CHECK_FALSE(viewDirection(torus).has_value());
-}
-
-TEST_CASE("words of another run change its settings") {
-    const Result<RunSettings> changed = comparedSettings(
-        {},
-        {"--rules", "robust", "--rule", "sphere=off", "-k", "9", "--what-if", "9.sphere keep 46"});
-    REQUIRE(changed.ok());
-    CHECK(changed.value().rules == "robust");
-    CHECK(changed.value().choices.size() == 1);
-    CHECK(changed.value().whatIf.size() == 1);
-    CHECK(changed.value().prepare.neighbors.recompute);
 }
 
 TEST_CASE("text is split into blocks with styles and links") {

@@ -19,8 +19,7 @@ inline std::filesystem::path ownPlace(const std::string& name) {
 }
 
 /// As loadInput(), without the file.
-inline Result<std::shared_ptr<const Model>> loadModel(const RunSpec& spec,
-                                                      LoadProgress& progress) {
+inline Result<std::shared_ptr<const Model>> loadModel(const RunSpec& spec, LoadProgress& progress) {
     const Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
     return loaded.value().model;
@@ -28,7 +27,7 @@ inline Result<std::shared_ptr<const Model>> loadModel(const RunSpec& spec,
 
 inline std::shared_ptr<const Model> sphereModel() {
     LoadProgress progress;
-    const auto loaded = loadModel({"scene:sphere", {}, "paper"}, progress);
+    const auto loaded = loadModel(RunSpec{"scene:sphere"}, progress);
     return loaded ? loaded.value() : nullptr;
 }
 
@@ -37,7 +36,7 @@ struct OpenSession {
     Session session;
 
     explicit OpenSession(const char* source = "scene:sphere", const char* rules = "paper") {
-        session.open({source, {}, rules});
+        session.open(withSet({source}, rules));
         session.waitUntilDone();
     }
     /// Position of the cursor once all moves are done.

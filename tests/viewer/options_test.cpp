@@ -22,7 +22,9 @@ struct KeptSession {
     std::filesystem::path path = test::ownPlace("options-test.sesession");
     KeptSession() {
         SessionFile s;
-        s.input = {"scene:torus", {KNearest{16}, true, 0, true}, "printed", {{"fill", true}}};
+        s.input = changed(
+            {"scene:torus"},
+            specChange({{"rules", "printed"}, {"switches", "fill=on"}, {"neighbors", "16"}}));
         s.place.address = "12.sort.2";
         s.layout = LayoutPreset::Learn;
         REQUIRE(writeSessionFile(path, s).ok());
@@ -174,9 +176,8 @@ TEST_CASE("Derived data is requested by the names of the command line, and check
     CHECK(input.normals == NormalSource::Derived);
     CHECK(input.walls.from == WallChoice::From::Box);
     CHECK(input.walls.box.high.z == 3.0);
-    CHECK(input.keepNoise);
+    CHECK(valueOf(input, *findRuleSetting("noise")) == 0.0);
     CHECK(input.rim);
-    CHECK_FALSE(input.keepOpposing);
     CHECK(parse({"a.ply", "--box", "auto"}).options->input.walls.from == WallChoice::From::Around);
     CHECK(parse({"a.ply", "--orient"}).options->input.normals == NormalSource::Oriented);
     for (const std::vector<const char*>& bad :

@@ -268,8 +268,7 @@ ExitCode checkVerb(const Arguments& words) {
                         "goes wrong in the run",
                         arguments.mesh, shellPath(arguments.mesh)));
     const bool alone = arguments.cloud.empty();
-    const PointFile cloud =
-        alone ? PointFile{} : readPiece(spec).file;
+    const PointFile cloud = alone ? PointFile{} : readPiece(spec).file;
     const PointFile& file = alone ? mesh : cloud;
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "input.h"
 #include "options.h"
 #include "output/output.h"
-#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "teach/json_text.h"

@@ -13,7 +13,7 @@
 #include "spiraling_edge/replay/reconstruct.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "surface_input.h"
-#include "teach/start_file.h"
+#include "teach/spec_json.h"
 #include "teach/trace/conformance.h"
 #include "teach/trace/setrace.h"
 #include "verbs.h"
@@ -168,8 +168,7 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
         const std::string path = (folder / input.name).string();
         writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
-        if (!made.start.empty())
-            writeOutput(path + ".start.json", startJson(made.start) + "\n");
+        if (!made.start.empty()) writeOutput(path + ".start.json", startJson(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
         printText(fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),
                               input.shows));

@@ -11,9 +11,9 @@
 #include <tuple>
 
 #include "failure_choice.h"
+#include "input.h"
 #include "output/output.h"
 #include "output/sentences.h"
-#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"

@@ -117,8 +117,7 @@ struct RunArguments {
                                       "a file .setrace with --trace",
                                       trace));
         }
-        force.require(input.files(),
-                      {{"-o", output}, {"--report", report}, {"--trace", trace}});
+        force.require(input.files(), {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
     /// Reports `--fault-fields` where no columns of points can be written.
@@ -342,16 +341,17 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.trials = watch.lap();
     PrepareOptions options = prepareOptionsFrom(chosen.spec, outcome.params, file);
     options.leaveOut = chosen.leaveOut;
-    Prepared prepared = runWithProgress(
-        "preparing", named.source, line,
-        [&](const Progress& progress) { return prepare(file, options, progress); });
+    Prepared prepared =
+        runWithProgress("preparing", named.source, line,
+                        [&](const Progress& progress) { return prepare(file, options, progress); });
     arguments.input.requireStartFits(prepared.points, outcome.params.start);
     requirePossible(prepared.points, outcome.params);
     if (arguments.searchesPairs()) {
         prepared.points.judge = withoutOpeningsToClose(
             runWithProgress("preparing", named.source, line,
                             [&](const Progress& progress) {
-                                return judgeFor(file, prepareOptionsFrom(named, outcome.params, file),
+                                return judgeFor(file,
+                                                prepareOptionsFrom(named, outcome.params, file),
                                                 prepared.points, progress);
                             }),
             outcome.params);

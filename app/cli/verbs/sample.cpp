@@ -169,8 +169,7 @@ ExitCode sampleVerb(const Arguments& words) {
     Field field = readSurface(arguments.input, arguments.isovalue, arguments.limit);
     if (!arguments.box.empty()) {
         const RunSpec spec = specOf({{findSpecField("box"), arguments.box}});
-        if (spec.walls.from == WallChoice::From::Box)
-            cutBy(spec.walls.box, arguments.input, field);
+        if (spec.walls.from == WallChoice::From::Box) cutBy(spec.walls.box, arguments.input, field);
     }
 
     ProgressLine line(!arguments.quiet);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "input.h"
 #include "options.h"
 #include "output/output.h"
 #include "progress.h"
@@ -155,8 +156,7 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
 
 /// With the requested neighbor lists.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
-    Result<Prepared> prepared =
-        prepare(file, prepareOptionsFrom(arguments.spec(), params, file));
+    Result<Prepared> prepared = prepare(file, prepareOptionsFrom(arguments.spec(), params, file));
     if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
     return std::move(prepared.value().points);
 }

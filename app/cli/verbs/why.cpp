@@ -6,10 +6,10 @@
 #include <charconv>
 
 #include "failure_choice.h"
+#include "input.h"
 #include "output/inversion_text.h"
 #include "output/ledger_text.h"
 #include "output/output.h"
-#include "input.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/replay/decision_query.h"

@@ -132,9 +132,8 @@ Result<RunSpec> PrepareForm::spec(RunSpec base) const {
         if (!six) return six.error();
         base.walls = {walls, six.value()};
     }
-    for (const auto& [name, keeps] : {std::pair{kOpposing, keepOpposing},
-                                      {kNoise, keepNoise},
-                                      {kStrays, keepStrays}}) {
+    for (const auto& [name, keeps] :
+         {std::pair{kOpposing, keepOpposing}, {kNoise, keepNoise}, {kStrays, keepStrays}}) {
         if (keeps != isOff(base, name)) base = withRule(std::move(base), name, keeps ? 0.0 : 1.0);
     }
     // The choice made here replaces the one of a fix, unless they agree.

@@ -117,8 +117,8 @@ std::string addStart(const RunSpec& spec, const MeshTarget& target, Steps& steps
     if (spec.start.empty()) return {};
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     const std::string file = besideMesh(target, stem + ".start.json");
-    steps.before += "printf '%s\\n' " + shellQuoted(startJson(spec.start)) + " > " +
-                    shellPath(file) + " && ";
+    steps.before +=
+        "printf '%s\\n' " + shellQuoted(startJson(spec.start)) + " > " + shellPath(file) + " && ";
     steps.note += (steps.note.empty() ? "" : " ") + std::string("First the start is written to ") +
                   file + ".";
     return " --start " + shellPath(file);
@@ -142,8 +142,8 @@ MeshCommand meshCommand(const RunSpec& spec, const MeshTarget& target) {
     addDoctor(spec, target, steps);
     const std::string start = addStart(spec, target, steps);
     MeshCommand command{steps.before + kProgram + " run " + inputOf(steps), steps.note};
-    command.text += start + optionsText(withFixesAsOptions(spec), {SpecGroup::Rules, SpecGroup::Lists,
-                                                                   SpecGroup::Derived});
+    command.text += start + optionsText(withFixesAsOptions(spec),
+                                        {SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
     if (target.usedOnly) command.text += " --used-points";
     if (target.writesFaultFields()) command.text += " --fault-fields";
     command.text += " -o " + shellPath(target.path);

@@ -59,9 +59,12 @@ std::string describeChange(const Edits& from, const Edits& to) {
     }
     if (a == b) return text;
     const std::vector<RuleValue> rules = differingRules(ruleParams(b), ruleParams(a));
-    if (a.whatIf != b.whatIf) add(text, "what-if");
-    else if (a.rules != b.rules) add(text, "rules " + b.rules);
-    else add(text, rules.size() == 1 ? "rule " + rules.front().name : "rules");
+    if (a.whatIf != b.whatIf)
+        add(text, "what-if");
+    else if (a.rules != b.rules)
+        add(text, "rules " + b.rules);
+    else
+        add(text, rules.size() == 1 ? "rule " + rules.front().name : "rules");
     return text;
 }
 

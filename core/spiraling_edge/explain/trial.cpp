@@ -33,52 +33,14 @@ std::vector<SpecChange> setsOfRules() {
 /// those.
 std::vector<SpecChange> usualChanges() {
     constexpr std::pair<std::string_view, std::string_view> kBesides[] = {
-        {"normals", "oriented"}, {"normals", "derived"}, {"rim", "on"},
-        {"neighbors", "10"},     {"neighbors", "16"},    {"neighbors", "8"},
-        {"neighbors", "12"},     {"neighbors", "20"},    {"symmetric", "on"},
+        {"normals", "oriented"},  {"normals", "derived"},    {"rim", "on"},
+        {"neighbors", "10"},      {"neighbors", "16"},       {"neighbors", "8"},
+        {"neighbors", "12"},      {"neighbors", "20"},       {"symmetric", "on"},
         {"switches", "fill=off"}, {"switches", "shelve=off"}};
     static_assert(std::size(kBesides) == kUsualChanges);
     std::vector<SpecChange> changes;
     for (const auto& each : kBesides) changes.push_back(specChange({{"rules", "robust"}, each}));
     return changes;
-}
-
-/// The part of a change that a run of `spec` over `file` does not have already.
-SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file) {
-    SpecChange left;
-    RunSpec with = spec;
-    // What is derived or searched anyway.
-    if (!file.hasNormals()) with.normals = NormalSource::Derived;
-    if (!file.hasNeighbors()) with.neighbors.recompute = true;
-    for (const FieldValue& each : change) {
-        const RunSpec next = changed(with, {each});
-        const bool present = each.field->type == SpecType::Rule
-                                 ? differenceOf(with, next).empty()
-                                 : next == with;
-        // Derived normals are oriented.
-        const bool derived =
-            each.field->key == "normals" && with.normals == NormalSource::Derived;
-        const bool fixed = each.field->key == "doctor" &&
-                           std::find(spec.fixes.begin(), spec.fixes.end(), each.text) !=
-                               spec.fixes.end();
-        if (!present && !derived && !fixed) left.push_back(each);
-        if (each.field->key == "rules") with = next;
-    }
-    return left;
-}
-
-/// Both changes in one; nothing if they set the same field to two values.
-std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b) {
-    SpecChange both = a;
-    for (const FieldValue& each : b) {
-        const std::string_view other = textOf(a, each.field->key);
-        if (!other.empty() && other != each.text) return std::nullopt;
-        if (other.empty()) both.push_back(each);
-    }
-    std::stable_sort(both.begin(), both.end(), [](const FieldValue& x, const FieldValue& y) {
-        return x.field < y.field;
-    });
-    return both;
 }
 
 /// True if a change leaves given normals alone that are right: those that do not fit are derived,
@@ -88,7 +50,6 @@ bool respects(const MeshJudge& judge, const SpecChange& change) {
     if (normals.empty()) return true;
     return normals == "oriented" ? judge.fit && !judge.areRight() : !judge.fit;
 }
-
 
 /// True for a mesh that no change can improve.
 bool isPerfect(const MeshVerdict& verdict) {
@@ -302,6 +263,39 @@ class TrialSearch {
 
 std::string trialText(const SpecChange& next) {
     return next.empty() ? "measuring the run as given" : "trying " + wordsOf(next);
+}
+
+SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file) {
+    SpecChange left;
+    RunSpec with = spec;
+    // What is derived or searched anyway.
+    if (!file.hasNormals()) with.normals = NormalSource::Derived;
+    if (!file.hasNeighbors()) with.neighbors.recompute = true;
+    for (const FieldValue& each : change) {
+        const RunSpec next = changed(with, {each});
+        const bool present =
+            each.field->type == SpecType::Rule ? differenceOf(with, next).empty() : next == with;
+        // Derived normals are oriented.
+        const bool derived = each.field->key == "normals" && with.normals == NormalSource::Derived;
+        const bool fixed =
+            each.field->key == "doctor" &&
+            std::find(spec.fixes.begin(), spec.fixes.end(), each.text) != spec.fixes.end();
+        if (!present && !derived && !fixed) left.push_back(each);
+        if (each.field->key == "rules") with = next;
+    }
+    return left;
+}
+
+std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b) {
+    SpecChange both = a;
+    for (const FieldValue& each : b) {
+        const std::string_view other = textOf(a, each.field->key);
+        if (!other.empty() && other != each.text) return std::nullopt;
+        if (other.empty()) both.push_back(each);
+    }
+    std::stable_sort(both.begin(), both.end(),
+                     [](const FieldValue& x, const FieldValue& y) { return x.field < y.field; });
+    return both;
 }
 
 std::size_t plainRobust(const std::vector<Trial>& tried) {

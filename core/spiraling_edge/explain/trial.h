@@ -3,10 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/spec/spec_fields.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 namespace se {
 
@@ -48,6 +49,11 @@ std::string lossesText(const MeshVerdict& mesh, const MeshVerdict& before);
 /// compared, in the unit of the points.
 std::string describe(const MeshVerdict& verdict);
 
+/// The part of a change that a run of `spec` over `file` does not have already.
+SpecChange withoutPresent(const SpecChange& change, const RunSpec& spec, const PointFile& file);
+/// Both changes in one; nothing if they set the same field to two values.
+std::optional<SpecChange> bothOf(const SpecChange& a, const SpecChange& b);
+
 /// "No better settings among 5 changes tried." Requires a trial.
 std::string noneBetterText(const Trials& trials);
 
@@ -59,9 +65,8 @@ std::string noneBetterText(const Trials& trials);
 /// unless it is empty, before each trial, with all trials so far and the change to be tried. Fails
 /// if the settings do not exist, if the points cannot be prepared, or if cancelled, which is
 /// checked between the parts of a trial. Deterministic: equal input and settings give equal trials.
-Result<Trials> tryChanges(
-    const PointFile& file, const RunSpec& present,
-    const std::function<void(const Trials&, const SpecChange&)>& visit = {},
-    const Progress& progress = {});
+Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,
+                          const std::function<void(const Trials&, const SpecChange&)>& visit = {},
+                          const Progress& progress = {});
 
 }  // namespace se

@@ -50,8 +50,9 @@ RunSpec withFixesAsOptions(RunSpec spec) {
 Result<PrepareOptions> prepareOptionsOf(const RunSpec& spec, const Params& params,
                                         const PointFile& file) {
     if (spec.scanner && file.hasNormals() && spec.normals == NormalSource::AsGiven) {
-        return Error{"The points have normals; only flipped or derived ones can face a scanner "
-                     "(--orient, --derive-normals)."};
+        return Error{
+            "The points have normals; only flipped or derived ones can face a scanner "
+            "(--orient, --derive-normals)."};
     }
     PrepareOptions options;
     options.neighbors = spec.neighbors;

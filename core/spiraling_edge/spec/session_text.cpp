@@ -5,9 +5,11 @@ namespace se {
 std::string sessionText(const SessionStart& start) {
     // Else "scene:a.ply" would be taken for a scene.
     const bool isPlain = start.points.find(':') == std::string::npos;
-    std::string text = "{\"format\": \"spiraling-edge session\", \"version\": 1,\n \"input\": {\"source\": " +
-                       jsonQuoted(isPlain ? start.points : "./" + start.points) + "},\n \"options\": " +
-                       optionsJson(start.spec) + ",\n \"address\": " + jsonQuoted(start.address);
+    std::string text =
+        "{\"format\": \"spiraling-edge session\", \"version\": 1,\n \"input\": {\"source\": " +
+        jsonQuoted(isPlain ? start.points : "./" + start.points) +
+        "},\n \"options\": " + optionsJson(start.spec) +
+        ",\n \"address\": " + jsonQuoted(start.address);
     if (!start.alert.empty()) text += ",\n \"alert\": " + jsonQuoted(start.alert);
     if (!start.notes.empty()) text += ",\n \"notes\": " + jsonQuoted(start.notes);
     return text + "}\n";

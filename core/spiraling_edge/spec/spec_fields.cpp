@@ -218,55 +218,55 @@ constexpr std::string_view kBoxExpected =
 const std::array kFields{
     SpecField{"", "--most-bytes", "N", "",
               "Read and unpack at most N bytes of an input (default 2147483648, 2 GiB)",
-              "a whole number from 1 on", "", "",
-              SpecGroup::Reading, SpecType::Whole, false, "", setBytes, noTexts},
+              "a whole number from 1 on", "", "", SpecGroup::Reading, SpecType::Whole, false, "",
+              setBytes, noTexts},
     SpecField{"crop", "--crop", "BOX", "",
               "Only the points in this box, X0,Y0,Z0,X1,Y1,Z1; the output has their numbers in "
               "the file as index",
-              kBoxExpected, "the box {}", "no box",
-              SpecGroup::Reading, SpecType::Numbers, false, "", setCrop,
+              kBoxExpected, "the box {}", "no box", SpecGroup::Reading, SpecType::Numbers, false,
+              "", setCrop,
               [](const RunSpec& s) {
                   return s.piece.crop ? Texts{plainNumbers({s.piece.crop->low, s.piece.crop->high})}
                                       : Texts{};
               }},
-    SpecField{"thin", "--thin", "SPACING", "",
-              "Then only points no nearer than this to one before; lists in the file get shorter "
-              "(-k: new ones)",
-              "a number > 0", "thinned to {}", "not thinned",
-              SpecGroup::Reading, SpecType::Number, false, "", setThin,
-              [](const RunSpec& s) { return listIf(s.piece.thin > 0.0, plainNumber(s.piece.thin)); }},
+    SpecField{
+        "thin", "--thin", "SPACING", "",
+        "Then only points no nearer than this to one before; lists in the file get shorter "
+        "(-k: new ones)",
+        "a number > 0", "thinned to {}", "not thinned", SpecGroup::Reading, SpecType::Number, false,
+        "", setThin,
+        [](const RunSpec& s) { return listIf(s.piece.thin > 0.0, plainNumber(s.piece.thin)); }},
     SpecField{"left_out", "", "", "", "", "ascending indices, such as \"3..9,40\"",
-              "points left out", "no points left out",
-              SpecGroup::Reading, SpecType::Word, false, "", setLeftOut,
+              "points left out", "no points left out", SpecGroup::Reading, SpecType::Word, false,
+              "", setLeftOut,
               [](const RunSpec& s) { return listIf(!s.leftOut.empty(), rangesText(s.leftOut)); }},
-    SpecField{"doctor", "", "", "", "", "a list of doctor checks that have a fix",
-              "the fix of {}", "not repaired",
-              SpecGroup::Reading, SpecType::Word, true, "", addFix,
+    SpecField{"doctor", "", "", "", "", "a list of doctor checks that have a fix", "the fix of {}",
+              "not repaired", SpecGroup::Reading, SpecType::Word, true, "", addFix,
               [](const RunSpec& s) { return s.fixes; }},
     SpecField{"rules", "--rules", "SET", "",
               "Reading of the paper: paper, printed, corrected, robust (default paper)",
-              "the name of a set of rules, such as \"paper\"", "rules of {}", "rules of paper",
+              "the name of a set of rules, such as \"paper\"", "{} rules", "paper rules",
               SpecGroup::Rules, SpecType::Word, false, "", setRules,
               [](const RunSpec& s) { return listIf(s.rules != RunSpec{}.rules, s.rules); }},
     SpecField{"switches", "--rule", "NAME=VALUE", "",
               "Set one rule, after --rules; may be repeated",
-              "an object of true, false, numbers and names", "{}", "",
-              SpecGroup::Rules, SpecType::Rule, true, "", addRule, ruleTexts},
+              "an object of true, false, numbers and names", "{}", "", SpecGroup::Rules,
+              SpecType::Rule, true, "", addRule, ruleTexts},
     SpecField{"what_if", "--what-if", "LINE", "",
               "Override one decision: \"137.sphere keep 812\", \"137.sphere drop 812\", "
               "\"137.advance pivot 640\", \"137 move 812 X Y Z\", \"137 list 812 5 7\"; may be "
               "repeated (docs/choices.md)",
-              "a list of texts", "what-if", "no what-ifs",
-              SpecGroup::Rules, SpecType::Word, true, "", addWhatIf, whatIfTexts},
+              "a list of texts", "what-if", "no what-ifs", SpecGroup::Rules, SpecType::Word, true,
+              "", addWhatIf, whatIfTexts},
     SpecField{"neighbors", "-k,--neighbors", "K", "",
               "Neighbors of a point: the K nearest (default: the lists in the file, or 12)",
               "a whole number from 1 to 1000000", "{} neighbors", "neighbors of the input",
               SpecGroup::Lists, SpecType::Whole, false, "reach", setNearest,
               reachTexts<KNearest, &KNearest::k>},
     SpecField{"radius", "-r,--radius", "R", "",
-              "Neighbors of a point: all within R, in scene units",
-              "a number > 0", "neighbors within {}", "neighbors of the input",
-              SpecGroup::Lists, SpecType::Number, false, "reach", setWithin<WithinRadius>,
+              "Neighbors of a point: all within R, in scene units", "a number > 0",
+              "neighbors within {}", "neighbors of the input", SpecGroup::Lists, SpecType::Number,
+              false, "reach", setWithin<WithinRadius>,
               reachTexts<WithinRadius, &WithinRadius::radius>},
     SpecField{"reach", "--reach", "X", "",
               "Neighbors of a point: all within X times the mean distance to the nearest",
@@ -274,53 +274,55 @@ const std::array kFields{
               SpecGroup::Lists, SpecType::Number, false, "reach", setWithin<WithinSpacings>,
               reachTexts<WithinSpacings, &WithinSpacings::spacings>},
     SpecField{"symmetric", "--symmetric", "", "on", "Make neighbor lists symmetric",
-              "true or false", "symmetric lists", "lists not made symmetric",
-              SpecGroup::Lists, SpecType::Switch, false, "",
+              "true or false", "symmetric lists", "lists not made symmetric", SpecGroup::Lists,
+              SpecType::Switch, false, "",
               [](RunSpec& s, std::string_view t) { return setSwitch(s.neighbors.symmetric, t); },
               [](const RunSpec& s) { return listIf(s.neighbors.symmetric, "on"); }},
     SpecField{"keep_opposing", "--keep-opposing", "", "on",
               "Keep neighbors whose normal opposes that of the point, as --rule opposing=off",
-              "true or false", "", "",
-              SpecGroup::Lists, SpecType::Switch, false, "", keep<kOpposing>, noTexts},
+              "true or false", "", "", SpecGroup::Lists, SpecType::Switch, false, "",
+              keep<kOpposing>, noTexts},
     SpecField{"keep_noise", "--keep-noise", "", "on",
               "Keep all points where noise is as wide as the spacing, as --rule noise=off "
               "(--rules robust sets aside those above or below others)",
-              "true or false", "", "",
-              SpecGroup::Lists, SpecType::Switch, false, "", keep<kNoise>, noTexts},
+              "true or false", "", "", SpecGroup::Lists, SpecType::Switch, false, "", keep<kNoise>,
+              noTexts},
     SpecField{"keep_strays", "--keep-strays", "", "on",
               "Keep points far from all others, as --rule strays=off (--rules corrected and "
               "robust set them aside)",
-              "true or false", "", "",
-              SpecGroup::Lists, SpecType::Switch, false, "", keep<kStrays>, noTexts},
-    SpecField{"normals", "--orient", "", "oriented",
-              "Flip normals of the file so that they agree with each other",
-              "\"derived\" or \"oriented\"", "normals oriented", "normals of the input",
-              SpecGroup::Derived, SpecType::Word, false, "normals", setNormals,
-              [](const RunSpec& s) { return listIf(s.normals == NormalSource::Oriented, "oriented"); }},
-    SpecField{"normals", "--derive-normals", "", "derived",
-              "Derive normals from the positions even if the file has some",
-              "\"derived\" or \"oriented\"", "normals derived", "normals of the input",
-              SpecGroup::Derived, SpecType::Word, false, "normals", setNormals,
-              [](const RunSpec& s) { return listIf(s.normals == NormalSource::Derived, "derived"); }},
-    SpecField{"scanner", "--scanner", "POINT", "",
-              "Derived or flipped normals face this position, X,Y,Z, part by part (default: they "
-              "face outward)",
-              "three numbers separated by commas: X,Y,Z", "normals facing {}",
-              "normals facing no scanner",
-              SpecGroup::Derived, SpecType::Numbers, false, "", setScanner,
-              [](const RunSpec& s) { return s.scanner ? Texts{plainNumbers({*s.scanner})} : Texts{}; }},
+              "true or false", "", "", SpecGroup::Lists, SpecType::Switch, false, "", keep<kStrays>,
+              noTexts},
+    SpecField{
+        "normals", "--orient", "", "oriented",
+        "Flip normals of the file so that they agree with each other",
+        "\"derived\" or \"oriented\"", "normals oriented", "normals of the input",
+        SpecGroup::Derived, SpecType::Word, false, "normals", setNormals,
+        [](const RunSpec& s) { return listIf(s.normals == NormalSource::Oriented, "oriented"); }},
+    SpecField{
+        "normals", "--derive-normals", "", "derived",
+        "Derive normals from the positions even if the file has some",
+        "\"derived\" or \"oriented\"", "normals derived", "normals of the input",
+        SpecGroup::Derived, SpecType::Word, false, "normals", setNormals,
+        [](const RunSpec& s) { return listIf(s.normals == NormalSource::Derived, "derived"); }},
+    SpecField{
+        "scanner", "--scanner", "POINT", "",
+        "Derived or flipped normals face this position, X,Y,Z, part by part (default: they "
+        "face outward)",
+        "three numbers separated by commas: X,Y,Z", "normals facing {}",
+        "normals facing no scanner", SpecGroup::Derived, SpecType::Numbers, false, "", setScanner,
+        [](const RunSpec& s) { return s.scanner ? Texts{plainNumbers({*s.scanner})} : Texts{}; }},
     SpecField{"box", "--box", "BOX", "",
               "Points on the walls of this box are boundary points: auto (around all points), or "
               "X0,Y0,Z0,X1,Y1,Z1",
               "auto, or six numbers separated by commas, the lower corner first: "
               "X0,Y0,Z0,X1,Y1,Z1",
-              "walls of the box {}", "walls of the input",
-              SpecGroup::Derived, SpecType::Numbers, false, "", setBox, boxTexts},
+              "walls of the box {}", "walls of the input", SpecGroup::Derived, SpecType::Numbers,
+              false, "", setBox, boxTexts},
     SpecField{"rim", "--derive-rim", "", "on",
               "Find where the surface ends without a wall, and treat the points there as boundary "
               "points",
-              "true or false", "rims derived", "rims not derived",
-              SpecGroup::Derived, SpecType::Switch, false, "",
+              "true or false", "rims derived", "rims not derived", SpecGroup::Derived,
+              SpecType::Switch, false, "",
               [](RunSpec& s, std::string_view t) { return setSwitch(s.rim, t); },
               [](const RunSpec& s) { return listIf(s.rim, "on"); }},
 };
@@ -371,10 +373,9 @@ bool isReplaced(const SpecField& field, const RunSpec& spec) {
 std::span<const SpecField> specFields() { return kFields; }
 
 const SpecField* findSpecField(std::string_view key) {
-    const auto found =
-        std::find_if(kFields.begin(), kFields.end(), [&](const SpecField& each) {
-            return !key.empty() && each.key == key;
-        });
+    const auto found = std::find_if(kFields.begin(), kFields.end(), [&](const SpecField& each) {
+        return !key.empty() && each.key == key;
+    });
     return found == kFields.end() ? nullptr : found;
 }
 
@@ -384,8 +385,7 @@ Status setField(const SpecField& field, RunSpec& spec, std::string_view text) {
     return Error{"expected " + std::string(field.expected)};
 }
 
-SpecChange specChange(
-    std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
     SpecChange change;
     for (const auto& [key, text] : values) {
         const SpecField* field = findSpecField(key);
@@ -396,9 +396,8 @@ SpecChange specChange(
 }
 
 std::string_view textOf(const SpecChange& change, std::string_view key) {
-    const auto found = std::find_if(change.begin(), change.end(), [&](const FieldValue& each) {
-        return each.field->key == key;
-    });
+    const auto found = std::find_if(change.begin(), change.end(),
+                                    [&](const FieldValue& each) { return each.field->key == key; });
     return found == change.end() ? std::string_view{} : found->text;
 }
 
@@ -503,18 +502,16 @@ std::string optionsText(const RunSpec& spec, std::initializer_list<SpecGroup> gr
 Result<SpecChange> changeFromWords(std::span<const std::string> words) {
     SpecChange change;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::size_t equals = words[i].starts_with("--") ? words[i].find('=') : std::string::npos;
+        const std::size_t equals =
+            words[i].starts_with("--") ? words[i].find('=') : std::string::npos;
         const std::string_view name = std::string_view(words[i]).substr(0, equals);
         const auto field = std::find_if(kFields.begin(), kFields.end(), [&](const SpecField& each) {
             const std::size_t comma = std::min(each.option.find(','), each.option.size());
             return !name.empty() && (name == nameOf(each) || name == each.option.substr(0, comma));
         });
         if (field == kFields.end()) {
-            std::string known;
-            for (const SpecField& each : kFields) {
-                if (!each.option.empty()) addPart(known, nameOf(each));
-            }
-            return Error{excerpt(words[i]) + ": expected one of " + known};
+            return Error{excerpt(words[i]) +
+                         ": no such option of a run; spiraling-edge run --help lists them"};
         }
         std::string text(field->flag);
         if (field->value.empty() || equals != std::string::npos) {
@@ -526,9 +523,8 @@ Result<SpecChange> changeFromWords(std::span<const std::string> words) {
         }
         change.push_back({field, std::move(text)});
     }
-    std::stable_sort(change.begin(), change.end(), [](const FieldValue& a, const FieldValue& b) {
-        return a.field < b.field;
-    });
+    std::stable_sort(change.begin(), change.end(),
+                     [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });
     RunSpec trial;
     if (const Status valid = applyChange(change, trial); !valid) return valid.error();
     return change;

@@ -39,11 +39,11 @@ inline constexpr std::size_t kMostNeighbors = 1'000'000;
 
 /// One row of the table.
 struct SpecField {
-    std::string_view key;     ///< In sessions and lessons: "what_if". Empty: an option alone.
-    std::string_view option;  ///< "-k,--neighbors"; empty: it has none.
-    std::string_view value;   ///< Name of its value in help; empty: none, it stands for `flag`.
-    std::string_view flag;    ///< The text that an option without a value stands for.
-    std::string_view help;    ///< One sentence.
+    std::string_view key;       ///< In sessions and lessons: "what_if". Empty: an option alone.
+    std::string_view option;    ///< "-k,--neighbors"; empty: it has none.
+    std::string_view value;     ///< Name of its value in help; empty: none, it stands for `flag`.
+    std::string_view flag;      ///< The text that an option without a value stands for.
+    std::string_view help;      ///< One sentence.
     std::string_view expected;  ///< The texts that are valid: "a number > 0".
     /// A value in words, with its text in place of {}: "{} neighbors"; what it is without one.
     std::string_view words, without;
@@ -75,8 +75,7 @@ struct FieldValue {
 using SpecChange = std::vector<FieldValue>;
 
 /// {{"rules", "robust"}, {"neighbors", "10"}}. Requires keys of the table, in its order.
-SpecChange specChange(
-    std::initializer_list<std::pair<std::string_view, std::string_view>> values);
+SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values);
 /// The text that `change` has for a key; empty if it has none.
 std::string_view textOf(const SpecChange& change, std::string_view key);
 
@@ -94,7 +93,7 @@ SpecChange valuesOf(const RunSpec& spec);
 /// set its choices.
 SpecChange differenceOf(const RunSpec& from, const RunSpec& to);
 
-/// "rules of robust, 10 neighbors"; "no change" without a value.
+/// "robust rules, 10 neighbors"; "no change" without a value.
 std::string wordsOf(const SpecChange& change);
 /// What differs in `to`, also what is no longer set: "flip off, lists of the input"; "the same" if
 /// nothing does. Many single rules are counted.

@@ -19,7 +19,7 @@ using namespace se::test;
 namespace {
 
 /// A trial whose mesh has holes at some places, and points lost.
-Trial trialWith(std::size_t places, std::size_t lost = 0, const SettingsChange& change = {}) {
+Trial trialWith(std::size_t places, std::size_t lost = 0, const SpecChange& change = {}) {
     Trial trial{change, {}, {}, 1};
     trial.verdict.triangles = 100;
     trial.verdict.places = places;
@@ -29,11 +29,11 @@ Trial trialWith(std::size_t places, std::size_t lost = 0, const SettingsChange& 
     trial.verdict.totals[static_cast<std::size_t>(holes)] = {places, places, true};
     return trial;
 }
-constexpr SettingsChange kRobust{.rules = "robust"};
-constexpr SettingsChange kSixteen{.rules = "robust", .nearest = 16};
+const SpecChange kRobust = specChange({{"rules", "robust"}});
+const SpecChange kSixteen = specChange({{"rules", "robust"}, {"neighbors", "16"}});
 
-Trials triedOn(const PointFile& file, const RunSettings& settings = {}) {
-    Result<Trials> trials = tryChanges(file, settings);
+Trials triedOn(const PointFile& file, const RunSpec& spec = {}) {
+    Result<Trials> trials = tryChanges(file, spec);
     REQUIRE(trials.ok());
     return std::move(trials.value());
 }
@@ -75,7 +75,7 @@ TEST_CASE("trials: no mesh is worse than none") {
 }
 
 TEST_CASE("trials: of an open run of robust, what is offered is worse than it in no count") {
-    const SettingsChange sixteen{.nearest = 16};
+    const SpecChange sixteen = specChange({{"neighbors", "16"}});
     CHECK(isOffered({trialWith(6, 2), trialWith(4, 2, sixteen)}, 1));
     CHECK_FALSE(isOffered({trialWith(6, 2), trialWith(4, 3, sixteen)}, 1));
 }
@@ -96,9 +96,9 @@ TEST_CASE("trials: a run that was stopped, or made nothing, is not offered") {
 }
 
 TEST_CASE("trials: a sound mesh without a change needs no other") {
-    RunSettings settings;
-    settings.rules = "robust";
-    const Trials trials = triedOn(sceneFile("torus"), settings);
+    RunSpec spec;
+    spec.rules = "robust";
+    const Trials trials = triedOn(sceneFile("torus"), spec);
     CHECK(trials.tried.size() == 1);
     CHECK(trials.best == 0);
     CHECK(describe(bestOf(trials)).starts_with("sound; distances up to 0"));
@@ -118,8 +118,8 @@ TEST_CASE("trials: a mesh without a triangle is neither sound nor good enough") 
 TEST_CASE("trials: the rules of robust come first, and a sound mesh ends the search") {
     const Trials trials = triedOn(sceneFile("sharp-crease"));
     REQUIRE(trials.tried.size() >= 2);
-    CHECK(trials.tried[0].change == SettingsChange{});
-    CHECK(trials.tried[1].change == SettingsChange{.rules = "robust"});
+    CHECK(trials.tried[0].change.empty());
+    CHECK(trials.tried[1].change == kRobust);
     CHECK(bestOf(trials).places < trials.tried[0].verdict.places);
     CHECK(bestOf(trials).isSound());
     CHECK(trials.best + 1 == trials.tried.size());
@@ -158,9 +158,9 @@ TEST_CASE("trials: every one is made as the settings after its change are run") 
     CHECK(trials.tried.size() <= kMaxTrials);
     for (const Trial& trial : trials.tried) {
         CAPTURE(wordsOf(trial.change));
-        const RunSettings settings = changed({}, trial.change);
-        const Params params = paramsOf(settings).value();
-        PrepareOptions options = prepareOptionsFor(settings.prepare, params);
+        const RunSpec spec = changed({}, trial.change);
+        const Params params = paramsOf(spec).value();
+        PrepareOptions options = prepareOptionsOf(spec, params, file).value();
         options.leaveOut = trial.leaveOut;
         const Prepared made = prepare(file, options).value();
         const Run run = runAll(made.points, params);
@@ -199,8 +199,9 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
     const PointFile file = sceneFile("near-duplicates");
     Result<Trials> trials = tryChanges(file, {});
     REQUIRE(trials.ok());
-    const auto dropped = std::find_if(trials.value().tried.begin(), trials.value().tried.end(),
-                                      [](const Trial& t) { return !t.change.drop.empty(); });
+    const auto dropped =
+        std::find_if(trials.value().tried.begin(), trials.value().tried.end(),
+                     [](const Trial& t) { return !textOf(t.change, "doctor").empty(); });
     if (dropped == trials.value().tried.end()) return;
     CHECK_FALSE(dropped->leaveOut.empty());
     CHECK(dropped->verdict.usedPoints + dropped->leaveOut.size() <= file.position.size());
@@ -209,9 +210,10 @@ TEST_CASE("trials: points that the doctor drops are set aside, and keep their nu
 
 TEST_CASE("trials: given normals that fit and agree are never turned, nor others derived") {
     const auto normalsTried = [](const PointFile& file) {
-        std::set<NormalSource> tried;
+        std::set<std::string> tried;
         for (const Trial& each : triedOn(file).tried) {
-            if (each.change.normals) tried.insert(*each.change.normals);
+            const std::string_view normals = textOf(each.change, "normals");
+            if (!normals.empty()) tried.emplace(normals);
         }
         return tried;
     };
@@ -220,9 +222,9 @@ TEST_CASE("trials: given normals that fit and agree are never turned, nor others
     CHECK(normalsTried(file).empty());
     PointFile flipped = file;
     for (std::size_t p = 0; p < 40; ++p) flipped.normal[p] = -flipped.normal[p];
-    CHECK(normalsTried(flipped).count(NormalSource::Derived) == 0);
+    CHECK(normalsTried(flipped).count("derived") == 0);
     for (Vec3& n : file.normal) n = Vec3(0.0, 0.0, 1.0);
-    CHECK(normalsTried(file).count(NormalSource::Oriented) == 0);
+    CHECK(normalsTried(file).count("oriented") == 0);
 }
 
 TEST_CASE("trials: all of them are judged by the points as they are given") {
@@ -230,9 +232,9 @@ TEST_CASE("trials: all of them are judged by the points as they are given") {
     if (!file) return;
     const Trials trials = triedOn(*file);
     const Trial& best = trials.tried[trials.best];
-    const RunSettings settings = changed({}, best.change);
-    const Params params = paramsOf(settings).value();
-    PrepareOptions options = prepareOptionsFor(settings.prepare, params);
+    const RunSpec spec = changed({}, best.change);
+    const Params params = paramsOf(spec).value();
+    PrepareOptions options = prepareOptionsOf(spec, params, *file).value();
     options.leaveOut = best.leaveOut;
     PointSet points = prepare(*file, options).value().points;
     points.judge = judgeFor(*file).value();
@@ -256,14 +258,48 @@ TEST_CASE("trials: progress grows to 1, and false cancels") {
 }
 
 TEST_CASE("trials: each change is shown before it is tried, with the trials so far") {
-    std::vector<SettingsChange> shown;
-    const Result<Trials> trials = tryChanges(sceneFile("close-sheets"), {},
-                                             [&](const Trials& soFar, const SettingsChange& next) {
-                                                 CHECK(soFar.tried.size() == shown.size());
-                                                 shown.push_back(next);
-                                             });
+    std::vector<SpecChange> shown;
+    const Result<Trials> trials =
+        tryChanges(sceneFile("close-sheets"), {}, [&](const Trials& soFar, const SpecChange& next) {
+            CHECK(soFar.tried.size() == shown.size());
+            shown.push_back(next);
+        });
     REQUIRE(trials.ok());
     REQUIRE(shown.size() == trials.value().tried.size());
     for (std::size_t i = 0; i < shown.size(); ++i)
         CHECK(trials.value().tried[i].change == shown[i]);
+}
+
+TEST_CASE("trials: what is so already is no change") {
+    RunSpec spec;
+    spec.rules = "robust";
+    spec.rim = spec.neighbors.symmetric = true;
+    spec.fixes = {"noise"};
+    PointFile file = sceneFile("torus");
+    file.neighbors = {};
+    const auto left = [&](std::string_view key, std::string_view text) {
+        return withoutPresent(specChange({{key, text}}), spec, file);
+    };
+    CHECK(left("rules", "robust").empty());
+    CHECK(left("rim", "on").empty());
+    CHECK(left("symmetric", "on").empty());
+    CHECK(left("doctor", "noise").empty());
+    CHECK(left("neighbors", "12").empty());
+    CHECK(textOf(left("neighbors", "10"), "neighbors") == "10");
+    CHECK(textOf(left("switches", "fill=off"), "switches") == "fill=off");
+    spec.choices = {{"fill", 0.0}};
+    CHECK(left("switches", "fill=off").empty());
+    // Normals that are derived are oriented.
+    CHECK_FALSE(left("normals", "oriented").empty());
+    file.normal.clear();
+    CHECK(left("normals", "oriented").empty());
+}
+
+TEST_CASE("trials: two changes are joined unless they set one thing to two values") {
+    const SpecChange ten = specChange({{"rules", "robust"}, {"neighbors", "10"}});
+    const auto both = bothOf(ten, specChange({{"rules", "robust"}, {"rim", "on"}}));
+    REQUIRE(both);
+    CHECK(*both == specChange({{"rules", "robust"}, {"neighbors", "10"}, {"rim", "on"}}));
+    CHECK_FALSE(bothOf(ten, specChange({{"neighbors", "16"}})));
+    CHECK_FALSE(bothOf(ten, specChange({{"rules", "corrected"}})));
 }

@@ -180,21 +180,6 @@ TEST_CASE("piece: equal points give the same piece, wherever they are in memory"
     CHECK(std::equal(start.begin(), start.end(), first.begin()));
 }
 
-TEST_CASE("piece: a box is read from text, and options read back") {
-    const Result<Box> box = cropFromText(" -1, 0,0.5 ,1e3,2,3");
-    REQUIRE(box.ok());
-    CHECK(box.value().low == Vec3(-1, 0, 0.5));
-    CHECK(pieceOptions({box.value(), 0.1}) == " --crop=-1,0,0.5,1000,2,3 --thin=0.1");
-    CHECK(pieceOptions({}).empty());
-    for (const char* bad : {"", "1,2,3,4,5", "0,0,0,1,1,1,1", "0,0,0,1,1,nan", "0,0,0,1,1,x"}) {
-        CAPTURE(bad);
-        CHECK(cropFromText(bad).error().message ==
-              "expected six numbers separated by commas: X0,Y0,Z0,X1,Y1,Z1");
-    }
-    CHECK(cropFromText("0,3,0,4,-1,0").error().message ==
-          "expected the lower corner first; Y0 = 3 is above Y1 = -1");
-}
-
 TEST_CASE("piece: a box without points is an error that gives the bounds") {
     PointFile file;
     file.position = {{0, 0, 0}, {4, 0.1, 2}};

@@ -9,9 +9,9 @@
 #include <limits>
 #include <map>
 
-#include "spiraling_edge/explain/run_settings.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/shared_data.h"
@@ -76,7 +76,9 @@ PointFile sphereFileWith(const std::vector<Vec3>& others) {
 
 /// The points as prepared by `spiraling-edge run` with these rules.
 Prepared preparedBy(const char* rules, const PointFile& file, PrepareOptions options = {}) {
-    options = prepareOptionsFor(std::move(options), *paramsByName(rules));
+    const Params params = *paramsByName(rules);
+    options.setNoiseAside = params.setNoiseAside;
+    options.setStraysAside = params.setStraysAside;
     Result<Prepared> result = prepare(file, options);
     REQUIRE_MESSAGE(result.ok(), result.error().message);
     return std::move(result.value());
@@ -213,16 +215,10 @@ TEST_CASE("strays: paper and printed keep them, and so do the others if they are
         CHECK_FALSE(prepared.points.setAside[0]);
         CHECK_FALSE(prepared.points.neighbors[0].empty());
     }
-    RunSettings settings;
     for (const char* rules : kSettingAside) {
-        settings.rules = rules;
-        settings.keepStrays = true;
-        CHECK_FALSE(paramsOf(settings).value().setStraysAside);
-        settings.keepStrays = false;
-        CHECK(paramsOf(settings).value().setStraysAside);
-        settings.choices = {{"strays", 0.0}};
-        CHECK_FALSE(paramsOf(settings).value().setStraysAside);
-        settings.choices.clear();
+        const RunSpec spec = withSet({}, rules);
+        CHECK(paramsOf(spec).value().setStraysAside);
+        CHECK_FALSE(paramsOf(withRule(spec, "strays", 0.0)).value().setStraysAside);
     }
 }
 

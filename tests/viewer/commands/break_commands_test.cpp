@@ -14,7 +14,7 @@ namespace {
 /// Opens a scene and waits for all work.
 struct Bench : test::HeadlessApp {
     explicit Bench(const char* source = "scene:figure-12") : HeadlessApp("breakpoints") {
-        session.open({source, {}, "paper"});
+        session.open(RunSpec{source});
         waitUntilDone();
     }
     void press(const char* key) { runCommand(*KeyMap().commandFor(*keyFromString(key)), context); }
@@ -182,7 +182,7 @@ TEST_CASE("Another input is searched from the start") {
     b.set("stage=split");
     b.session.waitUntilDone();
     const std::uint64_t before = b.session.hits().of("stage=split")->list.total;
-    b.session.open({"scene:sphere", {}, "paper"});
+    b.session.open(RunSpec{"scene:sphere"});
     b.session.waitUntilDone();
     CHECK(before > 0);
     CHECK(b.session.hits().of("stage=split")->list.total != before);

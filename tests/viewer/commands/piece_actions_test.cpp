@@ -173,7 +173,7 @@ TEST_CASE("A session keeps the points left out, a command line cannot, another i
 
 TEST_CASE("Noise comes back by its rule, points dropped by a fix by taking back the fix") {
     PieceApp app("piece-return");
-    app.ui.requests.rules = RunSpec{"robust", {}, {}};
+    app.ui.requests.rules = withSet({}, "robust");
     app.carryOut();
     bringBack(app.context, {AsideReason::Noise});
     REQUIRE(app.ui.requests.rules);

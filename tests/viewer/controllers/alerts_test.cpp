@@ -299,8 +299,7 @@ TEST_CASE(
     const std::size_t placesBefore = app.session.alerts().search().places().size();
     // Before all settings are tried it waits for them.
     const RunSpec& spec = app.session.input().spec();
-    app.session.trials().open(app.session.input().file(),
-                              settingsOf(spec, *app.session.input().file()));
+    app.session.trials().open(app.session.input().file(), withFixesAsOptions(spec));
     CHECK(canFix(app.context));
     fixByTrials(app.context);
     CHECK(app.ui.verdict.fixing);
@@ -571,7 +570,8 @@ TEST_CASE("alerts: a note tells if a run is too large to be checked during stepp
 }
 
 TEST_CASE("Alerts of a tangled run are the first of each class, with the number of all") {
-    RunSpec spec{"sample:torus,n=400", {WithinRadius{1e300}, true, 0, true}, "paper"};
+    RunSpec spec{"sample:torus,n=400"};
+    spec.neighbors = {WithinRadius{1e300}, true, 0, true};
     Session session;
     session.open(spec);
     session.waitUntilDone();

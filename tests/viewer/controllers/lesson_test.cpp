@@ -196,7 +196,7 @@ TEST_CASE("Bookmarks are saved as a lesson that passes its check, with notes and
     REQUIRE(lesson.steps.size() == 2);
     CHECK(lesson.steps[0].title == "q \"goes\"");
     CHECK(lesson.steps[1].title == "9.emit.1");
-    CHECK(lesson.rules.rule == std::vector<std::string>{"maxgap=100"});
+    CHECK(lesson.rules == specChange({{"switches", "maxgap=100"}}));
     CHECK(lesson.text.find("Why q goes.") != std::string::npos);
     CHECK(viewPositionFromText(lesson.steps[0].camera).value().camera == app.camera.pose());
     teach::LessonRuns runs(app.folder);

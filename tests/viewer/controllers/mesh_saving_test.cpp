@@ -176,7 +176,7 @@ TEST_CASE("Another run, other rules: the mesh is made again") {
     SavingApp app("scene:noise");
     app.ask(MeshAsk::None);
     const MeshSize paper = *app.ui.mesh.size;
-    app.session.rerun({"robust", {}, {}});
+    app.session.rerun(withSet({}, "robust"));
     app.waitUntilDone();
     app.ask(MeshAsk::None);
     CHECK(app.ui.mesh.size->triangles == app.mesh().triangles->size());

@@ -91,7 +91,7 @@ TEST_CASE("An input is examined once the run is complete, and problems are repor
     CHECK(open.session.takeProblemFound());
     CHECK_FALSE(open.session.takeProblemFound());
     open.session.highlights().mark(finding.points);
-    open.session.open({"scene:figure-8", {}, "paper"});
+    open.session.open(RunSpec{"scene:figure-8"});
     open.session.waitUntilDone();
     CHECK(open.session.highlights().marked().empty());
     REQUIRE(open.session.doctorJob().findings().size() == 1);  // A note is no problem.

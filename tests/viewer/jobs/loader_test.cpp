@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-RunSpec scene(const char* source) { return {source, {}, "paper"}; }
+RunSpec scene(const char* source) { return {source}; }
 
 }  // namespace
 
@@ -102,18 +102,18 @@ TEST_CASE("A file is hashed as it is read, an unreadable one is reported by its 
     const fs::path path = test::ownPlace("loader-test.xyz");
     std::ofstream(path) << "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n";
     LoadProgress progress;
-    const auto model = test::loadModel({path.string(), {}, "paper"}, progress);
+    const auto model = test::loadModel(RunSpec{path.string()}, progress);
     REQUIRE(model.ok());
     CHECK(progress.share == doctest::Approx(1.0));
     InputHash hash;
     hash.add("0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n");
     CHECK(model.value()->hash == hash.text());
     fs::remove(path);
-    const auto missing = test::loadModel({path.string(), {}, "paper"}, progress);
+    const auto missing = test::loadModel(RunSpec{path.string()}, progress);
     REQUIRE_FALSE(missing.ok());
     CHECK(missing.error().message.find("no such file") != std::string::npos);
     progress.cancelled = true;
-    CHECK_FALSE(test::loadModel({"scene:sphere", {}, "paper"}, progress).ok());
+    CHECK_FALSE(test::loadModel(RunSpec{"scene:sphere"}, progress).ok());
 }
 
 TEST_CASE("Points from standard input can be opened repeatedly") {

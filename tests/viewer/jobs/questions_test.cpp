@@ -146,7 +146,7 @@ TEST_CASE("Another subject cancels the last query, another run discards all answ
     REQUIRE(app.ledger() != nullptr);
     CHECK(app.ledger()->name == "point 19");
     askWhy(app.context, Selection::ofPoint(3));
-    app.session().open({"scene:sphere", {}, "paper"});
+    app.session().open(RunSpec{"scene:sphere"});
     app.session().waitUntilDone();
     CHECK(app.ledger() == nullptr);
     CHECK(app.session().questions().subject().kind == SelectionKind::None);
@@ -266,7 +266,7 @@ TEST_CASE("Closest decisions and charts are queried once in a run, and are void 
     CHECK(questions.leastMargin().size() == app.session().model().points.size());
     questions.requestClosest();
     CHECK_FALSE(questions.busy());
-    app.session().open({"scene:sphere", {}, "paper"});
+    app.session().open(RunSpec{"scene:sphere"});
     app.session().waitUntilDone();
     CHECK(questions.closest().answer() == nullptr);
     CHECK(questions.charts().answer() == nullptr);

@@ -39,12 +39,12 @@ TEST_CASE("Without memory an input is not opened, and the program continues") {
     Session session;
     {
         const ScarceMemory scarce(4096);
-        session.open({"scene:torus", {}, "paper"});
+        session.open(RunSpec{"scene:torus"});
         session.waitUntilDone();
         CHECK(session.input().phase() == SessionPhase::Failed);
         CHECK(saysOutOfMemory(session.input().error()));
     }
-    session.open({"scene:torus", {}, "paper"});
+    session.open(RunSpec{"scene:torus"});
     session.waitUntilDone();
     CHECK(session.ready());
 }
@@ -62,7 +62,7 @@ TEST_CASE("Without memory a move ends where it began, with a reason") {
     open.session.moves().toEnd();
     open.session.waitUntilDone();
     CHECK(saysOutOfMemory(open.session.messages().last()));
-    open.session.open({"scene:sphere", {}, "paper"});
+    open.session.open(RunSpec{"scene:sphere"});
     open.session.waitUntilDone();
     open.session.moves().toEnd();
     open.session.waitUntilDone();
@@ -81,7 +81,7 @@ TEST_CASE("Without memory the overview ends, with a reason") {
 
 TEST_CASE("Without memory the doctor gives the reason for no result") {
     LoadProgress progress;
-    const auto loaded = loadInput({"scene:torus", {}, "paper"}, progress);
+    const auto loaded = loadInput(RunSpec{"scene:torus"}, progress);
     REQUIRE(loaded.ok());
     DoctorJob doctorJob;
     doctorJob.enqueue(loaded.value().file);

@@ -12,11 +12,13 @@ using namespace se::view;
 
 namespace {
 
-RunSpec spec(const char* scene, const char* rules) { return {scene, {}, rules}; }
+RunSpec spec(const char* scene, const char* rules) { return withSet({scene}, rules); }
 
 /// Lists of that many neighbors, instead of those of the scene.
 RunSpec spec(const char* scene, const char* rules, Index neighbors) {
-    return {scene, {KNearest{neighbors}, true, 0, true}, rules};
+    RunSpec made = withSet({scene}, rules);
+    made.neighbors = {KNearest{neighbors}, true, 0, true};
+    return made;
 }
 
 /// A session at the first event of a run with evidence of a kind for which `wanted` holds.

@@ -109,7 +109,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     PrepareForm form;
-    form.take({"scene:sphere", {}, "robust"}, *model);
+    form.take(withSet({"scene:sphere"}, "robust"), *model);
     CHECK(form.open);
     CHECK(form.reach == PrepareForm::Reach::File);
     CHECK(form.count == "12");
@@ -119,7 +119,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
     form.normals = NormalSource::Derived;
     form.walls = WallChoice::From::Around;
     form.keepNoise = form.keepOpposing = true;
-    const Result<RunSpec> spec = form.spec({"scene:sphere", {}, "robust"});
+    const Result<RunSpec> spec = form.spec(withSet({"scene:sphere"}, "robust"));
     REQUIRE(spec.ok());
     CHECK(spec.value().rules == "robust");
     const Result<Loaded> loaded = loadInput(spec.value(), progress);
@@ -148,7 +148,7 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
 TEST_CASE("The form shows the choices of fixes, other choices there take precedence") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
-    RunSpec fixed{"scene:sphere", {}, "paper"};
+    RunSpec fixed{"scene:sphere"};
     fixed.fixes = {"zero_normals",  "flipped_normals",   "short_lists",
                    "types_off_box", "unsymmetric_lists", "open_border"};
     PrepareForm form;
@@ -166,8 +166,8 @@ TEST_CASE("The form shows the choices of fixes, other choices there take precede
     form.normals = NormalSource::AsGiven;
     const RunSpec chosen = form.spec(fixed).value();
     CHECK(std::get<WithinSpacings>(chosen.neighbors.reach).spacings == 1.5);
-    CHECK(chosen.fixes ==
-          std::vector<std::string>{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
+    CHECK(chosen.fixes == std::vector<std::string>{"zero_normals", "types_off_box",
+                                                   "unsymmetric_lists", "open_border"});
     form.walls = WallChoice::From::File;
     form.symmetric = form.rim = false;
     CHECK(form.spec(fixed).value().fixes == std::vector<std::string>{"zero_normals"});
@@ -179,10 +179,10 @@ TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {
     auto model = std::make_shared<Model>(*test::sphereModel());
     model->points.position.assign({Vec3(0.1F, 0.25, 1.0), Vec3(1.0, 2.0F / 3.0F, 2.0)});
     PrepareForm form;
-    form.take({"scene:sphere", {}, "paper"}, *model);
+    form.take(RunSpec{"scene:sphere"}, *model);
     CHECK(form.box == BoxFields{"0.1", "0.25", "1", "1", "0.6666667", "2"});
     form.walls = WallChoice::From::Box;
-    const WallBox box = form.spec({"scene:sphere", {}, "paper"}).value().walls.box;
+    const WallBox box = form.spec(RunSpec{"scene:sphere"}).value().walls.box;
     const WallBox around = boxAround(model->points.position);
     CHECK(glm::length(box.low - around.low) < around.tolerance);
     CHECK(glm::length(box.high - around.high) < around.tolerance);
@@ -190,7 +190,7 @@ TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {
 
 TEST_CASE("7 the walls of a given box make boundary points of a sphere cut in half") {
     LoadProgress progress;
-    RunSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};
+    RunSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2"};
     const Result<Loaded> cut = loadInput(spec, progress);
     REQUIRE(cut.ok());
     const auto walls = [](const Model& model) {

@@ -21,7 +21,7 @@ namespace {
 template <typename Look>
 void forEachEvent(const char* scene, const char* rules, std::uint32_t pivots, Look&& look) {
     LoadProgress progress;
-    const auto model = test::loadModel({scene, {}, rules}, progress);
+    const auto model = test::loadModel(withSet({scene}, rules), progress);
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     for (std::uint32_t pivot = 1; pivot <= pivots; ++pivot) {

@@ -15,7 +15,7 @@ namespace {
 
 std::shared_ptr<const Model> modelOf(const std::string& source, const std::string& rules) {
     LoadProgress progress;
-    const auto loaded = test::loadModel({source, {}, rules}, progress);
+    const auto loaded = test::loadModel(withSet({source}, rules), progress);
     return loaded ? loaded.value() : nullptr;
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("Paper: every event of a run has a line of its rule") {
          {"scene:sphere", "scene:sheet", "scene:long-lists", "scene:coarse-torus"}) {
         for (const char* rules : {"paper", "robust"}) {
             LoadProgress progress;
-            const auto model = test::loadModel({scene, {}, rules}, progress);
+            const auto model = test::loadModel(withSet({scene}, rules), progress);
             REQUIRE(model.ok());
             EventLog log;
             Stepper stepper(model.value()->points, model.value()->params, &log);

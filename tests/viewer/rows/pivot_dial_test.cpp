@@ -29,7 +29,7 @@ const DialArc* arcOf(const Dial& dial, DialArc::Kind kind) {
 template <typename Look>
 void forEachDial(const char* scene, Look&& look) {
     LoadProgress progress;
-    const auto model = test::loadModel({scene, {}, "paper"}, progress);
+    const auto model = test::loadModel(RunSpec{scene}, progress);
     REQUIRE(model.ok());
     Timeline timeline(model.value()->points, model.value()->params);
     for (std::uint32_t pivot = 1; pivot <= 120; ++pivot) {

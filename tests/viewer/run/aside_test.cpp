@@ -87,7 +87,7 @@ TEST_CASE("Points set aside for noise are as many as the report counts") {
     const Model& model = *loaded.value().model;
     REQUIRE(model.report.noisyPoints > 100);
     CHECK(groupOf(model, "noise").count == model.report.noisyPoints);
-    spec.keepNoise = true;
+    spec = withRule(spec, "noise", 0.0);
     CHECK(loadPoints(file, spec).value().model->aside.empty());
 }
 

@@ -59,7 +59,7 @@ struct FixApp : test::HeadlessApp {
         waitUntilDone();
         REQUIRE(session.ready());
     }
-    void follow(const Fixes& fixes) {
+    void follow(const std::vector<std::string>& fixes) {
         ui.requests.fixes = fixes;
         document.carryOut(ui.requests);
         waitUntilDone();
@@ -87,7 +87,7 @@ TEST_CASE("Each doctor check that has a fix here has a command as well") {
 TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") {
     const Result<Diagnosis> found = examine(flawed());
     REQUIRE(found);
-    const Fixes fixes = safeFixes(found.value().findings);
+    const std::vector<std::string> fixes = safeFixes(found.value().findings);
     REQUIRE(fixes.size() == 2);
     CHECK(findDoctorCheck(fixes[0])->fix == Fix::Repair);
     CHECK(findDoctorCheck(fixes[1])->fix == Fix::Orient);
@@ -126,7 +126,7 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     CHECK(app.session.model().fixesDone.empty());
 }
 
-TEST_CASE("Fixes that take most of the points are refused, and the open input stays") {
+TEST_CASE("std::vector<std::string> that take most of the points are refused, and the open input stays") {
     FixApp app("fix-most-test");
     PointFile lines;  // Rays, far from each other: each point is in line with all of its nearest.
     for (int i = 0; i < 200; ++i) {
@@ -167,7 +167,7 @@ TEST_CASE("A session keeps the fixes of its input") {
     CHECK(app.finds("flipped_normals"));
     app.document.open((app.folder / "a.sesession").string());
     app.waitUntilDone();
-    CHECK(app.session.input().spec().fixes == Fixes{"zero_normals", "flipped_normals"});
+    CHECK(app.session.input().spec().fixes == std::vector<std::string>{"zero_normals", "flipped_normals"});
     CHECK(app.findings().empty());
     const std::string text = *readText(app.folder / "a.sesession");
     CHECK(text.find("\"doctor\": [") != std::string::npos);

@@ -14,7 +14,7 @@ namespace {
 
 RunOverview wholeRun(const char* scene) {
     LoadProgress progress;
-    const auto model = test::loadModel({scene, {}, "paper"}, progress);
+    const auto model = test::loadModel(RunSpec{scene}, progress);
     REQUIRE(model.ok());
     OverviewJob thread(model.value());
     thread.waitUntilDone();

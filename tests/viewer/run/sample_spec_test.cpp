@@ -79,7 +79,7 @@ TEST_CASE("No such shape, no such file, a box that leaves nothing: the reason is
 
 TEST_CASE("Sampled points open like a file, with the options of that line") {
     LoadProgress progress;
-    const RunSpec spec{"sample:sphere,n=300,seed=2", {}, "paper"};
+    const RunSpec spec{"sample:sphere,n=300,seed=2"};
     const Result<Loaded> loaded = loadInput(spec, progress);
     REQUIRE(loaded.ok());
     CHECK(loaded.value().model->name == "sphere, 300 points");
@@ -104,9 +104,9 @@ TEST_CASE("Sampled points open like a file, with the options of that line") {
 
 TEST_CASE("A wrong line, a cancelled one: nothing is opened") {
     LoadProgress progress;
-    CHECK_FALSE(loadInput({"sample:cube,n=10", {}, "paper"}, progress).ok());
+    CHECK_FALSE(loadInput(RunSpec{"sample:cube,n=10"}, progress).ok());
     progress.cancelled = true;
-    const auto stopped = loadInput({"sample:torus,n=500", {}, "paper"}, progress);
+    const auto stopped = loadInput(RunSpec{"sample:torus,n=500"}, progress);
     REQUIRE_FALSE(stopped.ok());
     CHECK(stopped.error().message == "Opening was cancelled.");
 }

@@ -73,8 +73,8 @@ TEST_CASE("0.1.0: a session has the input and the options that were set") {
     CHECK(input.normals == NormalSource::Derived);
     CHECK(input.walls == WallChoice{WallChoice::From::Box, {{-1, -1, -1}, {12.5, 12.5, 1}}});
     CHECK(input.rim);
-    CHECK(input.keepOpposing);
-    CHECK(input.keepNoise);
+    CHECK(valueOf(input, *findRuleSetting("opposing")) == 0.0);
+    CHECK(valueOf(input, *findRuleSetting("noise")) == 0.0);
     std::vector<WhatIf> whatIfs;
     for (const char* line : {"30.sphere keep 60", "31 move 90 7.5 8.25 0.0625",
                              "32 list 91 90 92 79", "50.advance pivot 61"}) {

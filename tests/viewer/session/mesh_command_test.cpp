@@ -75,7 +75,7 @@ TEST_CASE("The command has every option in which the input differs from the defa
     spec.choices = {ruleValueFromText("maxgap=100").value(), ruleValueFromText("flip=off").value()};
     spec.whatIf = {whatIfFromText("137.sphere keep 812").value()};
     spec.neighbors = {WithinRadius{0.25}, true, 0, true, true};
-    spec.keepOpposing = spec.keepNoise = spec.rim = true;
+    spec.rim = true;
     spec.normals = NormalSource::Derived;
     spec.walls = {WallChoice::From::Box, {{-1, 0, 0}, {1, 2, 0.5}}};
     CHECK(textOf(spec) ==
@@ -94,7 +94,7 @@ TEST_CASE("The command has every option in which the input differs from the defa
 
 TEST_CASE("A piece is read by the first command") {
     RunSpec spec = specOf("/in/a.ply");
-    spec.piece.crop = cropFromText("-1,0,0,1,2,0.5").value();
+    spec.piece.crop = changed({}, specChange({{"crop", "-1,0,0,1,2,0.5"}})).piece.crop;
     spec.piece.thin = 0.25;
     CHECK(textOf(spec) ==
           "spiraling-edge run /in/a.ply --crop=-1,0,0,1,2,0.5 --thin=0.25 -o m.ply");
@@ -250,7 +250,7 @@ TEST_CASE("The copied command writes the same bytes: a file with rules, lists an
     spec.neighbors = {WithinSpacings{1.7}, true, 0, true, false};
     checkReproduced(spec);
     spec.neighbors = {WithinRadius{0.31}, true, 0, true, false};
-    spec.keepOpposing = spec.keepNoise = true;
+    spec = changed(spec, specChange({{"switches", "opposing=off"}, {"switches", "noise=off"}}));
     checkReproduced(spec);
     spec = file.spec();
     spec.whatIf = {turnedTest(spec)};
@@ -288,8 +288,10 @@ TEST_CASE("The copied command writes the same bytes: sampled points, and repaire
     });
     RunSpec spec = flawed.spec();
     for (const std::vector<std::string>& fixes :
-         {std::vector<std::string>{"duplicates"}, std::vector<std::string>{"unscaled_normals", "flipped_normals"},
-          std::vector<std::string>{"near_duplicates", "short_lists", "unsymmetric_lists"}, std::vector<std::string>{"open_border"},
+         {std::vector<std::string>{"duplicates"},
+          std::vector<std::string>{"unscaled_normals", "flipped_normals"},
+          std::vector<std::string>{"near_duplicates", "short_lists", "unsymmetric_lists"},
+          std::vector<std::string>{"open_border"},
           std::vector<std::string>{"unscaled_normals", "in_line", "types_off_box"}}) {
         spec.fixes = fixes;
         checkReproduced(spec);

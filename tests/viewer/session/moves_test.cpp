@@ -186,7 +186,7 @@ TEST_CASE("A share of the run means the whole run, also before it is complete") 
     const std::uint32_t last = whole.session.overview().lastPivot;
     REQUIRE(last > 100);
     Session session;
-    session.open({"scene:torus", {}, "paper"});
+    session.open(RunSpec{"scene:torus"});
     while (!session.ready()) session.poll();
     REQUIRE(session.moves().goToText("50%").ok());
     // Known by now or not: the share is of the whole run, not of the known part.
@@ -203,7 +203,7 @@ TEST_CASE("A share of the run means the whole run, also before it is complete") 
 TEST_CASE("Waiting for the length of the run can be stopped, and ends with another move") {
     for (const bool stopped : {true, false}) {
         Session session;
-        session.open({"scene:torus", {}, "paper"});
+        session.open(RunSpec{"scene:torus"});
         while (!session.ready()) session.poll();
         session.moves().goToShare(1.0);
         const bool waits = session.moves().awaitsLength();

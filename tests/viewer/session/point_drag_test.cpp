@@ -59,7 +59,9 @@ TEST_CASE("A dragged point shows the pivot of the run with that what-if, at the 
         CHECK(move == params.whatIf[0]);
         CHECK_FALSE(session.drag().held());
         const std::string moved = decisionOf(session);
-        session.rerun({"paper", {}, {move}});
+        RunSpec fork;
+        fork.whatIf = {move};
+        session.rerun(fork);
         session.waitUntilDone();
         CHECK_FALSE(session.drag().active());
         CHECK(decisionOf(session) == moved);

@@ -102,7 +102,7 @@ TEST_CASE(
     session.input.neighbors = {KNearest{9}, true, 0, true, true};
     session.input.normals = NormalSource::Oriented;
     session.input.walls = {WallChoice::From::Box, {{0, 0, 0}, {1, 2.5, 3}}};
-    session.input.keepNoise = session.input.keepOpposing = session.input.rim = true;
+    session.input.rim = true;
     const std::string text = sessionToJson(session, "/data/work");
     CHECK(text.find("sample:../scans/lobster.nhdr,n=900,iso=40") != std::string::npos);
     const Result<SessionFile> read = sessionFromJson(text, "a.sesession", "/other/work");
@@ -112,10 +112,8 @@ TEST_CASE(
     CHECK(back.neighbors.symmetric);
     CHECK(back.normals == NormalSource::Oriented);
     CHECK(back.walls == session.input.walls);
-    CHECK(back.keepNoise);
-    CHECK(back.keepOpposing);
     CHECK(back.rim);
-    session.input = {"scene:sphere", {}, "paper"};
+    session.input = RunSpec{"scene:sphere"};
     session.original = text;
     const std::string usual = sessionToJson(session, "/data/work");
     for (const char* name : {"\"normals\"", "\"box\"", "symmetric", "keep_"}) {

@@ -18,7 +18,7 @@ TEST_CASE("A session begins at the start of the first scene") {
 
 TEST_CASE("Opening what does not exist fails with a sentence and keeps the open input") {
     OpenSession open;
-    open.session.open({"no-such-file.ply", {}, "paper"});
+    open.session.open(RunSpec{"no-such-file.ply"});
     open.session.waitUntilDone();
     CHECK(open.session.input().phase() == SessionPhase::Failed);
     CHECK(open.session.input().error().find("no-such-file.ply") != std::string::npos);
@@ -31,7 +31,7 @@ TEST_CASE("An unknown scene or rule set is named in the error") {
     OpenSession open("scene:nothing");
     CHECK(open.session.input().error().find("nothing") != std::string::npos);
     CHECK_FALSE(open.session.ready());
-    open.session.open({"scene:sphere", {}, "wrong"});
+    open.session.open(withSet({"scene:sphere"}, "wrong"));
     open.session.waitUntilDone();
     CHECK(open.session.input().error().find("wrong") != std::string::npos);
 }
@@ -72,7 +72,7 @@ TEST_CASE("The selection survives every move, and goes with another input") {
     open.session.moves().goToPivot(40);
     open.session.waitUntilDone();
     CHECK(open.session.selected() == 5);
-    open.session.open({"scene:grid", {}, "paper"});
+    open.session.open(RunSpec{"scene:grid"});
     open.session.waitUntilDone();
     CHECK(open.session.selected() == kNone);
     CHECK(open.place() == "start");

@@ -92,7 +92,7 @@ TEST_CASE("A session goes from mark to mark, there and back the same ones") {
 TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of its stage") {
     for (const char* scene : {"scene:torus", "scene:coarse-torus"}) {
         test::OpenSession open(scene);
-        open.session.open({scene, {}, "printed"});
+        open.session.open(withSet({scene}, "printed"));
         open.session.waitUntilDone();
         std::size_t alerts = 0;
         for (const RunMark& mark : open.session.overview().marks) {

@@ -13,7 +13,7 @@ std::string runTitle(const RunSpec& spec) {
     RunSpec paper;
     paper.source = spec.source;
     const std::string text = differenceText(paper, spec);
-    return spec.rules == paper.rules ? "rules of paper" + (text == "the same" ? "" : ", " + text) : text;
+    return spec.rules == paper.rules ? "paper rules" + (text == "the same" ? "" : ", " + text) : text;
 }
 
 RunSpec usualOther(RunSpec spec) {

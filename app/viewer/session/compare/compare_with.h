@@ -22,7 +22,7 @@ struct CompareWith {
     bool isFile() const { return kind == Kind::Mesh || kind == Kind::Trace; }
 };
 
-/// Label of A beside B: "rules of paper", with what else is set.
+/// Label of A beside B: "paper rules", with what else is set.
 std::string runTitle(const RunSpec& spec);
 /// The most informative rule set beside those of `spec`: robust, or paper if that is on.
 RunSpec usualOther(RunSpec spec);

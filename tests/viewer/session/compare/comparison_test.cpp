@@ -105,7 +105,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     CHECK(pair.comparison.revision() != revision);
     REQUIRE(pair.comparison.result() != nullptr);
     CHECK(pair.comparison.result()->meshes.same());
-    pair.run.open({"scene:sphere", {}, "paper"});
+    pair.run.open(RunSpec{"scene:sphere"});
     pair.waitUntilDone();
     CHECK_FALSE(pair.comparison.chosen());
     CHECK(pair.comparison.other() == nullptr);
@@ -165,12 +165,12 @@ TEST_CASE(
 TEST_CASE(
     "The form of the other run begins with the most informative rules, and takes every setting") {
     LoadProgress progress;
-    const RunSpec base{"scene:torus", {}, "paper"};
+    const RunSpec base{"scene:torus"};
     const auto model = test::loadModel(base, progress);
     REQUIRE(model.ok());
     CompareForm form;
     form.take(base, *model.value());
-    CHECK(form.rules.name == "robust");
+    CHECK(form.rules.rules == "robust");
     CHECK(form.spec(base).value().choices.empty());
     CHECK(differenceText(base, form.spec(base).value()) == "robust rules");
     // Not only switches.
@@ -181,8 +181,7 @@ TEST_CASE(
         other.rules = withRule(other.rules, setting.name, value);
         const auto spec = other.spec(base);
         REQUIRE(spec.ok());
-        CHECK_MESSAGE(valueOf(spec.value(), setting) == doctest::Approx(value),
-                      setting.name);
+        CHECK_MESSAGE(valueOf(spec.value(), setting) == doctest::Approx(value), setting.name);
     }
     form.rules = withRule(form.rules, "flip", 0.0);
     form.prepare.reach = PrepareForm::Reach::Nearest;
@@ -195,14 +194,15 @@ TEST_CASE(
     REQUIRE(spec.ok());
     CHECK(
         differenceText(base, spec.value()) ==
-        "robust rules, flip off, 16 nearest, symmetric, normals flipped, other walls, rims found");
+        "robust rules, flip off, 16 neighbors, symmetric lists, normals oriented, walls of the box "
+        "auto, rims derived");
     form.prepare.count = "many";
     CHECK_FALSE(form.spec(base).ok());
 }
 
 TEST_CASE("The form of the other run takes what-ifs, and offers the run without them") {
     LoadProgress progress;
-    RunSpec fork{"scene:torus", {}, "paper"};
+    RunSpec fork{"scene:torus"};
     fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
     const auto model = test::loadModel(fork, progress);
     REQUIRE(model.ok());
@@ -222,7 +222,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the run without 
 
 TEST_CASE("Changes of the open run are applied to the form of the other one") {
     LoadProgress progress;
-    const RunSpec before{"scene:torus", {}, "paper"};
+    const RunSpec before{"scene:torus"};
     const auto model = test::loadModel(before, progress);
     REQUIRE(model.ok());
     CompareForm form;
@@ -240,7 +240,7 @@ TEST_CASE("Changes of the open run are applied to the form of the other one") {
 }
 
 TEST_CASE("The differences of the other run are described in words") {
-    const RunSpec paper{"scene:torus", {}, "paper"};
+    const RunSpec paper{"scene:torus"};
     RunSpec other = paper;
     CHECK(differenceText(paper, other) == "the same");
     other.rules = "robust";
@@ -250,8 +250,8 @@ TEST_CASE("The differences of the other run are described in words") {
     other = paper;
     other.choices = {{"freesector", 0.0}};
     other.neighbors = {KNearest{16}, true, 0, true};
-    CHECK(differenceText(paper, other) == "freesector off, 16 nearest");
-    CHECK(runTitle(other) == "paper rules, freesector off, 16 nearest");
+    CHECK(differenceText(paper, other) == "freesector off, 16 neighbors");
+    CHECK(runTitle(other) == "paper rules, freesector off, 16 neighbors");
     CHECK(usualOther(paper).rules == "robust");
     RunSpec robust = paper;
     robust.rules = "robust";

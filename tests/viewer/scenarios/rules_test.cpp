@@ -1,5 +1,5 @@
 /// Changes of rules during a look at a run: cursor position, undo, session file.
-#include "spiraling_edge/spec/run_spec.h"
+#include "spiraling_edge/spec/spec_fields.h"
 
 #include <doctest/doctest.h>
 
@@ -63,9 +63,9 @@ TEST_CASE("A rule with the value of its set is no choice") {
     CHECK(differingCount(rules) == 2);
     rules = withRule(rules, "tie", 0.0);
     CHECK(rules.choices == std::vector<RuleValue>{{"maxgap", 100.0}});
-    CHECK(describeChange({}, rules) == "rule maxgap");
-    CHECK(withRule({"robust", {}, {}}, "fill", 1.0).choices.empty());
-    CHECK(withRule({"robust", {}, {}}, "fill", 0.0).choices.size() == 1);
+    CHECK(differenceText({}, rules) == "maxgap 100");
+    CHECK(withRule(withSet({}, "robust"), "fill", 1.0).choices.empty());
+    CHECK(withRule(withSet({}, "robust"), "fill", 0.0).choices.size() == 1);
 }
 
 TEST_CASE("The rows have all rules by section, words of name, section and sentence find them") {
@@ -161,8 +161,8 @@ TEST_CASE("Rules are undone and redone, and kept in the session file") {
     ask(app, {});
     app.document.open(path);
     app.waitUntilDone();
-    CHECK(app.session.input().spec() ==
-          withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+    const RunSpec rules = withRule(withRule({}, "maxgap", 100.0), "walls", 0.0);
+    CHECK(withRulesOf(rules, app.session.input().spec()) == rules);
 }
 
 TEST_CASE("A fork at a test, and the way back to the same run") {

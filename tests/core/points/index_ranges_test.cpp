@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 using namespace se;
-using namespace se::view;
 
 TEST_CASE("Ranges of indices are written compactly and read back") {
     const std::vector<Index> indices{0, 3, 4, 7, 8, 9, 40};
