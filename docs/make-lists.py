@@ -17,7 +17,7 @@ import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHARING = ["run", "why", "compare", "reduce"]  # the verbs of the section of shared options
-LISTS = {"Classes:": "Classes:", "The words of a LINE": "The words of a LINE, all of which must hold:"}
+LISTS = {"Classes:": "Classes:", "Terms of a LINE": "Terms of a LINE; all of them must hold:"}
 RULES = "Rules ("
 NAME_WIDTH = 28  # of the column of names in a help text
 
@@ -87,10 +87,15 @@ def footer(help_text, heading):
     return [row.strip() for row in itertools.takewhile(str.strip, rows)]
 
 
-def run_in(title, rows):
-    """`name   Text.` of each row as one paragraph."""
-    rows = [re.sub(r"^(\S+) {2,}", r"`\1`: ", row) for row in rows]
-    return textwrap.fill(" ".join([title] + rows), 118, break_on_hyphens=False)
+def rows_of(title, names, rows):
+    """A table with a row for each `name   Text.`."""
+    cells = [re.match(r"(\S+) {2,}(.*)", row).groups() for row in rows]
+    return [title, ""] + table(names, cells)
+
+
+def table(names, rows):
+    bars = [[cell.replace("|", "\\|") for cell in row] for row in rows]
+    return [f"| {names[0]} | {names[1]} |", "|---|---|"] + [f"| `{name}` | {text} |" for name, text in bars]
 
 
 def positionals(help_text):
@@ -115,7 +120,7 @@ def verb_section(verb, help_text, shared):
     page += [item(text) for text in lines]
     for heading, title in LISTS.items():
         if "\n" + heading in help_text:
-            page += ["", run_in(title, footer(help_text, heading))]
+            page += [""] + rows_of(title, ("name", "meaning"), footer(help_text, heading))
     return page + [""]
 
 
@@ -136,8 +141,10 @@ def command_line(program):
     for row in footer(helps["run"], RULES):
         name, section, text = row.split(None, 2)
         text = re.sub(r"a (whole )?number from", "", text.removesuffix(": on or off")).replace(":  ", ": ")
-        sections.setdefault(section, []).append(f"`{name}`: {text}")
-    return page + [item(f"**{section}** {'. '.join(rows)}.") for section, rows in sorted(sections.items())]
+        sections.setdefault(section, []).append((name, text))
+    for section, rows in sorted(sections.items()):
+        page += [f"Section {section}:", ""] + table(("rule", "effect"), rows) + [""]
+    return page
 
 
 def view(program, viewer):

@@ -3,7 +3,7 @@
 #   docs/make-pictures.sh [VIEWER]          all of them
 #   docs/make-pictures.sh VIEWER stages     those of every stage alone: the steps of story.lesson.md, exported
 #   docs/make-pictures.sh VIEWER new        that of the page with new points alone
-#   docs/make-pictures.sh VIEWER table1 DIR  the paper's Figures 21 to 25 (docs/table1.md); DIR has the volumes
+#   docs/make-pictures.sh VIEWER table1 DIR  the paper's Figures 21 to 25 (docs/performance.md); DIR has the volumes
 # Windows with their panels (viewer.png, new-points.png) are screenshots, since an export has the view alone; those of
 # rules are drawn by make-rule-pictures.sh.
 set -euo pipefail

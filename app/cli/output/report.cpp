@@ -232,7 +232,7 @@ std::string endingSentence(const RunOutcome& outcome) {
         case Ending::Capped:
             return fmt::format(
                 "stopped: more than {} triangles per point, the input is too tangled; see "
-                "docs/limitations.md",
+                "docs/robust.md",
                 outcome.params.maxTrianglesPerPoint);
         case Ending::MaxPivots:
             return fmt::format("stopped after {} pivots, as requested",

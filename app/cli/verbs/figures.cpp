@@ -36,7 +36,7 @@ struct FigureArguments {
                      "show what it should");
         app.add_option(
                "--volumes", volumes,
-               "With --check: folder with the volumes of Figures 22 and 25 (docs/table1.md)")
+               "With --check: folder with the volumes of Figures 22 and 25 (docs/performance.md)")
             ->type_name("DIR");
         addByteLimit(app, limit);
         app.add_option("--conformance", conformance,

@@ -296,7 +296,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
-                                  "far is not a surface. See docs/limitations.md",
+                                  "far is not a surface. See docs/robust.md",
                                   outcome.input, counted(outcome.state.mesh().size(), "triangle")));
     }
     const std::string faults = faultSentence(outcome);

@@ -62,9 +62,10 @@ struct TableArguments {
     SpecOptions run;  ///< Rules and lists.
 
     void addTo(CLI::App& app) {
-        app.add_option("--volumes", volumes,
-                       "Folder with lobster.nhdr and electron_cloud.nhdr (docs/table1.md names the "
-                       "sources); without it shapes are used instead")
+        app.add_option(
+               "--volumes", volumes,
+               "Folder with lobster.nhdr and electron_cloud.nhdr (docs/performance.md names the "
+               "sources); without it shapes are used instead")
             ->type_name("DIR");
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));

@@ -29,7 +29,7 @@ struct WithinRadius {
 };
 /// All points not farther than `spacings` times the mean distance of a point to its nearest
 /// neighbor, as for particles that repel each other within a radius (§3 and §6.4, "search range";
-/// docs/table1.md).
+/// docs/performance.md).
 struct WithinSpacings {
     double spacings = 1.6;
     friend bool operator==(const WithinSpacings&, const WithinSpacings&) = default;

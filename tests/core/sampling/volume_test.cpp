@@ -352,7 +352,7 @@ TEST_CASE("the lobster's particles are on its surface, as many as in Table 1") {
     const auto volume = std::make_shared<Volume>(std::move(read.value()));
     REQUIRE(volume->isovalue == 30.5);
     SamplerOptions options;
-    options.count = 8000;  // 42906 take seconds, see docs/sampler.md
+    options.count = 8000;  // 42906 take seconds, see docs/performance.md
     const Result<PointFile> file = sample(fieldOf(volume, 30.5), options);
     REQUIRE(file.ok());
     REQUIRE(file.value().position.size() == 8000);
