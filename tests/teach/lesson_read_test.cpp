@@ -123,7 +123,7 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(stepWith("step", "rules = \"none\"")), "rules: --rules none: no such set"},
         {lessonWith(stepWith("step", "rule = \"sphere=7\"")), "rules: --rule sphere=7"},
         {lessonWith(stepWith("step", "what_if = \"9.sphere hold 1\"")), "--what-if"},
-        {lessonWith(stepWith("step", "compare = \"--fast 1\"")), "compare: --fast: expected"},
+        {lessonWith(stepWith("step", "compare = \"--fast 1\"")), "compare: --fast: no such option"},
         {lessonWith(stepWith("step", "compare = \"--rules\"")), "its value is missing"},
         {lessonWith(stepWith("steps", "")), "expected `se lesson`, `se step` or `se ask`"},
         {lessonWith(stepWith("step", "") + fenced("step", "")), "a second `se step`"},

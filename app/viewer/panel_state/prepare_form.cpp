@@ -20,9 +20,7 @@ namespace {
 constexpr double kRadiusInSpacings = 2.1;
 
 /// The rules that set neighbors or points aside.
-constexpr const char* kOpposing = "opposing";
-constexpr const char* kNoise = "noise";
-constexpr const char* kStrays = "strays";
+constexpr std::array kKeepingRules{"opposing", "noise", "strays"};
 
 bool isOff(const RunSpec& spec, const char* rule) {
     return valueOf(spec, *findRuleSetting(rule)) == 0.0;
@@ -59,9 +57,10 @@ void PrepareForm::take(const RunSpec& spec, const Model& model) {
     *this = {};
     open = true;
     symmetric = spec.neighbors.symmetric;
-    keepOpposing = isOff(spec, kOpposing);
-    keepNoise = isOff(spec, kNoise);
-    keepStrays = isOff(spec, kStrays);
+    keepOpposing = isOff(spec, kKeepingRules[0]);
+    keepNoise = isOff(spec, kKeepingRules[1]);
+    keepStrays = isOff(spec, kKeepingRules[2]);
+    kept = {keepOpposing, keepNoise, keepStrays};
     rim = spec.rim;
     normals = spec.normals;
     for (int i = 0; spec.scanner && i < 3; ++i)
@@ -132,9 +131,10 @@ Result<RunSpec> PrepareForm::spec(RunSpec base) const {
         if (!six) return six.error();
         base.walls = {walls, six.value()};
     }
-    for (const auto& [name, keeps] :
-         {std::pair{kOpposing, keepOpposing}, {kNoise, keepNoise}, {kStrays, keepStrays}}) {
-        if (keeps != isOff(base, name)) base = withRule(std::move(base), name, keeps ? 0.0 : 1.0);
+    const std::array<bool, 3> keeps{keepOpposing, keepNoise, keepStrays};
+    for (std::size_t i = 0; i < keeps.size(); ++i) {
+        if (keeps[i] == kept[i]) continue;
+        base = withRule(std::move(base), kKeepingRules[i], keeps[i] ? 0.0 : 1.0);
     }
     // The choice made here replaces the one of a fix, unless they agree.
     std::erase_if(base.fixes, [this](const std::string& name) {

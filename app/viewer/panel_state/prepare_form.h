@@ -31,6 +31,8 @@ struct PrepareForm {
     bool rim = false;
     bool keepNoise = false;
     bool keepStrays = false;
+    /// What the rules of the input said of these three: what is not changed stays theirs.
+    std::array<bool, 3> kept{};
     std::string complaint;
 
     /// Starts with the options of `spec`, including the doctor's fixes; the box with that around

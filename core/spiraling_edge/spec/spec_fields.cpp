@@ -360,6 +360,13 @@ std::vector<RuleValue> rulesThatDiffer(const RunSpec& from, const RunSpec& to) {
     return differingRules(ruleParams(to), paramsByName(to.rules).value_or(Params{}));
 }
 
+/// As shellQuoted(), but NAME=VALUE needs no quotes where no command begins.
+std::string asWord(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return shellQuoted(text);
+    return shellQuoted(text.substr(0, equals)) + "=" + shellQuoted(text.substr(equals + 1));
+}
+
 /// True if a field that excludes this one is set.
 bool isReplaced(const SpecField& field, const RunSpec& spec) {
     return !field.excludes.empty() &&
@@ -388,8 +395,12 @@ Status setField(const SpecField& field, RunSpec& spec, std::string_view text) {
 SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
     SpecChange change;
     for (const auto& [key, text] : values) {
-        const SpecField* field = findSpecField(key);
-        assert(field != nullptr);
+        const auto field = std::find_if(kFields.begin(), kFields.end(), [&](const SpecField& each) {
+            // Of several options of a key the one that stands for the text.
+            return each.key == key &&
+                   (each.type != SpecType::Word || each.flag.empty() || each.flag == text);
+        });
+        assert(field != kFields.end());
         change.push_back({field, std::string(text)});
     }
     return change;
@@ -482,8 +493,7 @@ std::vector<std::string> optionsOf(const SpecChange& change) {
         if (field->option.empty()) continue;
         std::string option(nameOf(*field));
         // Joined by =, since a value with a minus sign would be parsed as an option.
-        if (!field->value.empty())
-            option += (text.starts_with('-') ? "=" : " ") + shellQuoted(text);
+        if (!field->value.empty()) option += (text.starts_with('-') ? "=" : " ") + asWord(text);
         options.push_back(std::move(option));
     }
     return options;
@@ -558,6 +568,12 @@ std::string listJson(const Items& items, Text&& text) {
 
 bool isNumber(std::string_view text) { return numberIn<double>(text).has_value(); }
 
+/// A number of any size as readers expect it: 2.0.
+std::string decimal(std::string_view text) {
+    const bool whole = text.find_first_of(".e") == std::string_view::npos;
+    return std::string(text) + (whole ? ".0" : "");
+}
+
 /// A value of a type as JSON; of a rule what follows its name.
 std::string valueJson(SpecType type, std::string_view text) {
     if (text == "on" || text == "off") {
@@ -565,10 +581,15 @@ std::string valueJson(SpecType type, std::string_view text) {
             return text == "on" ? "true" : "false";
     }
     if (type == SpecType::Numbers && isNumber(text.substr(0, text.find(',')))) {
-        std::string list = "[";
-        for (const char c : text) list.append(c == ',' ? ", " : std::string(1, c));
-        return list + "]";
+        std::string list;
+        for (std::size_t at = 0; at <= text.size();) {
+            const std::size_t comma = std::min(text.find(',', at), text.size());
+            list += (at > 0 ? ", " : "") + decimal(text.substr(at, comma - at));
+            at = comma + 1;
+        }
+        return "[" + list + "]";
     }
+    if (type == SpecType::Number) return decimal(text);
     return type != SpecType::Word && isNumber(text) ? std::string(text) : jsonQuoted(text);
 }
 

@@ -69,8 +69,8 @@ TEST_CASE("spec: an unknown set of rules is an error that names it") {
 
 TEST_CASE("spec: a scene begins with its start, unless another is given") {
     RunSpec spec;
-    spec.source = "scene:figure-14";
-    const GivenStart own = startOfScene("figure-14");
+    spec.source = "scene:figure-11";
+    const GivenStart own = startOfScene("figure-11");
     REQUIRE_FALSE(own.empty());
     CHECK(paramsOf(spec).value().start == own);
     spec.start.rings = {{0, 1, 2}};

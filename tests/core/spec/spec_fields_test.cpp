@@ -156,11 +156,11 @@ TEST_CASE("spec fields: options are written in JSON by type") {
     RunSpec spec = full();
     spec.start.triangles = {{0, 2, 3}};
     CHECK(optionsJson(spec) ==
-          "{\"rules\": \"robust\", \"crop\": [-1, 0, 0.5, 1000, 2, 3], \"thin\": 0.1, "
+          "{\"rules\": \"robust\", \"crop\": [-1.0, 0.0, 0.5, 1000.0, 2.0, 3.0], \"thin\": 0.1, "
           "\"left_out\": \"3..9,40\", \"doctor\": [\"duplicates\"], "
           "\"switches\": {\"fill\": false, \"maxgap\": 100}, "
           "\"what_if\": [\"137.sphere keep 812\"], \"reach\": 2.5, \"symmetric\": true, "
-          "\"normals\": \"derived\", \"scanner\": [-1, 2, 0.25], \"box\": \"auto\", "
+          "\"normals\": \"derived\", \"scanner\": [-1.0, 2.0, 0.25], \"box\": \"auto\", "
           "\"rim\": true, \"start\": {\"triangles\": [[0, 2, 3]]}}");
     CHECK(jsonQuoted("a\"b\\c\n") == "\"a\\\"b\\\\c\\u000a\"");
 }

@@ -138,7 +138,7 @@ TEST_CASE("With a what-if everything shows the verdict that was taken") {
             if (!seen.insert({what.stage, what.kind}).second) continue;
             CAPTURE(source);
             CAPTURE(lineOf(what));
-            open.session.rerun(withWhatIf({rules, {}, {}}, what));
+            open.session.rerun(withWhatIf(withSet({}, rules), what));
             open.session.waitUntilDone();
             const auto event = overriddenAt(open.session, what);
             REQUIRE(event.has_value());

@@ -172,7 +172,7 @@ TEST_CASE("The form shows the choices of fixes, other choices there take precede
     form.symmetric = form.rim = false;
     CHECK(form.spec(fixed).value().fixes == std::vector<std::string>{"zero_normals"});
     form.spacings = "-1";
-    CHECK(form.spec(fixed).error().message.starts_with("Spacings:"));
+    CHECK(form.spec(fixed).error().message.starts_with("Reach:"));
 }
 
 TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {

@@ -80,7 +80,7 @@ TEST_CASE("The command has every option in which the input differs from the defa
     spec.walls = {WallChoice::From::Box, {{-1, 0, 0}, {1, 2, 0.5}}};
     CHECK(textOf(spec) ==
           "spiraling-edge run scene:sphere --rules robust --rule maxgap=100 --rule flip=off "
-          "--what-if '137.sphere keep 812' --radius 0.25 --symmetric --keep-opposing --keep-noise "
+          "--what-if '137.sphere keep 812' --radius 0.25 --symmetric "
           "--derive-normals --box=-1,0,0,1,2,0.5 --derive-rim -o m.ply");
     spec = specOf(kSphere);
     spec.neighbors = {WithinSpacings{1.6}, true, 0, true, false};
@@ -97,10 +97,10 @@ TEST_CASE("A piece is read by the first command") {
     spec.piece.crop = changed({}, specChange({{"crop", "-1,0,0,1,2,0.5"}})).piece.crop;
     spec.piece.thin = 0.25;
     CHECK(textOf(spec) ==
-          "spiraling-edge run /in/a.ply --crop=-1,0,0,1,2,0.5 --thin=0.25 -o m.ply");
+          "spiraling-edge run /in/a.ply --crop=-1,0,0,1,2,0.5 --thin 0.25 -o m.ply");
     spec.fixes = {"duplicates"};
     CHECK(textOf(spec) ==
-          "{ spiraling-edge doctor /in/a.ply --crop=-1,0,0,1,2,0.5 --thin=0.25 -q --fix "
+          "{ spiraling-edge doctor /in/a.ply --crop=-1,0,0,1,2,0.5 --thin 0.25 -q --fix "
           "a-mended.ply; [ $? -le 1 ]; } && spiraling-edge run a-mended.ply -o m.ply");
 }
 
@@ -320,7 +320,8 @@ TEST_CASE("A given start is written first, beside the mesh") {
     spec.start.rings = {{0, 2, 3}};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
     CHECK(command.text ==
-          "printf '%s\\n' '{\"rings\":[[0,2,3]],\"triangles\":[[0,2,3]]}' > /out/a.start.json && "
+          "printf '%s\\n' '{\"triangles\": [[0, 2, 3]], \"rings\": [[0, 2, 3]]}' > "
+          "/out/a.start.json && "
           "spiraling-edge run /in/a.ply --start /out/a.start.json -o /out/m.ply");
     CHECK(command.note == "First the start is written to /out/a.start.json.");
 }

@@ -116,7 +116,7 @@ TEST_CASE(
     session.input = RunSpec{"scene:sphere"};
     session.original = text;
     const std::string usual = sessionToJson(session, "/data/work");
-    for (const char* name : {"\"normals\"", "\"box\"", "symmetric", "keep_"}) {
+    for (const char* name : {"\"normals\"", "\"box\"", "symmetric", "\"rim\""}) {
         CAPTURE(name);
         CHECK(text.find(name) != std::string::npos);
         CHECK(usual.find(name) == std::string::npos);
@@ -193,7 +193,8 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "options": {"switches": {"nosuch": true}})"), "nosuch"},
         {minimal(R"(, "options": {"switches": {"fill": "yes"}})"), "options.switches.fill"},
         {minimal(R"(, "options": {"switches": {"maxgap": 300}})"), "a number from 90 to 180"},
-        {minimal(R"(, "options": {"switches": {"tie": true}})"), "nearest, farthest or both"},
+        {minimal(R"(, "options": {"switches": {"tie": true}})"),
+         "tie=nearest, tie=farthest or tie=both"},
         {minimal(R"(, "options": {"what_if": "5.sphere keep 3"})"), "a list of texts"},
         {minimal(R"(, "options": {"what_if": ["5.sphere hold 3"]})"), "is no what-if"},
         {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
