@@ -48,7 +48,7 @@ no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[
 # Rooms of core, from the bottom: each may include those before it. Sampling may include the rooms
 # up to prepare; only programs include it.
 known=()
-rooms=(base points geometry mesh io stepper prepare doctor scenes replay explain)
+rooms=(base points geometry mesh io stepper prepare doctor scenes spec replay explain)
 for room in "${rooms[@]}"; do
     known+=("$room")
     mapfile -t files < <(sources "core/spiraling_edge/$room")
@@ -56,11 +56,18 @@ for room in "${rooms[@]}"; do
     no "$(include "spiraling_edge/($not_yet)/")" "$room/ must not know" "${files[@]}"
 done
 mapfile -t files < <(sources core/sampling)
-no "$(include 'spiraling_edge/(doctor|scenes|replay|explain)/')" "sampling/ must not know" "${files[@]}"
+no "$(include 'spiraling_edge/(doctor|scenes|spec|replay|explain)/')" "sampling/ must not know" "${files[@]}"
 mapfile -t files < <(sources core/spiraling_edge/stepper/phases)
 no "$(include '.*/robust/')" "phases/ must not know" "${files[@]}"
 mapfile -t files < <(sources core/spiraling_edge/stepper/robust)
 no "$(include '.*/phases/')" "robust/ must not know" "${files[@]}"
+# A run is described once: its options and keys stand in the table of spec/spec_fields.cpp, and nothing else reads them.
+mapfile -t not_fields < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"} |
+    grep -vE '/spec/spec_fields\.cpp$')
+options=$(grep -ohE '"(-[kr],)?--[a-z-]+"' core/spiraling_edge/spec/spec_fields.cpp | tr -d '"' | sed 's/.*,//' | sort -u |
+    grep -vE '^--(neighbors|box|crop)$' | paste -sd '|')
+no "add_(option|flag)\(\"(-[a-z],)?($options)\"" "options of a run follow from spec_fields.cpp" "${not_fields[@]}"
+
 # teach -> core; cli and viewer -> teach
 no "$(include "$window|viewer|cli/|glm/gtc|stb|CLI/|fmt/|spiraling_edge/sampling/")" "teach/ must not know" "${teach[@]}"
 no "$(include 'toml|cmark')" "only teach/ may use toml++ and cmark" "${cli[@]}" ${viewer[@]+"${viewer[@]}"}
