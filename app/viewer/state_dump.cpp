@@ -351,7 +351,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"follow", ui_.follow},
              {"section_degrees", ui_.section.turnDegrees},
              {"moving", painter_.moving() || painter_.unfinished()},
-             {"motions", painter_.motions()}};
+             {"motions", painter_.motions()},
+             {"tinted", drawn().tinted[0].count + drawn().tinted[1].count}};
     out["prepare"] = ui_.prepare.open;
     out["piece_tool"] = ui_.piece.on;
     out["piece_inside"] = ui_.piece.inside.size();

@@ -243,6 +243,19 @@ void fixByTrials(CommandContext& context) {
     context.ui.requests.resume = Resume::End;
 }
 
+std::string fixText(const TrialJob& job) {
+    if (!job.ended()) return "Try other settings, then run again with the best of them";
+    const auto& [go, come] = wordsOf(*job.change());
+    return "Run again, to the end: " + wordsOf(job.best()->change) + ". " + go + ", " + come;
+}
+
+const MeshChange* shownChange(const CommandContext& context) {
+    const Session& session = context.session;
+    const bool shown = context.ui.verdict.pointedAt && session.ready() && session.atEnd() &&
+                       !session.showsEarlierMesh() && session.trials().ended();
+    return shown ? session.trials().change() : nullptr;
+}
+
 std::string openText(const OpenLoops& loops) {
     if (loops.count == 0) return "";
     return grouped(loops.count) + (loops.count == 1 ? " open, " : " open, up to ") +

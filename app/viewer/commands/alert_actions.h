@@ -62,6 +62,12 @@ bool canFix(const CommandContext& context);
 /// Runs the input again, to its end, with the best settings when all have been tried or the user
 /// has ended the trials: the result is the same whenever it is called. Requires canFix().
 void fixByTrials(CommandContext& context);
+/// "Run again, to the end: rules of robust. 812 of 25 950 triangles go, 850 come, in 31 regions".
+/// Requires canFix().
+std::string fixText(const TrialJob& job);
+/// The triangles that Fix would change, while the pointer is on it and the finished mesh is shown;
+/// null otherwise.
+const MeshChange* shownChange(const CommandContext& context);
 /// Loops that stay open: "5 open, up to 0.0178 across", in the unit of the file; empty if none do.
 std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of

@@ -150,6 +150,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
                session.noticedHere().size(),
                finished,
                faults != nullptr,
+               shownChange(context),
                look != nullptr ? look->revision : 0U};
     if (now == filled_) return;
     const LayerInput input{
@@ -177,7 +178,8 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         faults,
         session.noticedHere(),
         session.names(),
-        session.highlights().labeled()};
+        session.highlights().labeled(),
+        now.change};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)
         addDifference(*look, session.model(), session.picture().finishedTriangles,

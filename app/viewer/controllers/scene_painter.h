@@ -60,12 +60,13 @@ class ScenePainter {
         Theme theme = Theme::Dark;
         MeshColoring mesh;
         Moment moment;
-        std::size_t shapes = 0;        ///< Number of known components.
-        std::uint32_t tint = 0;        ///< Of the points, see LayerInput.
-        std::size_t noticed = 0;       ///< Number of known failures of this event.
-        bool finished = false;         ///< The finished mesh, without its last decision.
-        bool faults = false;           ///< Its faults are known.
-        std::uint32_t difference = 0;  ///< Revision of the look; 0: none.
+        std::size_t shapes = 0;              ///< Number of known components.
+        std::uint32_t tint = 0;              ///< Of the points, see LayerInput.
+        std::size_t noticed = 0;             ///< Number of known failures of this event.
+        bool finished = false;               ///< The finished mesh, without its last decision.
+        bool faults = false;                 ///< Its faults are known.
+        const MeshChange* change = nullptr;  ///< Only compared.
+        std::uint32_t difference = 0;        ///< Revision of the look; 0: none.
         friend bool operator==(const Filled&, const Filled&) = default;
     };
     struct Drawn {

@@ -30,6 +30,7 @@ void TrialJob::open(std::shared_ptr<const PointFile> file, RunSpec spec) {
     started_ = false;
     trials_ = {};
     trying_.clear();
+    change_.reset();
     complaint_.clear();
 }
 
@@ -40,8 +41,19 @@ void TrialJob::start() {
     job_.start([file = file_, spec = spec_](auto& results) {
         lowerPriority();
         double share = 0.0;
+        std::size_t best = 0;
+        std::shared_ptr<const MeshChange> change;
+        // Of the meshes, only their difference is handed on.
+        const auto add = [&](Trials trials, std::string next) {
+            if (trials.best != std::exchange(best, trials.best)) {
+                change = std::make_shared<const MeshChange>(
+                    changeOf(file->position, *trials.tried.front().mesh, *trials.tried[best].mesh));
+            }
+            for (Trial& each : trials.tried) each.mesh.reset();
+            results.add({std::move(trials), std::move(next), change});
+        };
         const auto visit = [&](const Trials& trials, const SpecChange& next) {
-            results.add({trials, trialText(next)});
+            add(trials, trialText(next));
             results.report(share);
         };
         Result<Trials> all = tryChanges(*file, spec, visit, [&](double done) {
@@ -49,9 +61,9 @@ void TrialJob::start() {
             return results.report(done);
         });
         if (all) {
-            results.add({std::move(all.value()), {}});
+            add(std::move(all.value()), {});
         } else {
-            results.add({{}, {}, all.error().message});
+            results.add({{}, {}, nullptr, all.error().message});
         }
     });
 }
@@ -70,6 +82,7 @@ bool TrialJob::poll() {
         if (!complaint_.empty()) break;
         trials_ = std::move(each.trials);
         trying_ = std::move(each.next);
+        change_ = std::move(each.change);
     }
     if (ended) {
         if (!job_.complaint().empty()) complaint_ = job_.complaint();

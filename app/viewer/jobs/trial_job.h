@@ -5,6 +5,7 @@
 #include <string>
 
 #include "background_job.h"
+#include "run/repair_diff.h"
 #include "spiraling_edge/explain/trial.h"
 
 namespace se::view {
@@ -31,6 +32,9 @@ class TrialJob {
     const Trials& trials() const { return trials_; }
     /// The best of them; null if none is better than the open run.
     const Trial* best() const { return trials_.best > 0 ? &trials_.tried[trials_.best] : nullptr; }
+    /// The triangles in which the mesh of best() differs from that of the open run; null if there
+    /// is no best().
+    const MeshChange* change() const { return change_.get(); }
     /// A sentence why the trials ended early; empty if they did not.
     const std::string& complaint() const { return complaint_; }
     /// The trial in progress: "trying rules of robust".
@@ -40,6 +44,7 @@ class TrialJob {
     struct Progressed {
         Trials trials;
         std::string next;
+        std::shared_ptr<const MeshChange> change = nullptr;
         std::string complaint = {};
     };
 
@@ -48,6 +53,7 @@ class TrialJob {
     bool started_ = false;
     Trials trials_;
     std::string trying_;
+    std::shared_ptr<const MeshChange> change_;
     std::string complaint_;
     BackgroundJob<Progressed> job_;
 };

@@ -1,5 +1,5 @@
 /// Faults of the finished mesh: faulty triangles filled, loops bold, points in no triangle marked,
-/// and the number of each of the first places.
+/// and the number of each of the first places; and the triangles that a fix would change.
 #include <algorithm>
 #include <string>
 
@@ -43,7 +43,7 @@ void addFaults(const LayerInput& in, DrawList& out) {
                     out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.7F);
             }
             left -= std::min(left, each.points.size());
-        } else if (each.kind->fault) {
+        } else if (each.kind->fault && in.change == nullptr) {
             addFilled(in, each.triangles, out);
             left -= std::min(left, each.triangles.size());
         }
@@ -55,6 +55,16 @@ void addFaults(const LayerInput& in, DrawList& out) {
         // Smaller ones have a pin.
         out.labels.back().extent = sizeOnMesh(in.model, place);
     }
+}
+
+void addChange(const LayerInput& in, DrawList& out) {
+    const MeshChange& change = *in.change;
+    out.tinted = {TintedTriangles{change.gone, change.gone->size(), in.palette.rejected},
+                  TintedTriangles{change.made, change.made->size(), in.palette.used}};
+    // New triangles cover old ones: the edges of these are above them.
+    for (const MeshEdge& e :
+         std::span(change.edges.gone).first(std::min(change.edges.gone.size(), kMaxFaultMarks)))
+        out.dashed(in.at(e[0]), in.at(e[1]), in.palette.text, 0.12F, 0.3F, Depth::Tested);
 }
 
 }  // namespace se::view

@@ -15,6 +15,7 @@
 
 #include "run/model.h"
 #include "run/overview.h"
+#include "run/repair_diff.h"
 #include "run/selection.h"
 #include "scene/draw_list.h"
 #include "scene/mesh_index.h"
@@ -56,6 +57,8 @@ struct LayerInput {
     std::span<const LiveFailure> noticed{};    ///< Failures at this event.
     std::span<const PointName> names{};        ///< Names of points; others have their numbers.
     std::span<const Index> labeled{};          ///< Points whose names are always shown.
+    /// Change of the finished mesh to show on it, in place of the filled faults; null: none.
+    const MeshChange* change = nullptr;
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
     std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
@@ -73,6 +76,7 @@ void addPoints(const LayerInput& in, DrawList& out);
 void addAside(const LayerInput& in, DrawList& out);
 void addTriangles(const LayerInput& in, DrawList& out);
 void addFaults(const LayerInput& in, DrawList& out);
+void addChange(const LayerInput& in, DrawList& out);
 void addMeshEdges(const LayerInput& in, DrawList& out);
 void addEdgeRing(const LayerInput& in, DrawList& out);
 void addStackedRings(const LayerInput& in, DrawList& out);

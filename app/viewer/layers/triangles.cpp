@@ -63,6 +63,7 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
     if (in.faults != nullptr) addFaults(in, out);
+    if (in.change != nullptr) addChange(in, out);
     // Triangles of the repair steps are drawn by addRepairs().
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {

@@ -124,6 +124,10 @@ struct HoleClosing {
 struct VerdictCard {
     bool closed = false;  ///< By the user, until another input is opened.
     bool fixing = false;  ///< The best settings are applied when all are tried.
+    /// The pointer is on Fix, or on its numbers: the view shows what it changes. Determined again
+    /// in every frame.
+    bool pointedAt = false;
+    bool faded = false;  ///< The pointer is on Fix of the card, as last drawn: it hides less.
     std::optional<HoleClosing> closing;
 };
 

@@ -262,6 +262,7 @@ PanelPlace placeOf(const PanelRects& rects, const SidePanel& panel) {
 
 void drawPanels(const PanelContext& context) {
     context.state<Navigation>().pointedAt = kNone;
+    context.state<VerdictCard>().pointedAt = false;
     context.state<KeyWalk>().begin();
     context.state<Navigation>().pointedRing = kNone;
     context.where() = {

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
+
+#include "spiraling_edge/mesh/mesh_compare.h"
+#include "strings.h"
 
 namespace se::view {
 
@@ -37,6 +41,31 @@ MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made
         if (!after.contains(edge)) edges.gone.push_back(edge);
     }
     return edges;
+}
+
+MeshChange changeOf(std::span<const Vec3> position, std::span<const Triangle> before,
+                    std::span<const Triangle> after) {
+    const MeshDifference difference = compareMeshes(position, before, after);
+    const auto differing = [](std::span<const Triangle> mesh, const std::vector<Match>& match) {
+        std::vector<Triangle> list;
+        for (std::size_t i = 0; i < mesh.size(); ++i) {
+            if (match[i] != Match::Same) list.push_back(mesh[i]);
+        }
+        return std::make_shared<const std::vector<Triangle>>(std::move(list));
+    };
+    auto gone = differing(before, difference.a);
+    auto made = differing(after, difference.b);
+    MeshEdges edges = edgesOf(*gone, *made);
+    return {std::move(gone), std::move(made),     std::move(edges),
+            before.size(),   difference.reversed, difference.regions.size()};
+}
+
+std::array<std::string, 2> wordsOf(const MeshChange& change) {
+    const std::string turn = change.turned > 0 ? ", " + grouped(change.turned) + " turn" : "";
+    return {grouped(change.gone->size() - change.turned) + " of " + grouped(change.before) +
+                " triangles go",
+            grouped(change.made->size() - change.turned) + " come" + turn + ", in " +
+                grouped(change.regions) + (change.regions == 1 ? " region" : " regions")};
 }
 
 std::vector<ComponentStretch> componentsOf(std::span<const Triangle> repaired,

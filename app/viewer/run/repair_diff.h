@@ -1,10 +1,11 @@
-/// The mesh as edited after the last pivot (docs/robust.md): the changes of one step, and the
-/// component of each triangle.
+/// The mesh as edited after the last pivot (docs/robust.md): the changes of one step, or of another
+/// run, and the component of each triangle.
 #pragma once
 
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "spiraling_edge/points/point_set.h"
@@ -22,6 +23,21 @@ struct MeshEdges {
 /// `seated`: a point that was in no triangle. Without old triangles, edges without it were there.
 MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made,
                   Index seated = kNone);
+
+/// The difference of a mesh from that of another run over the same points.
+struct MeshChange {
+    std::shared_ptr<const std::vector<Triangle>> gone;  ///< Not in the other mesh, or turned there.
+    std::shared_ptr<const std::vector<Triangle>> made;  ///< Of the other mesh, turned ones too.
+    MeshEdges edges;                                    ///< Of these triangles.
+    std::size_t before = 0;                             ///< Number of triangles of the mesh.
+    std::size_t turned = 0;   ///< Number of triangles in both lists, wound the other way.
+    std::size_t regions = 0;  ///< Parts of the change, connected by common points.
+};
+/// Requires corners below position.size(). O(t log t).
+MeshChange changeOf(std::span<const Vec3> position, std::span<const Triangle> before,
+                    std::span<const Triangle> after);
+/// "812 of 25 950 triangles go", and "850 come, 2 turn, in 31 regions".
+std::array<std::string, 2> wordsOf(const MeshChange& change);
 
 /// Stretch of triangles of one component, from `first` up to the next stretch.
 struct ComponentStretch {

@@ -158,9 +158,9 @@ class TrialRuns {
         const auto made =
             reconstructed(prepared.value().points, params.value(), partOf(part, 0.3, 0.8));
         if (!made || (part && !part(0.8))) return Error{"Cancelled."};
+        auto mesh = std::make_shared<const std::vector<Triangle>>(made->state.mesh());
         Trial trial{change, std::move(options.leaveOut),
-                    judgeMesh(prepared.value().points, made->state.mesh()).verdict,
-                    workOf(made->state)};
+                    judgeMesh(prepared.value().points, *mesh).verdict, workOf(made->state), mesh};
         trial.verdict.stopped = made->reason == StopReason::Capped;
         if (part && !part(1.0)) return Error{"Cancelled."};
         done_ = to;
@@ -243,13 +243,17 @@ class TrialSearch {
     Trials trials;
 
   private:
-    /// All are compared again: what plain `robust` rules out is known only after its trial.
+    /// All are compared again: what plain `robust` rules out is known only after its trial, which
+    /// is the first of a change. So no trial becomes the best after another one was.
     void chooseBest() {
         trials.best = 0;
         for (std::size_t i = 1; i < trials.tried.size(); ++i) {
             if (!isOffered(trials.tried, i)) continue;
             if (trials.best == 0 || rankOf(trials, i) < rankOf(trials, trials.best))
                 trials.best = i;
+        }
+        for (std::size_t i = 1; i < trials.tried.size(); ++i) {
+            if (i != trials.best) trials.tried[i].mesh.reset();
         }
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "spiraling_edge/base/progress.h"
@@ -18,6 +19,8 @@ struct Trial {
     std::vector<Index> leaveOut;
     MeshVerdict verdict;
     std::uint64_t work = 0;  ///< Pivots, and changes made by the repair.
+    /// The mesh, kept of the first trial and of the best; null for all others.
+    std::shared_ptr<const std::vector<Triangle>> mesh = nullptr;
 };
 
 /// The trial of a change as work in progress: "trying rules of robust".

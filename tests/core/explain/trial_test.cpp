@@ -169,6 +169,9 @@ TEST_CASE("trials: every one is made as the settings after its change are run") 
         const MeshInspection found = inspectWithTotals(points, run.state.mesh());
         CHECK(faultCount(found.totals) == faultCount(trial.verdict.totals));
         CHECK(run.state.mesh().size() == trial.verdict.triangles);
+        const std::size_t number = static_cast<std::size_t>(&trial - trials.tried.data());
+        REQUIRE((trial.mesh != nullptr) == (number == 0 || number == trials.best));
+        if (trial.mesh) CHECK(*trial.mesh == run.state.mesh());
     }
     // Equal input, equal trials.
     const Trials again = triedOn(file);

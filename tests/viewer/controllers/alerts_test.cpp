@@ -8,6 +8,7 @@
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/prepare/judge.h"
 
 #include <doctest/doctest.h>
@@ -327,6 +328,64 @@ TEST_CASE(
     CHECK(app.session.finishedFaults() == app.session.alerts().search().found());
     // What the trials were about is gone.
     CHECK(app.session.trials().trials().tried.empty());
+}
+
+TEST_CASE("While the pointer is on Fix, the finished mesh shows the triangles that it changes") {
+    const FailingFile file;
+    AlertApp app(file.path.string());
+    CHECK(app.session.trials().change() == nullptr);
+    app.session.moves().toEnd();
+    app.session.trials().start();
+    app.session.waitUntilDone();
+    REQUIRE(app.session.trials().change() != nullptr);
+    const MeshChange change = *app.session.trials().change();
+    CHECK(change.before == app.session.shownTriangles().size());
+    CHECK(change.made->size() > change.gone->size());
+    CHECK(fixText(app.session.trials()) ==
+          "Run again, to the end: " + wordsOf(app.session.trials().best()->change) + ". " +
+              wordsOf(change)[0] + ", " + wordsOf(change)[1]);
+    // Only there, and only at the end of the run.
+    CHECK(shownChange(app.context) == nullptr);
+    app.ui.verdict.pointedAt = true;
+    REQUIRE(shownChange(app.context) == app.session.trials().change());
+    LayerInput input{app.session.model(), app.session.picture(), paletteOf(Theme::Dark)};
+    input.triangles = app.session.triangles();
+    input.faults = app.session.alerts().search().found();
+    DrawList faults;
+    addTriangles(input, faults);
+    CHECK(faults.tinted[0].triangles == nullptr);
+    input.change = shownChange(app.context);
+    DrawList list;
+    addTriangles(input, list);
+    CHECK(list.tinted[0].triangles == change.gone);
+    CHECK(list.tinted[0].count == change.gone->size());
+    CHECK(list.tinted[0].color == input.palette.rejected);
+    CHECK(list.tinted[1].triangles == change.made);
+    CHECK(list.tinted[1].count == change.made->size());
+    CHECK(list.tinted[1].color == input.palette.used);
+    CHECK(list.lines.size() == faults.lines.size() + change.edges.gone.size());
+    CHECK(list.labels.size() == faults.labels.size());
+    // Faulty triangles that stay are not filled as those that go.
+    CHECK(std::none_of(list.faces.begin(), list.faces.end(),
+                       [&](const Face& each) { return each.color == input.palette.rejected; }));
+    app.session.moves().goTo({1, Stage::Pivot, 0});
+    app.session.waitUntilDone();
+    CHECK(shownChange(app.context) == nullptr);
+    app.session.moves().toEnd();
+    app.session.waitUntilDone();
+    // Fix makes exactly that change.
+    const TriangleSet gone(*change.gone);
+    std::vector<Triangle> expected = *change.made;
+    for (const Triangle& t : app.session.shownTriangles()) {
+        if (gone.find(t) != Match::Same) expected.push_back(t);
+    }
+    fixByTrials(app.context);
+    app.document.carryOut(app.ui.requests);
+    app.arrive();
+    REQUIRE(app.session.atEnd());
+    CHECK(compareMeshes(app.session.model().points.position, expected, app.session.shownTriangles())
+              .same());
+    CHECK(shownChange(app.context) == nullptr);
 }
 
 TEST_CASE("A mesh without a triangle is not called sound, and other settings are tried") {

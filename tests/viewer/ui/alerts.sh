@@ -84,6 +84,15 @@ click_on "verdict worst"; says place 1; says alert ".+:[0-9]+"; says open_tab Al
 click_on "verdict why"; says open_tab Ledger
 before=$(field verdict)
 says trials_ended true; says trial_best ".+"
+# The pointer on Fix, or on its numbers, shows on the mesh what changes.
+for name in "verdict fix" "verdict numbers"; do
+    says tinted 0
+    read -r x y < <(center "$name") || exit 1
+    move_to "$x" "$y"; says tinted "[1-9][0-9]*"
+    read -r x y < <(inside "region view" 70 80) || exit 1
+    move_to "$x" "$y"
+done
+says tinted 0
 click_on "verdict fix"
 says alert_search done; says at_end true
 leaves verdict "$before"

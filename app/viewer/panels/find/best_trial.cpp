@@ -12,9 +12,10 @@ void drawBestTrial(const PanelContext& context, const std::string& name) {
         wrappedText("Other settings were tried: " + wordsOf(best->change) + ". Now " +
                     headlineOf(job.trials().tried.front().verdict) + "; then " +
                     headlineOf(best->verdict) + ".");
-        if (job.ended() &&
-            smallButton(context, "Fix", name, "Run again with these settings, to the end"))
-            fixByTrials(context.commands);
+        if (job.ended()) {
+            if (smallButton(context, "Fix", name, fixText(job))) fixByTrials(context.commands);
+            context.state<VerdictCard>().pointedAt |= ImGui::IsItemHovered();
+        }
         ImGui::Spacing();
     } else if (job.busy()) {
         dimText("Other settings are being tried: see the card over the mesh.");

@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ constexpr float kCardWidth = 27.0F;
 constexpr float kSmallWidth = 34.0F;
 constexpr float kSmallHeight = 24.0F;
 constexpr float kSmallCardWidth = 17.0F;
+constexpr float kCardAlpha = 0.94F;
+/// While the pointer is on Fix, whose tooltip has the numbers.
+constexpr float kFadedAlpha = 0.15F;
 
 bool isSmall(const PanelContext& context) {
     const Rect& view = context.rects.view;
@@ -71,6 +75,15 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
              "points from the mesh is in spacings");
 }
 
+/// The triangles that Fix would change, in the colors that they have in the view.
+void drawChange(const PanelContext& context, const MeshChange& change) {
+    const auto& [go, come] = wordsOf(change);
+    wrappedText(go + ",", context.palette.rejected);
+    ImGui::SameLine();
+    wrappedText(come, context.palette.used);
+    dimText("Point here or at Fix to see them.");
+}
+
 /// The trials of other settings: what is tried, and the numbers of the open run and of the best.
 void drawTrials(const PanelContext& context) {
     TrialJob& job = context.session().trials();
@@ -91,7 +104,11 @@ void drawTrials(const PanelContext& context) {
         const std::string when =
             std::string(better ? "Better" : "Fewer places") + (job.busy() ? " so far: " : ": ");
         wrappedText(when + wordsOf(best->change) + ". Then: " + headlineOf(best->verdict) + ".");
+        ImGui::BeginGroup();
         drawNumbers(context, tried.front().verdict, best->verdict);
+        if (job.ended()) drawChange(context, *job.change());
+        ImGui::EndGroup();
+        context.state<VerdictCard>().pointedAt |= ImGui::IsItemHovered();
     }
     if (job.busy()) {
         const std::string doing =
@@ -147,12 +164,8 @@ std::vector<CardAction> actionsOf(const PanelContext& context, const AlertSearch
              askWhyShown});
     }
     if (canFix(context.commands) && !context.state<VerdictCard>().fixing) {
-        const TrialJob& job = context.session().trials();
-        const std::string what = job.ended()
-                                     ? "Run again, to the end: " + wordsOf(job.best()->change)
-                                     : "Try other settings, then run again with the best of them";
-        list.push_back(
-            {"Fix", "verdict fix", what, [](const PanelContext& c) { fixByTrials(c.commands); }});
+        list.push_back({"Fix", "verdict fix", fixText(context.session().trials()),
+                        [](const PanelContext& c) { fixByTrials(c.commands); }});
     }
     list.push_back({"Save mesh...", "verdict save", context.key("file.savemesh"),
                     [](const PanelContext& c) { c.run("file.savemesh"); }});
@@ -172,6 +185,10 @@ void drawActions(const PanelContext& context, const AlertSearch& alerts) {
         const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + width;
         if (!std::exchange(first, false) && end <= right) ImGui::SameLine();
         if (textButton(context, each.label, each.name, each.tip)) each.run(context);
+        if (std::string_view(each.label) != "Fix") continue;
+        VerdictCard& card = context.state<VerdictCard>();
+        card.faded = ImGui::IsItemHovered() && context.session().trials().ended();
+        card.pointedAt |= card.faded;
     }
 }
 
@@ -205,7 +222,6 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
         drawOpen(context, alerts.openLoops());
         ImGui::Spacing();
     }
-    drawActions(context, alerts);
 }
 
 void drawSearching(const PanelContext& context, const AlertSearch& alerts) {
@@ -234,13 +250,18 @@ void drawVerdict(const PanelContext& context) {
     if (width < 12.0F * em) return;
     ImGui::SetNextWindowPos({view.min.x + 0.7F * em, view.min.y + 0.7F * em});
     ImGui::SetNextWindowSize({width, 0.0F});
-    ImGui::SetNextWindowBgAlpha(0.94F);
+    VerdictCard& card = context.state<VerdictCard>();
+    const bool faded = std::exchange(card.faded, false);
+    ImGui::SetNextWindowBgAlpha(faded ? kFadedAlpha : kCardAlpha);
     if (ImGui::Begin("##verdict", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
         const AlertSearch& alerts = context.session().alerts().search();
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, faded ? kFadedAlpha : 1.0F);
         alerts.done() ? drawFound(context, alerts) : drawSearching(context, alerts);
+        ImGui::PopStyleVar();
+        if (alerts.done()) drawActions(context, alerts);
         const ImVec2 at = ImGui::GetWindowPos();
         const ImVec2 size = ImGui::GetWindowSize();
         context.where()["verdict card"] = {{at.x, at.y}, {size.x, size.y}};
