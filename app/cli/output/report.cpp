@@ -1,24 +1,78 @@
 #include "report.h"
 
 #include <fmt/format.h>
-
+#include <fmt/ranges.h>
 #include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "failure_totals.h"
 #include "piece_text.h"
-#include "rule_json.h"
 #include "sentences.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/explain/trial.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 #include "teach/json_text.h"
-#include "trials_text.h"
 #include "verdict_text.h"
 
 namespace se::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "--rules robust, on the points of doctor --fix OUT.ply --drop noise". Requires a change.
+std::string insteadText(const SpecChange& change) {
+    assert(!change.empty());
+    std::string text = fmt::format("{}", fmt::join(optionsOf(change), " "));
+    const std::string_view drop = textOf(change, "doctor");
+    if (drop.empty()) return text;
+    return fmt::format("{}on the points of doctor --fix OUT.ply --drop {}",
+                       text.empty() ? "" : text + ", ", drop);
+}
+
+Json trialJson(const Trial& trial) {
+    Json json = {{"options", optionsOf(trial.change)}};
+    const std::string_view drop = textOf(trial.change, "doctor");
+    json["drop"] = drop.empty() ? Json() : Json(drop);
+    json["work"] = trial.work;
+    json["verdict"] = verdictJson(trial.verdict);
+    return json;
+}
+
+/// Lines of the summary: the numbers before and of the best, and its options.
+std::string trialsText(const Trials& trials) {
+    const Trial& first = trials.tried.front();
+    const Trial& best = trials.tried[trials.best];
+    const auto line = [](const char* label, const std::string& text) {
+        return fmt::format("  {:<10} {}\n", label, text);
+    };
+    std::string text =
+        line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
+        line("before", describe(first.verdict));
+    if (trials.best == 0) return text + line("best", "as given; no change is better");
+    text += line("best", describe(best.verdict)) + line("instead", insteadText(best.change));
+    const std::string losses = lossesText(best.verdict, first.verdict);
+    return losses.empty() ? text : text + line("but", losses);
+}
+
+/// All trials with their numbers, in the order in which they were made, and the position of the
+/// best.
+Json trialsJson(const Trials& trials) {
+    Json tried = Json::array();
+    for (const Trial& each : trials.tried) tried.push_back(trialJson(each));
+    return {{"chosen", trials.best}, {"tried", tried}};
+}
+
+nlohmann::ordered_json ruleJson(const RuleSetting& rule, double value) {
+    if (rule.kind == SettingKind::Switch) return value != 0.0;
+    if (rule.kind == SettingKind::Option) return valueText(rule, value);
+    if (rule.kind == SettingKind::Whole) return static_cast<std::int64_t>(value);
+    return value;
+}
 
 using Json = nlohmann::ordered_json;
 

@@ -1,28 +1,155 @@
 // spiraling-edge run: triangulates points, and writes mesh, report and trace.
 #include <fmt/format.h>
 #include <unistd.h>
-
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <optional>
 #include <span>
+#include <string>
 
+#include "exit_code.h"
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
 #include "output/report.h"
 #include "output/sentences.h"
-#include "output/trace.h"
 #include "progress.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/stepper/stepper.h"
+#include "teach/trace/trace_run.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
+
+/// A format of traces: a new one is two functions and a row in trace.cpp.
+struct TraceFormat;
+
+/// A trace that is written during the run, since it may be larger than memory. The file gets its
+/// name only by commit(): a run that ends early leaves none.
+class TraceWriter {
+  public:
+    /// `path` empty: writes nothing; `-`: to standard output. Throws Failure(Internal) if the file
+    /// cannot be created.
+    TraceWriter(const std::string& path, teach::TraceDetail detail);
+
+    bool active() const { return format_ != nullptr; }
+    /// Writes what stands before the first pivot. Requires active().
+    void begin(const PointSet& points);
+    /// Runs `stepper` to the end of its next pivot, as Stepper::stepPivot(), and appends the lines
+    /// of that pivot. Requires active(). Throws Failure(Internal).
+    bool step(Stepper& stepper);
+    /// Ends and names the file. Throws Failure(Internal) if anything could not be written.
+    void commit();
+
+  private:
+    void flush();
+
+    const TraceFormat* format_ = nullptr;
+    teach::TraceDetail detail_;
+    EventLog log_;
+    std::optional<AtomicFile> file_;  ///< Empty: standard output.
+    std::string buffer_;
+};
+
+struct TraceFormat {
+    std::string_view extension;  ///< Empty: any other.
+    std::string (*header)(const PointSet&);
+    /// Runs the stepper to the end of its next pivot, and appends the lines of that pivot.
+    bool (*step)(Stepper&, EventLog&, teach::TraceDetail, std::string&);
+};
+
+void require(const Status& status) {
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+std::string noHeader(const PointSet&) { return {}; }
+
+/// One line per event.
+bool stepWithSentences(Stepper& stepper, EventLog& log, teach::TraceDetail, std::string& out) {
+    stepper.setLog(&log);
+    const bool ran = stepper.stepPivot();
+    for (const Event& event : log.events()) {
+        out += toString(event.address);
+        out += '\t';
+        out += describe(event);
+        out += '\n';
+    }
+    log.clear();
+    return ran;
+}
+
+/// One line per pivot.
+bool stepWithPivotLine(Stepper& stepper, EventLog&, teach::TraceDetail detail, std::string& out) {
+    const teach::TraceStep step = teach::stepTraced(stepper, detail);
+    if (step.pivot) out += teach::traceLine(*step.pivot);
+    return step.ran;
+}
+
+constexpr std::array kTraceFormats{
+    TraceFormat{teach::kTraceExtension, teach::traceHeader, stepWithPivotLine},
+    TraceFormat{"", noHeader, stepWithSentences},
+};
+
+const TraceFormat* traceFormatOf(const std::string& path) {
+    const std::string extension = lowerExtension(path);
+    for (const TraceFormat& each : kTraceFormats) {
+        if (each.extension == extension || each.extension.empty()) return &each;
+    }
+    return nullptr;
+}
+
+/// True if the extension is that of traces with a line per pivot.
+bool isPivotTrace(const std::string& path) {
+    return lowerExtension(path) == teach::kTraceExtension;
+}
+
+TraceWriter::TraceWriter(const std::string& path, teach::TraceDetail detail) : detail_(detail) {
+    if (path.empty()) return;
+    format_ = traceFormatOf(path);
+    if (path == "-") return;
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) throw Failure(ExitCode::Internal, file.error().message);
+    file_ = std::move(file.value());
+}
+
+void TraceWriter::begin(const PointSet& points) {
+    assert(active());
+    buffer_ += format_->header(points);
+}
+
+bool TraceWriter::step(Stepper& stepper) {
+    assert(active());
+    constexpr std::size_t kBlock = 1U << 16U;
+    const bool ran = format_->step(stepper, log_, detail_, buffer_);
+    if (buffer_.size() >= kBlock) flush();
+    return ran;
+}
+
+void TraceWriter::flush() {
+    if (file_) {
+        require(file_->write(buffer_));
+    } else {
+        writeOutput("-", buffer_);
+    }
+    buffer_.clear();
+}
+
+void TraceWriter::commit() {
+    if (!active()) return;
+    flush();
+    if (file_) require(file_->commit());
+}
 
 constexpr long long kMaxPivots = 0xffffffffLL;
 
