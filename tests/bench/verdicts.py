@@ -4,8 +4,9 @@
 Prints a Markdown table, a row for each file, and what it comes to. PROGRAM: build/bin/spiraling-edge. OLD: an
 earlier program; its meshes are judged by `check` of PROGRAM too, so that both are counted alike. A cell is the
 number of places with faults, then each count of docs/robust.md, "Better", that is not 0. A run that takes longer
-than LIMIT seconds (environment, 300) is a cell as well. Exit code 1 if `--best` is worse than `robust` in any
-count of any file, or if its work is more than 25 times that of its dearest run.
+than LIMIT seconds (environment, 300) is a cell as well. Exit code 1 if settings that `--best` takes are worse than
+`robust` in any count of any file, or if its work is more than 25 times that of its dearest run. Where it takes none,
+or `robust` makes no triangle, there is nothing to compare; such files are named.
 """
 import json
 import os
@@ -93,8 +94,12 @@ def main():
         for key, v in whole.items():
             sound[key] = sound.get(key, 0) + bool(v and v["sound"])
         for side, _ in sides:
-            if worse(whole["best", side], whole["robust", side]):
-                judged_worse.setdefault(side, []).append(pathlib.Path(file).stem)
+            if not worse(whole["best", side], whole["robust", side]):
+                continue
+            empty = whole["robust", side]["triangles"] == 0
+            none_taken = reports["best", side].get("best", {}).get("chosen") == 0
+            kind = "not comparable" if empty or none_taken else "worse"
+            judged_worse.setdefault((side, kind), []).append(pathlib.Path(file).stem)
         spent = [trial["work"] for trial in reports["best", "now"].get("best", {}).get("tried", [])]
         if spent and max(spent):
             costs.append(sum(spent) / max(spent))
@@ -102,10 +107,11 @@ def main():
     for key, count in sound.items():
         print(f"sound by {key[0]}, {key[1]}: {count} of {len(files)}")
     for side, _ in sides:
-        names = judged_worse.get(side, [])
-        print(f"--best worse than robust, {side}: {len(names)} of {len(files)} {' '.join(names)}")
+        for kind in ("worse", "not comparable"):
+            names = judged_worse.get((side, kind), [])
+            print(f"--best {kind} {'than' if kind == 'worse' else 'with'} robust, {side}: {len(names)} of {len(files)} {' '.join(names)}")
     print(f"work of all runs over that of the dearest: median {median(costs):.1f}, at most {max(costs, default=0):.1f}")
-    sys.exit(bool(judged_worse.get("now")) or max(costs, default=0) > 25)
+    sys.exit(bool(judged_worse.get(("now", "worse"))) or max(costs, default=0) > 25)
 
 
 if __name__ == "__main__":
