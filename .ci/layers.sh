@@ -178,9 +178,6 @@ PYTHON
 mapfile -t tests < <(sources tests)
 no '^TEST_CASE\(.*;.*"\)|^ +"[^"]*;[^"]*"\) \{$' "no semicolon in the name of a test" "${tests[@]}"
 
-# The mutants of core: each changes a text that stands in the sources.
-problems=$(tests/mutants/run.py --check 2>&1) || breach "tests/mutants: $problems"
-
 # Limits of size.
 while read -r file; do
     lines=$(wc -l <"$file")

@@ -1,22 +1,16 @@
 #!/usr/bin/env python3
-"""Mutants of core: small changes, each of which some test of core must notice.
+"""Mutants of core: small changes of the sources, each of which some test of core should notice.
 
-    tests/mutants/run.py --check                 each old text occurs exactly once (seconds)
-    tests/mutants/run.py --list
-    tests/mutants/run.py --work FOLDER [-j N] [--quick] [--only NAME]...
+    tests/mutants/run.py --list [--share X] [--seed N] [--only TEXT]...
+    tests/mutants/run.py --work FOLDER [-j N] [--quick] [--share X] [--seed N] [--only TEXT]...
 
-One build holds all mutants: a copy of the checkout in FOLDER/source, where each old text is replaced by
-code that the environment variable SE_MUTANT=NAME switches on. A later run with the same FOLDER builds
-only changed files, and begins with the test that killed a mutant before. An endless loop counts as killed.
-
-The other files here are the tables: TABLE maps a file below core/spiraling_edge/ to rows
-(name, old text, new text[, reason]). In the new text MUT is true if the mutant is on, and OLD stands for
-the old text. A reason says why the change alters nothing that a test could see. The exit code is 1 if the
-tables do not fit the sources, the tests fail without a mutant, or at least 3 % of the mutants survive
-without a reason.
+operators.py has the changes. They are made at a share of all places, drawn by a hash of the changed line:
+other changes of the sources leave the draw as it is, and another seed draws others. One build, in FOLDER,
+holds them all; the environment variable SE_MUTANT=NUMBER switches one on. A mutant meets the tests that run its
+place: first the file that killed it before, then one file after the other, the quickest first. An endless
+loop counts as killed. The exit code is 1 if a test fails without a mutant, or too many mutants survive.
 """
 import argparse
-import importlib.util
 import json
 import os
 import re
@@ -25,119 +19,58 @@ import signal
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-CORE = Path("core/spiraling_edge")
-# A room knows those before it (.ci/layers.sh): the tests of a room can notice mutants of these alone.
-ROOMS = ["base", "points", "geometry", "mesh", "io", "stepper", "prepare", "doctor", "scenes", "replay", "explain"]
+sys.dont_write_bytecode = True
+import operators  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+NOT_MUTATED = {"scenes"}  # Inputs of tests.
+SHARE = 0.02
 MOST_SURVIVORS = 0.03
-QUICK_SECONDS = 0.25  # Test cases up to this long are tried first.
-SLOWER = 5  # Tests that take this many times as long as without a mutant count as an endless loop.
-HEADER = """#pragma once
-#ifdef __cplusplus
-#include <cstdlib>
-#include <cstdint>
-namespace se_mutant {
-constexpr std::uint64_t hash(const char* text) {
-    std::uint64_t h = 0xCBF29CE484222325U;
-    for (; *text != 0; ++text) h = (h ^ static_cast<unsigned char>(*text)) * 0x100000001B3U;
-    return h;
-}
-inline const std::uint64_t active = std::getenv("SE_MUTANT") ? hash(std::getenv("SE_MUTANT")) : 0;
-template <std::uint64_t kName>
-inline bool on() { return active == kName; }
-}  // namespace se_mutant
-#define SE_MUTANT(name) (::se_mutant::on<::se_mutant::hash(name)>())
-#endif
-"""
+QUICK_SECONDS = 2.0
+SLOWER = 5  # A file of tests that takes this many times as long as without a mutant is in an endless loop.
 
 
-@dataclass
-class Mutant:
-    name: str
-    file: Path
-    old: str
-    new: str
-    reason: str
-    table: str
+def draw(share, seed):
+    """The sources of core by path, and their drawn sites by number."""
+    sources, drawn = {}, {}
+    for path in sorted((ROOT / "core" / "spiraling_edge").rglob("*.*")):
+        if path.suffix in {".cpp", ".h"} and NOT_MUTATED.isdisjoint(path.parts):
+            name = str(path.relative_to(ROOT))
+            sources[name] = operators.Source(name, path.read_text())
+            for site in sources[name].sites():
+                number = site.drawn(seed)
+                if number < share * 2**20:
+                    drawn[next(n for n in range(number, 2**20) if n not in drawn)] = site
+    return sources, drawn
 
 
-def load_tables():
-    mutants = []
-    for path in sorted(HERE.glob("*.py")):
-        if path == Path(__file__).resolve():
-            continue
-        spec = importlib.util.spec_from_file_location(path.stem, path)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        for file, rows in module.TABLE.items():
-            mutants += [Mutant(r[0], CORE / file, r[1], r[2], r[3] if len(r) > 3 else "", path.stem)
-                        for r in rows]
-    return mutants
+def write_if_changed(path, text):
+    if not path.exists() or path.read_bytes() != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text)
 
 
-def check(mutants):
-    """The problems of the tables, one a line."""
-    problems = []
-    names = [m.name for m in mutants]
-    problems += [f"{name}: the name occurs twice" for name in sorted({n for n in names if names.count(n) > 1})]
-    for file in sorted({m.file for m in mutants}):
-        if not (ROOT / file).exists():
-            problems.append(f"{file}: no such file")
-            continue
-        text = (ROOT / file).read_text()
-        places = []
-        for m in (m for m in mutants if m.file == file):
-            if text.count(m.old) != 1:
-                problems.append(f"{m.name}: old text found {text.count(m.old)} times in {file}")
-                continue
-            places.append((text.index(m.old), text.index(m.old) + len(m.old), m.name))
-            if not re.search(r"\bMUT\b", m.new):
-                problems.append(f"{m.name}: the new text has no MUT")
-        places.sort()
-        problems += [f"{a[2]} and {b[2]}: the old texts overlap"
-                     for a, b in zip(places, places[1:]) if b[0] < a[1]]
-    return problems
-
-
-def with_mutants(text, mutants):
-    """The text of a file with all its mutants, on the same number of lines as far as possible."""
-    for m in sorted(mutants, key=lambda m: -text.index(m.old)):
-        new = m.new.replace("OLD", m.old)
-        new = re.sub(r"\bMUT\b", f'SE_MUTANT("{m.name}")', new)
-        at = text.index(m.old)
-        text = text[:at] + new + text[at + len(m.old):]
-    return text
-
-
-def write_if_changed(path, data):
-    if path.exists() and path.read_bytes() == data:
-        return
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(data)
-
-
-def copy_checkout(target, mutants):
+def copy_checkout(target, sources, drawn):
+    """Copies the checkout with the mutants."""
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
-                            capture_output=True).stdout.decode().split("\0")
+                            capture_output=True, text=True).stdout.split("\0")
     files = {name for name in listed if name and (ROOT / name).is_file()}
     for name in files:
-        mine = [m for m in mutants if str(m.file) == name]
-        data = (ROOT / name).read_bytes()
-        write_if_changed(target / name, with_mutants(data.decode(), mine).encode() if mine else data)
+        mine = {number: site for number, site in drawn.items() if site.path == name}
+        write_if_changed(target / name,
+                         sources[name].mutated(mine).encode() if mine else (ROOT / name).read_bytes())
     for path in target.rglob("*"):
         if path.is_file() and str(path.relative_to(target)) not in files:
             path.unlink()
 
 
 def build(work, jobs):
-    write_if_changed(work / "mutant.h", HEADER.encode())
+    """Builds the tests of core and returns their program."""
     source, folder = work / "source", work / "build"
     environment = dict(os.environ, CCACHE_BASEDIR=str(source), CCACHE_NOHASHDIR="1")
-    flags = f"-w -include {work / 'mutant.h'}"
+    flags = f"-w -Wno-narrowing -include {work / 'mutant.h'}"
     subprocess.run(["cmake", "--preset", "release", "-B", str(folder), "-DSPIRALING_EDGE_BUILD_TESTS=ON",
                     "-DSPIRALING_EDGE_BUILD_VIEWER=OFF", "-DSPIRALING_EDGE_BUILD_CLI=OFF",
                     f"-DCMAKE_CXX_FLAGS={flags}"], cwd=source, env=environment, check=True,
@@ -147,125 +80,120 @@ def build(work, jobs):
     return folder / "tests" / "core_tests"
 
 
-def begin_test():
+def begin_test(seconds):
     # A shell's background jobs ignore the last two, nohup the first.
     for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT):
         signal.signal(number, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
 
 
-def pattern(name):
-    """A test's name for a filter of doctest, where commas separate names."""
-    return re.sub(r"[,\\*\"]", "?", name)
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class Tests:
+    """The files of tests: how long each takes, and which mutants it runs."""
+
     def __init__(self, program, work, quick):
-        self.quick = quick
-        self.program = program
-        self.work = work
-        self.seconds = {}
+        self.program, self.work, self.quick = program, work, quick
+        self.seconds, self.runs, self.compiled = {}, {}, set()
 
-    def run(self, arguments, mutant="", limit=3600):
-        """(passed, output)"""
-        environment = dict(os.environ, SE_MUTANT=mutant)
+    def run(self, file, mutant=-1, limit=3600):
+        """The name of the test that failed, or None."""
+        environment = dict(os.environ, SE_MUTANT=str(mutant), SE_MET=str(self.work / "met") if mutant < 0 else "")
         try:
-            done = subprocess.run([str(self.program), "-nc", *arguments], cwd=self.work, env=environment,
-                                  preexec_fn=begin_test, timeout=limit, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT)
+            done = subprocess.run([str(self.program), "-nc", "--abort-after=1", f"-sf=*/{file}"], cwd=self.work,
+                                  env=environment, preexec_fn=lambda: begin_test(limit), timeout=100 * limit,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         except subprocess.TimeoutExpired:
-            return False, "TEST CASE:  (time limit)"
-        return done.returncode == 0, done.stdout.decode(errors="replace")
+            return "(endless)"
+        found = re.findall(r"^TEST CASE:  *(.*?) *$", done.stdout.decode(errors="replace"), re.M)
+        return (found or ["(crash)"])[-1] if done.returncode else None
 
-    def slow_ones(self):
-        return ",".join(pattern(n) for n, s in self.seconds.items() if s > QUICK_SECONDS)
-
-    def measure(self):
-        """Runs all tests without a mutant; None if they pass, else the output."""
+    def measure(self, drawn):
+        """Runs all tests without a mutant; None, or the one that fails."""
         memory = self.work / "seconds.json"
-        if self.quick and memory.exists():
-            self.seconds = json.loads(memory.read_text())
-        passed, output = self.run(["-d", "-tce=" + self.slow_ones()])
-        for seconds, name in re.findall(r"^([0-9.]+) s: (.*)$", output, re.M):
-            self.seconds[name] = float(seconds)
-        memory.write_text(json.dumps(self.seconds, indent=1))
-        self.total = sum(self.seconds.values())
-        self.slow = self.slow_ones()
-        self.quick_total = sum(s for s in self.seconds.values() if s <= QUICK_SECONDS)
-        return None if passed else output
+        known = json.loads(memory.read_text()) if memory.exists() else {}
+        for path in sorted((ROOT / "tests" / "core").rglob("*_test.cpp")):
+            file = str(path.relative_to(ROOT / "tests"))
+            if self.quick and known.get(file, 0) > QUICK_SECONDS:
+                continue
+            before = cpu_seconds()
+            if failed := self.run(file):
+                return f"{file}: {failed}"
+            known[file] = self.seconds[file] = cpu_seconds() - before
+            met = (self.work / "met").read_bytes()
+            self.compiled = {number for number in drawn if met[number] > 0}
+            self.runs[file] = {number for number in drawn if met[number] > 1}
+            memory.write_text(json.dumps(known, indent=1))
+        return None
 
     def killer(self, mutant, before):
-        """The test that fails with the mutant, or None."""
-        room = mutant.file.parts[2]
-        later = [*ROOMS[ROOMS.index(room) + 1:], "sampling", "scenarios"]
-        folders = ["-sf=" + ",".join(f"*/core/{name}/*" for name in names) for names in ([room], later)]
-        passes = [(SLOWER * self.quick_total + 10, [folder, "-tce=" + self.slow]) for folder in folders]
-        if self.slow and not self.quick:
-            passes += [(SLOWER * self.total + 10, [folder, "-tc=" + self.slow]) for folder in folders]
-        if before in self.seconds:
-            passes.insert(0, (SLOWER * self.seconds[before] + 10, ["-tc=" + pattern(before)]))
-        for limit, arguments in passes:
-            passed, output = self.run(["--abort-after=1", *arguments], mutant.name, limit)
-            if not passed:
-                found = re.findall(r"^TEST CASE:  (.*)$", output, re.M)
-                return found[-1].strip() if found else "(crash)"
-        return None
+        """The file and the test that fails with the mutant, or None and what is known instead."""
+        files = [file for file, runs in self.runs.items() if mutant in runs]
+        for file in sorted(files, key=lambda file: (file != before, self.seconds[file])):
+            if failed := self.run(file, mutant, int(SLOWER * self.seconds[file]) + 10):
+                return file, failed
+        return None, "survives" if files else "is run by no test"
+
+
+def judge(tests, chosen, jobs):
+    """Prints the fate of each mutant; returns the number of survivors."""
+    memory = tests.work / "killers.json"
+    killers = json.loads(memory.read_text()) if memory.exists() else {}
+
+    def survives(item):
+        number, site = item
+        file, test = tests.killer(number, killers.get(site.key))
+        if file:
+            killers[site.key] = file
+            memory.write_text(json.dumps(killers, indent=1, sort_keys=True))
+        print(f"{site}\t{file}: {test}" if file else f"{site}\t{test}", flush=True)
+        return not file
+
+    with ThreadPoolExecutor(jobs) as pool:
+        return sum(pool.map(survives, chosen.items()))
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--work", type=Path)
+    parser.add_argument("--quick", action="store_true", help="without the slow files of tests")
+    parser.add_argument("--only", action="append", default=[], metavar="TEXT", help="part of a line of the list")
+    parser.add_argument("--share", type=float, default=SHARE, help=f"of all places, {SHARE}")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("-j", "--jobs", type=int, default=1)
+    options = parser.parse_args()
+    if not options.work and not options.list:
+        parser.error("--work FOLDER is missing")
+    return options
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--list", action="store_true")
-    parser.add_argument("--work", type=Path)
-    parser.add_argument("--quick", action="store_true", help="without the slow tests")
-    parser.add_argument("--only", action="append", default=[], metavar="NAME", help="its beginning, or a table")
-    parser.add_argument("-j", "--jobs", type=int, default=1)
-    options = parser.parse_args()
-    mutants = load_tables()
+    options = arguments()
+    sources, drawn = draw(options.share, options.seed)
+    chosen = {number: site for number, site in drawn.items()
+              if not options.only or any(text in str(site) for text in options.only)}
     if options.list:
-        for m in mutants:
-            print(f"{m.name}\t{m.file}" + (f"\t{m.reason}" if m.reason else ""))
+        print(*chosen.values(), sep="\n")
         return 0
-    problems = check(mutants)
-    print(*problems, sep="\n", end="\n" if problems else "")
-    if problems or options.check:
-        print(f"{len(mutants)} mutants, {len(problems)} problems")
-        return 1 if problems else 0
-    if not options.work:
-        parser.error("--work FOLDER is missing")
-    chosen = [m for m in mutants if not options.only or any(o == m.table or m.name.startswith(o) for o in options.only)]
     work = options.work.resolve()
-    copy_checkout(work / "source", mutants)
+    write_if_changed(work / "mutant.h", operators.HEADER.encode())
+    copy_checkout(work / "source", sources, drawn)
     tests = Tests(build(work, options.jobs), work, options.quick)
-    problem = tests.measure()
-    if problem is not None:
-        found = re.search(r"^TEST CASE:  (?:(?!^TEST CASE)[\s\S])*?ERROR[\s\S]{0,800}", problem, re.M)
-        print(found.group(0) if found else problem[-4000:], "\nthe tests fail without a mutant")
+    if failed := tests.measure(drawn):
+        print(f"{failed}\nthe tests fail without a mutant")
         return 1
-    print(f"{len(tests.seconds)} tests pass in {tests.total:.0f} s", flush=True)
-    memory = work / "killers.json"
-    killers = json.loads(memory.read_text()) if memory.exists() else {}
-
-    def judge(m):
-        test = tests.killer(m, killers.get(m.name))
-        killers[m.name] = test
-        memory.write_text(json.dumps(killers, indent=1, sort_keys=True))
-        verdict = f"killed by {test}" if test else "survived" + (f", reason: {m.reason}" if m.reason else "")
-        print(f"{m.name}: {verdict}", flush=True)
-        return test
-
-    with ThreadPoolExecutor(options.jobs) as pool:
-        found = list(pool.map(judge, chosen))
-    survivors = [m for m, test in zip(chosen, found) if not test]
-    open_ones = [m for m in survivors if not m.reason]
-    share = len(open_ones) / max(1, len(chosen))
-    print(f"{len(chosen)} mutants: {len(chosen) - len(survivors)} killed, {len(survivors) - len(open_ones)} "
-          f"survived with a reason, {len(open_ones)} without ({100 * share:.1f} %)")
-    for m, test in zip(chosen, found):
-        if test and m.reason:
-            print(f"{m.name} is killed: its reason is wrong")
-    return 1 if share >= MOST_SURVIVORS else 0
+    print(f"{len(tests.seconds)} files of tests pass in {sum(tests.seconds.values()):.0f} s", flush=True)
+    chosen = {number: site for number, site in chosen.items() if number in tests.compiled}
+    count, survivors = len(chosen), judge(tests, chosen, options.jobs)
+    share = survivors / max(1, count)
+    print(f"{count} mutants: {count - survivors} killed, {survivors} survived ({100 * share:.1f} %)")
+    return 1 if share > MOST_SURVIVORS else 0
 
 
 if __name__ == "__main__":
