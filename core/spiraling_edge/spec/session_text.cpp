@@ -1,5 +1,7 @@
 #include "spiraling_edge/spec/session_text.h"
 
+#include "spiraling_edge/base/outside_text.h"
+
 namespace se {
 
 std::string sessionText(const SessionStart& start) {
@@ -12,7 +14,7 @@ std::string sessionText(const SessionStart& start) {
         ",\n \"address\": " + jsonQuoted(start.address);
     if (!start.alert.empty()) text += ",\n \"alert\": " + jsonQuoted(start.alert);
     if (!start.notes.empty()) text += ",\n \"notes\": " + jsonQuoted(start.notes);
-    return text + "}\n";
+    return printableJson(text + "}\n");
 }
 
 }  // namespace se
