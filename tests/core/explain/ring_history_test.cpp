@@ -47,6 +47,7 @@ TEST_CASE("ring: places are written and read") {
     }
     CHECK(nameOf(RingAddress{{137, Stage::Pivot, 0}, 0}) == "active ring at 137");
     CHECK(nameOf(RingAddress{{137, Stage::Ring, 4}, 2}) == "ring #2 at 137.ring.4");
+    CHECK(nameOf(RingAddress{{137, Stage::Pivot, 1}, 0}) == "active ring at 137.pivot.1");
 }
 
 TEST_CASE("ring: the first ring has its seed as only ancestor, before and after it grows") {

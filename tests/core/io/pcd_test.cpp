@@ -115,7 +115,7 @@ TEST_CASE("PCD: errors name the line or byte, and what to do") {
     CHECK(errorOf("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F Q\n").find("TYPE of field") !=
           std::string::npos);
     CHECK(errorOf("VERSION 0.7\nFIELDS x y z\nWIDTH 2\nHEIGHT 2\nPOINTS 3\nDATA ascii\n")
-              .find("WIDTH times HEIGHT") != std::string::npos);
+              .find("WIDTH times HEIGHT is 4, but POINTS is 3") != std::string::npos);
     CHECK(errorOf("VERSION 0.7\nFIELDS x y z\nPOINTS 4000000000\nDATA binary\n")
               .find("0 of 4000000000") != std::string::npos);
     // No such size of a floating point number.
@@ -151,6 +151,17 @@ TEST_CASE("PCD: without POINTS there are WIDTH times HEIGHT") {
     const auto four = readPoints(head + "HEIGHT 2\n" + rows + "0 1 0\n1 1 0\n", "a.pcd");
     REQUIRE(four.ok());
     CHECK(four.value().position.size() == 4);
+}
+
+TEST_CASE("PCD: fields of several numbers per point, or of an unknown type, are passed over") {
+    const auto file = readPoints(
+        "VERSION 0.7\nFIELDS x y z histogram half i\nSIZE 4 4 4 4 2 4\nTYPE F F F F F F\n"
+        "COUNT 1 1 1 2 1 1\nPOINTS 1\nDATA ascii\n1 2 3 4 5 7 6\n",
+        "a.pcd");
+    REQUIRE(file.ok());
+    REQUIRE(file.value().attributes.size() == 1);
+    CHECK(file.value().attributes[0].name == "i");
+    CHECK(file.value().attributes[0].values == std::vector<double>{6});
 }
 
 TEST_CASE("PCD: a field named _ is padding, and whole numbers are no coordinates") {

@@ -43,12 +43,14 @@ const Attribute& columnOf(const PointFile& file, std::string_view name) {
 }  // namespace
 
 TEST_CASE("fault fields: the most severe fault of a point, by its class from 1, and 0 for none") {
-    const std::vector<double> numbers = faultNumbers(
-        5,
-        std::vector<MeshFailure>{faultOf("flipped_triangles", {0, 1, 2}), faultOf("holes", {1, 3}),
-                                 faultOf("folded_edges", {2}), faultOf("slivers", {4})});
-    CHECK(numbers == std::vector<double>{numberOf("flipped_triangles"), numberOf("holes"),
-                                         numberOf("folded_edges"), numberOf("holes"), 0.0});
+    std::vector<MeshFailure> failures{faultOf("flipped_triangles", {0, 1, 2}),
+                                      faultOf("holes", {1, 3}), faultOf("folded_edges", {2}),
+                                      faultOf("slivers", {4})};
+    const std::vector<double> expected{numberOf("flipped_triangles"), numberOf("holes"),
+                                       numberOf("folded_edges"), numberOf("holes"), 0.0};
+    CHECK(faultNumbers(5, failures) == expected);
+    std::reverse(failures.begin(), failures.end());
+    CHECK(faultNumbers(5, failures) == expected);
 }
 
 TEST_CASE("fault fields: the numbers of the classes are those of docs/file-formats.md") {

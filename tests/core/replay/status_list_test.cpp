@@ -32,6 +32,16 @@ TEST_CASE("A copy of the statuses keeps its values when the original changes") {
     CHECK(list == before);
 }
 
+TEST_CASE("A changed status leaves the others of its block as they are") {
+    StatusList list = fresh();
+    list.set(1, 3);
+    const std::size_t second = BlockList<PointStatus>::kBlock;
+    list.set(second, 2);
+    CHECK(list[1] == 3);
+    CHECK(list[second] == 2);
+    CHECK(list[second + 1] == kUnused);
+}
+
 TEST_CASE("Only blocks that changed are no longer shared") {
     StatusList list = fresh();
     const StatusList before = list;

@@ -92,6 +92,8 @@ TEST_CASE("a start that no run could reach is refused, with the entry and the in
     CHECK(reason([](Start& s) {
               s.triangles[0] = {2, 2, 3};
           }) == "triangles[0]: point 2 is a corner twice.");
+    CHECK(reason([](Start& s) { s.done = {12}; }) ==
+          "done[0]: there is no point 12; the points are 0 to 10.");
     CHECK(reason([](Start& s) { s.done = {3}; }) ==
           "done[0]: point 3 is on a ring, so it is not DONE (invariant 1).");
     CHECK(reason([](Start& s) { s.done = {7, 7}; }) == "done[1]: point 7 is named twice.");
