@@ -153,10 +153,10 @@ TEST_CASE("PCD: without POINTS there are WIDTH times HEIGHT") {
     CHECK(four.value().position.size() == 4);
 }
 
-TEST_CASE("PCD: a field of several numbers per point is passed over") {
+TEST_CASE("PCD: fields of several numbers per point, or of an unknown type, are passed over") {
     const auto file = readPoints(
-        "VERSION 0.7\nFIELDS x y z histogram i\nSIZE 4 4 4 4 4\nTYPE F F F F F\n"
-        "COUNT 1 1 1 2 1\nPOINTS 1\nDATA ascii\n1 2 3 4 5 6\n",
+        "VERSION 0.7\nFIELDS x y z histogram half i\nSIZE 4 4 4 4 2 4\nTYPE F F F F F F\n"
+        "COUNT 1 1 1 2 1 1\nPOINTS 1\nDATA ascii\n1 2 3 4 5 7 6\n",
         "a.pcd");
     REQUIRE(file.ok());
     REQUIRE(file.value().attributes.size() == 1);
