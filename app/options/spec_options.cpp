@@ -55,8 +55,8 @@ std::string rulesHelp() {
         name.resize(std::max<std::size_t>(name.size(), 12), ' ');
         std::string section(rule.section);
         section.resize(std::max<std::size_t>(section.size(), 4), ' ');
-        help += "\n  " + name + " " + section + " " + std::string(rule.summary) + ": " +
-                valuesText(rule);
+        help.append("\n  ").append(name).append(" ").append(section).append(" ");
+        help.append(rule.summary).append(": ").append(valuesText(rule));
     }
     return help;
 }

@@ -66,8 +66,9 @@ Status readField(const SpecField& field, const SpecJson& value, RunSpec& spec) {
     if (isObject ? !value.is_object() : !value.is_array())
         return faultOf(key, "expected " + std::string(field.expected));
     for (const auto& [name, each] : value.items()) {
-        const Status read = isObject ? readValue(field, key + "." + name, each, spec, name + "=")
-                                     : readValue(field, key, each, spec);
+        std::string entry = key;
+        if (isObject) entry.append(".").append(name);
+        const Status read = readValue(field, entry, each, spec, isObject ? name + "=" : "");
         if (!read) return read;
     }
     return success();

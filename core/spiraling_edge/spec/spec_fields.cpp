@@ -65,9 +65,10 @@ Status setCrop(RunSpec& spec, std::string_view text) {
     const auto& [low, high] = *corners;
     for (int i = 0; i < 3; ++i) {
         if (low[i] <= high[i]) continue;
-        const std::string axis(1, "XYZ"[i]);
-        return Error{"expected the lower corner first; " + axis + "0 = " + plainNumber(low[i]) +
-                     " is above " + axis + "1 = " + plainNumber(high[i])};
+        std::string text = "expected the lower corner first; X0 = ";
+        text.append(plainNumber(low[i])).append(" is above X1 = ").append(plainNumber(high[i]));
+        std::replace(text.begin(), text.end(), 'X', "XYZ"[i]);
+        return Error{text};
     }
     spec.piece.crop = Box(low);
     spec.piece.crop->add(high);
