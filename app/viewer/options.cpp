@@ -286,7 +286,7 @@ Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& 
     const std::vector<std::string> words{std::istream_iterator<std::string>(parts), {}};
     const Result<RunSpec> other = comparedInput(base, words);
     return other ? Result<CompareWith>(CompareWith::otherRun(other.value()))
-                 : Error{text + ": " + other.error().message + "."};
+                 : Error{other.error().message + "."};
 }
 
 Status chooseComparison(Options& o) {

@@ -65,10 +65,10 @@ Status setCrop(RunSpec& spec, std::string_view text) {
     const auto& [low, high] = *corners;
     for (int i = 0; i < 3; ++i) {
         if (low[i] <= high[i]) continue;
-        std::string text = "expected the lower corner first; X0 = ";
-        text.append(plainNumber(low[i])).append(" is above X1 = ").append(plainNumber(high[i]));
-        std::replace(text.begin(), text.end(), 'X', "XYZ"[i]);
-        return Error{text};
+        std::string why = "expected the lower corner first; X0 = ";
+        why.append(plainNumber(low[i])).append(" is above X1 = ").append(plainNumber(high[i]));
+        std::replace(why.begin(), why.end(), 'X', "XYZ"[i]);
+        return Error{why};
     }
     spec.piece.crop = Box(low);
     spec.piece.crop->add(high);
