@@ -334,6 +334,9 @@ TEST_CASE("While the pointer is on Fix, the finished mesh shows the triangles th
     const FailingFile file;
     AlertApp app(file.path.string());
     app.session.moves().toEnd();
+    app.session.trials().open(app.session.input().file(),
+                              settingsOf(app.session.input().spec(), *app.session.input().file()));
+    CHECK(app.session.trials().change() == nullptr);
     app.session.trials().start();
     app.session.waitUntilDone();
     REQUIRE(app.session.trials().change() != nullptr);

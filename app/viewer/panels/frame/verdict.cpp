@@ -105,7 +105,10 @@ void drawTrials(const PanelContext& context) {
             std::string(better ? "Better" : "Fewer places") + (job.busy() ? " so far: " : ": ");
         wrappedText(when + wordsOf(best->change) + ". Then: " + headlineOf(best->verdict) + ".");
         ImGui::BeginGroup();
+        // Dense, so that the card fits into a view of moderate height.
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, 0.0F});
         drawNumbers(context, tried.front().verdict, best->verdict);
+        ImGui::PopStyleVar();
         if (job.ended()) drawChange(context, *job.change());
         ImGui::EndGroup();
         context.state<VerdictCard>().pointedAt |= ImGui::IsItemHovered();
