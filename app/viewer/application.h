@@ -151,7 +151,7 @@ class Application {
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;
-    RunSpec undoInput_;            ///< Options that the open run was made with.
+    RunSpec undoInput_;              ///< Options that the open run was made with.
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.

@@ -85,7 +85,7 @@ class ExportRun {
     teach::LessonRuns runs_;
     FollowedDecision aimed_{};              ///< Decision of the step that the camera was aimed for.
     bool ownView_ = false;                  ///< The step before has a camera of its own.
-    RunSpec opened_;                      ///< Input of the last step.
+    RunSpec opened_;                        ///< Input of the last step.
     std::vector<teach::NamedPoint> names_;  ///< Of that step.
     std::vector<PointName> pointNames_;     ///< They refer to `names_`.
     Picture pixels_;

@@ -64,8 +64,7 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
     if (words.empty()) {
         ui().compare.ask = CompareAsk::Stop;
     } else {
-        const Result<RunSpec> other =
-            comparedInput(opened_, words);
+        const Result<RunSpec> other = comparedInput(opened_, words);
         if (!other) return Error{stepPlace(file, step, "compare") + other.error().message};
         ui().compare.begin = CompareWith::otherRun(other.value());
     }

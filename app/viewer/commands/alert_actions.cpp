@@ -9,10 +9,10 @@
 #include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/overview.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 
@@ -238,8 +238,7 @@ void fixByTrials(CommandContext& context) {
     context.ui.verdict.fixing = !job.ended();
     if (context.ui.verdict.fixing) return job.start();
     assert(job.best() != nullptr);
-    actions::requestSettings(context,
-                             changed(context.session.input().spec(), job.best()->change));
+    actions::requestSettings(context, changed(context.session.input().spec(), job.best()->change));
     context.ui.requests.resume = Resume::End;
 }
 
@@ -292,8 +291,7 @@ void showBeside(CommandContext& context, const Remedy& remedy) {
     const RunSpec& spec = context.session.input().spec();
     actions::pause(context);
     actions::applyLayoutPreset(context, LayoutPreset::Compare);
-    context.ui.compare.begin =
-        CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy)));
+    context.ui.compare.begin = CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy)));
 }
 
 bool openOnVerdict(CommandContext& context) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "panel_state/ui_state.h"
-#include "spiraling_edge/points/index_ranges.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/points/index_ranges.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {

@@ -8,11 +8,11 @@
 
 #include "command_actions.h"
 #include "panel_state/ui_state.h"
-#include "spiraling_edge/points/index_ranges.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "run/strings.h"
 #include "scene/picking.h"
 #include "session/session.h"
+#include "spiraling_edge/points/index_ranges.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 

@@ -139,7 +139,7 @@ class DocumentController {
     std::string annotatedSource_;       ///< The source of the current annotations.
     std::string original_;              ///< The open session file, as it was read.
     Annotations saved_;                 ///< Annotations in the session file.
-    RunSpec keptSpec_;                ///< The settings when the input was opened or saved.
+    RunSpec keptSpec_;                  ///< The settings when the input was opened or saved.
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;

@@ -228,8 +228,7 @@ void LessonController::leaveStep() {
 }
 
 void LessonController::compare() {
-    const Result<RunSpec> other =
-        comparedInput(input_, walk().shownStep().compare);
+    const Result<RunSpec> other = comparedInput(input_, walk().shownStep().compare);
     if (!other) return c_.session.messages().say(other.error().message);
     choices_.compare(CompareWith::otherRun(other.value()));
 }

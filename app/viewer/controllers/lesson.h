@@ -82,7 +82,7 @@ class LessonController {
     bool aiming_ = false;                ///< The camera is not placed yet.
     bool fresh_ = false;                 ///< The step has opened another input.
     std::optional<Address> home_;        ///< Position of the step, or of its answer.
-    RunSpec input_;                    ///< Input of the step.
+    RunSpec input_;                      ///< Input of the step.
     LessonChoices choices_;
     bool playsOnArrival_ = false;               ///< The step is played once the run is there.
     bool retried_ = false;                      ///< The move to the step was made again.

@@ -23,8 +23,8 @@ namespace se::view {
 struct Options {
     /// Start of the program, from which the time to the first frame is counted.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    RunSpec input;        ///< An empty source: begin with the start page.
-    std::string startFile;  ///< --start; empty: the start of the input.
+    RunSpec input;                       ///< An empty source: begin with the start page.
+    std::string startFile;               ///< --start; empty: the start of the input.
     SpecChange given;                    ///< Options of the run; `input` has them.
     std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
     std::optional<SessionFile> session;  ///< The session in FILE, if it is one.

@@ -91,7 +91,7 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
 }
 
 Result<RunSpec> inputOfStep(const teach::StepSetting& setting,
-                              const std::filesystem::path& folder) {
+                            const std::filesystem::path& folder) {
     const Result<std::string> source =
         teach::pointsSource(teach::lessonSource(setting.input, folder));
     if (!source) return source.error();

@@ -53,8 +53,7 @@ Result<OpenedLesson> openLesson(const std::string& source, const Progress& progr
 
 /// The input and options of a step of a lesson in `folder`. Fails if a rule or a what-if is not
 /// known.
-Result<RunSpec> inputOfStep(const teach::StepSetting& setting,
-                              const std::filesystem::path& folder);
+Result<RunSpec> inputOfStep(const teach::StepSetting& setting, const std::filesystem::path& folder);
 /// `spec` changed by the words of `compare` in a lesson. Fails with the word that is not known.
 Result<RunSpec> comparedInput(const RunSpec& spec, const std::vector<std::string>& words);
 

@@ -5,8 +5,8 @@
 
 #include "disc.h"
 #include "run/number_format.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "sphere_contact.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 

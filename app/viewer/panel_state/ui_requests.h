@@ -9,8 +9,8 @@
 
 #include "run/doctor_fixes.h"
 #include "run/model.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "run/same_position.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 
@@ -32,10 +32,11 @@ struct UiRequests {
     FrameRequest frame = FrameRequest::None;
     bool undo = false;
     bool redo = false;
-    std::optional<std::vector<std::string>> fixes;  ///< std::vector<std::string> to open the input with again; empty: the file as it is.
+    std::optional<std::vector<std::string>>
+        fixes;  ///< Fixes to open the input with again; empty: the file as it is.
     /// Points of the file to open the input without, by their indices; empty: all of them.
     std::optional<IndexRanges> leftOut;
-    std::optional<RunSpec> settings;     ///< The open input with other options.
+    std::optional<RunSpec> settings;       ///< The open input with other options.
     std::optional<RunSpec> rules;          ///< Rules of this to re-run with; see withRule().
     Resume resume = Resume::SamePosition;  ///< With `rules`.
     std::string open;                      ///< A path or `scene:ID`; empty: nothing.
@@ -51,8 +52,8 @@ enum class LeaveAnswer : std::uint8_t { None, Save, Discard, Cancel };
 /// Destination after the question.
 struct Leave {
     LeaveFor what = LeaveFor::Quit;
-    std::string path;                              ///< Of LeaveFor::Open: a path or `scene:ID`.
-    std::string notice;                            ///< Message on arrival.
+    std::string path;                            ///< Of LeaveFor::Open: a path or `scene:ID`.
+    std::string notice;                          ///< Message on arrival.
     std::optional<RunSpec> spec = std::nullopt;  ///< Input to open, with its options.
 };
 

@@ -115,7 +115,8 @@ std::vector<std::string> safeFixes(std::span<const Finding> findings) {
     return fixes;
 }
 
-Result<FixesDone> fixInput(PointFile& file, const std::vector<std::string>& fixes, const Progress& progress) {
+Result<FixesDone> fixInput(PointFile& file, const std::vector<std::string>& fixes,
+                           const Progress& progress) {
     FixesDone done;
     std::vector<Vec3> places = fixes.empty() ? std::vector<Vec3>{} : file.position;
     done.kept.resize(file.position.size());

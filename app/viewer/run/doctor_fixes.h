@@ -26,11 +26,12 @@ struct FixesDone {
     std::vector<Index> kept;           ///< Index before, of each point that is left.
 };
 
-/// Applies the fixes that change the file; withFixesAsOptions() has the others. Fails if there is no
-/// such check, if it has no fix, if together they leave fewer than half of the places
+/// Applies the fixes that change the file; withFixesAsOptions() has the others. Fails if there is
+/// no such check, if it has no fix, if together they leave fewer than half of the places
 /// (requireMostLeft()), or if cancelled. A fix that drops most points by itself is applied, unless
 /// none is left: the panel has asked the user. Deterministic.
-Result<FixesDone> fixInput(PointFile& file, const std::vector<std::string>& fixes, const Progress& progress = {});
+Result<FixesDone> fixInput(PointFile& file, const std::vector<std::string>& fixes,
+                           const Progress& progress = {});
 /// Copies derived data back into the file after preparing, so that the doctor examines the input
 /// of the run. Returns one sentence for each change.
 std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,

@@ -21,7 +21,7 @@ namespace se::view {
 inline constexpr std::string_view kSessionExtension = ".sesession";
 
 struct SessionFile {
-    RunSpec input;        ///< With a path relative to the working directory.
+    RunSpec input;          ///< With a path relative to the working directory.
     std::string inputHash;  ///< Hash of the input when it was saved; empty if unknown.
     ViewPosition place;
     std::optional<LayerModes> layers;

@@ -22,7 +22,7 @@ class OpenFile {
   public:
     explicit OpenFile(const fs::path& path)
         : descriptor_(path == kStandardInputDevice ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
-                                             : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+                                                   : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
     }

@@ -126,7 +126,7 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     CHECK(app.session.model().fixesDone.empty());
 }
 
-TEST_CASE("std::vector<std::string> that take most of the points are refused, and the open input stays") {
+TEST_CASE("Fixes that take most of the points are refused, and the open input stays") {
     FixApp app("fix-most-test");
     PointFile lines;  // Rays, far from each other: each point is in line with all of its nearest.
     for (int i = 0; i < 200; ++i) {
@@ -167,7 +167,8 @@ TEST_CASE("A session keeps the fixes of its input") {
     CHECK(app.finds("flipped_normals"));
     app.document.open((app.folder / "a.sesession").string());
     app.waitUntilDone();
-    CHECK(app.session.input().spec().fixes == std::vector<std::string>{"zero_normals", "flipped_normals"});
+    CHECK(app.session.input().spec().fixes ==
+          std::vector<std::string>{"zero_normals", "flipped_normals"});
     CHECK(app.findings().empty());
     const std::string text = *readText(app.folder / "a.sesession");
     CHECK(text.find("\"doctor\": [") != std::string::npos);

@@ -69,9 +69,10 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
     const std::string output = fs::path(source).stem().string() + "-mended.ply";
-    return remedyFor(finding,
-                     shellPath(input) + optionsText(context.session().input().spec(), {SpecGroup::Reading}),
-                     shellPath(output));
+    return remedyFor(
+        finding,
+        shellPath(input) + optionsText(context.session().input().spec(), {SpecGroup::Reading}),
+        shellPath(output));
 }
 
 /// Requests to open the input again, with these fixes besides those it has.

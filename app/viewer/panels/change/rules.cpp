@@ -130,8 +130,7 @@ std::optional<RunSpec> drawRuleSets(const PanelContext& context, const RunSpec& 
     if (ImGui::BeginCombo("##set", rules.rules.c_str())) {
         for (const std::string_view name : paramSetNames()) {
             const std::string text(name);
-            if (ImGui::Selectable(text.c_str(), text == rules.rules))
-                chosen = withSet(rules, text);
+            if (ImGui::Selectable(text.c_str(), text == rules.rules)) chosen = withSet(rules, text);
         }
         ImGui::EndCombo();
     }

@@ -4,10 +4,10 @@
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "run/number_format.h"
-#include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "teach/trace/setrace.h"
 
 namespace se::view {
@@ -13,7 +13,8 @@ std::string runTitle(const RunSpec& spec) {
     RunSpec paper;
     paper.source = spec.source;
     const std::string text = differenceText(paper, spec);
-    return spec.rules == paper.rules ? "paper rules" + (text == "the same" ? "" : ", " + text) : text;
+    return spec.rules == paper.rules ? "paper rules" + (text == "the same" ? "" : ", " + text)
+                                     : text;
 }
 
 RunSpec usualOther(RunSpec spec) {

@@ -11,7 +11,7 @@ namespace se::view {
 struct CompareWith {
     enum class Kind : std::uint8_t { Nothing, Run, Mesh, Trace };
     Kind kind = Kind::Nothing;
-    RunSpec run;     ///< The same source, with other rules or other preparation.
+    RunSpec run;       ///< The same source, with other rules or other preparation.
     std::string path;  ///< Of a mesh that was made from the same points, or of a trace.
 
     static CompareWith otherRun(RunSpec spec) { return {Kind::Run, std::move(spec), {}}; }
