@@ -335,7 +335,7 @@ TEST_CASE("While the pointer is on Fix, the finished mesh shows the triangles th
     AlertApp app(file.path.string());
     app.session.moves().toEnd();
     app.session.trials().open(app.session.input().file(),
-                              settingsOf(app.session.input().spec(), *app.session.input().file()));
+                              withFixesAsOptions(app.session.input().spec()));
     CHECK(app.session.trials().change() == nullptr);
     app.session.trials().start();
     app.session.waitUntilDone();
