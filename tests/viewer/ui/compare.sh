@@ -64,7 +64,7 @@ click_on "compare what if line"; type_text "60.advance pivot 9999"; press Return
 click_on "compare what if 1"
 click_on "compare begin"
 says compare_done true
-says compare_other "robust rules, maxgap 100, 16 nearest, symmetric"
+says compare_other "robust rules, maxgap 100, 16 neighbors, symmetric lists"
 # The first difference has a mark on the strip; a click there has the effect of its key.
 press d; difference=$(field address); beside=$(field other_address)
 press End; leaves address "$difference"
