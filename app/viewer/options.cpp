@@ -323,7 +323,10 @@ Status adoptSession(Options& o) {
     o.session = std::move(read.value());
     // Options of the command line change those of the session.
     RunSpec kept = o.session->input;
-    if (!o.input.piece.isWhole()) kept.leftOut = {};
+    if (!o.input.piece.isWhole()) {
+        kept.piece = {};
+        kept.leftOut = {};
+    }
     o.input = otherRun(std::move(kept), o.given);
     return success();
 }
