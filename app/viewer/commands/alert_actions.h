@@ -62,7 +62,7 @@ bool canFix(const CommandContext& context);
 /// Runs the input again, to its end, with the best settings when all have been tried or the user
 /// has ended the trials: the result is the same whenever it is called. Requires canFix().
 void fixByTrials(CommandContext& context);
-/// "Run again, to the end: rules of robust. 812 of 25 950 triangles go, 850 come, in 31 regions".
+/// "Run again, to the end: robust rules. 812 of 25 950 triangles go, 850 come, in 31 regions".
 /// Requires canFix().
 std::string fixText(const TrialJob& job);
 /// The triangles that Fix would change, while the pointer is on it and the finished mesh is shown;
@@ -71,7 +71,7 @@ const MeshChange* shownChange(const CommandContext& context);
 /// Loops that stay open: "5 open, up to 0.0178 across", in the unit of the file; empty if none do.
 std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
-/// the file; 0: as the rules say. With the rules of robust if those of the input close no holes.
+/// the file; 0: as the rules say. With the robust rules if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);
 /// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
 /// without a fault was found.". Requires alerts of the new run.

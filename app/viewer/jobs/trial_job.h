@@ -37,7 +37,7 @@ class TrialJob {
     const MeshChange* change() const { return change_.get(); }
     /// A sentence why the trials ended early; empty if they did not.
     const std::string& complaint() const { return complaint_; }
-    /// The trial in progress: "trying rules of robust".
+    /// The trial in progress: "trying robust rules".
     const std::string& trying() const { return trying_; }
 
   private:

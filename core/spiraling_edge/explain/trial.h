@@ -23,7 +23,7 @@ struct Trial {
     std::shared_ptr<const std::vector<Triangle>> mesh = nullptr;
 };
 
-/// The trial of a change as work in progress: "trying rules of robust".
+/// The trial of a change as work in progress: "trying robust rules".
 std::string trialText(const SpecChange& next);
 
 /// Trials in the order in which they were made.
