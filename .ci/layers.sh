@@ -48,7 +48,7 @@ no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[
 # Rooms of core, from the bottom: each may include those before it. Sampling may include the rooms
 # up to prepare; only programs include it.
 known=()
-rooms=(base points geometry mesh io stepper prepare doctor scenes spec replay explain)
+rooms=(base points geometry mesh io stepper prepare doctor scenes spec run why)
 for room in "${rooms[@]}"; do
     known+=("$room")
     mapfile -t files < <(sources "core/spiraling_edge/$room")
@@ -56,7 +56,7 @@ for room in "${rooms[@]}"; do
     no "$(include "spiraling_edge/($not_yet)/")" "$room/ must not know" "${files[@]}"
 done
 mapfile -t files < <(sources core/sampling)
-no "$(include 'spiraling_edge/(doctor|scenes|spec|replay|explain)/')" "sampling/ must not know" "${files[@]}"
+no "$(include 'spiraling_edge/(doctor|scenes|spec|run|why)/')" "sampling/ must not know" "${files[@]}"
 mapfile -t files < <(sources core/spiraling_edge/stepper/phases)
 no "$(include '.*/robust/')" "phases/ must not know" "${files[@]}"
 mapfile -t files < <(sources core/spiraling_edge/stepper/robust)

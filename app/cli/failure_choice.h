@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "output/output.h"
-#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/why/what_if_check.h"
 
 namespace se::cli {
 

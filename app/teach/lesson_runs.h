@@ -12,7 +12,7 @@
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"
-#include "spiraling_edge/replay/run_cursor.h"
+#include "spiraling_edge/run/run_cursor.h"
 
 namespace se::teach {
 

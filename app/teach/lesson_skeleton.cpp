@@ -6,10 +6,10 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
-#include "spiraling_edge/explain/figure_check.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/why/figure_check.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/run/sweep.h"
 
 namespace se::teach {
 namespace {
@@ -121,8 +121,8 @@ void takePivot(std::span<const Event> events, SkeletonFinds& finds) {
 
 SkeletonFinds findsOf(const PreparedRun& run) {
     SkeletonFinds finds;
-    scanRun(*run.points, run.params,
-            [&](const ScannedPivot& pivot) { takePivot(pivot.events, finds); });
+    sweep(*run.points, run.params,
+            [&](const SweptPivot& pivot) { takePivot(pivot.events, finds); });
     return finds;
 }
 

@@ -6,8 +6,8 @@
 
 #include "lesson_setting.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se::teach {

@@ -11,8 +11,8 @@
 #include "spiraling_edge/base/random.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/prepare/prepare.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 #include "spiraling_edge/stepper/stepper.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "play_moves.h"
-#include "spiraling_edge/replay/run_cursor.h"
+#include "spiraling_edge/run/run_cursor.h"
 
 namespace se::teach {
 
@@ -26,7 +26,7 @@ struct RunValue {
     std::vector<Index> points;  ///< Ascending; of the fan, in its order.
     std::optional<double> number;
     std::vector<PlayMove> moves;  ///< Of the pivot, if the range begins with it.
-    std::string outcome;          ///< Words of outcomeText() in explain/figure_check.h.
+    std::string outcome;          ///< Words of outcomeText() in why/figure_check.h.
 };
 
 /// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".

@@ -16,13 +16,15 @@
 #include "render/context.h"
 #include "scene/decision_view.h"
 #include "spiraling_edge/base/outside_text.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "window_export.h"
 
 namespace se::view {
 
 namespace {
 
+/// Without threads, the time between two frames that other work has.
+constexpr std::chrono::milliseconds kSlicesPerFrame{12};
 constexpr const char* kStartWindow = "##start";
 constexpr const char* kViewWindow = "##view";
 
@@ -72,6 +74,7 @@ void Application::drop(const std::vector<std::string>& paths) {
 }
 
 bool Application::poll() {
+    runSlices(kSlicesPerFrame);
     lesson_.closeForOther();
     const bool opened = session_.poll();
     const bool saved = mesh_.poll();

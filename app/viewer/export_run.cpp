@@ -16,7 +16,7 @@
 #include "scene/decision_view.h"
 #include "session/compare/compared_titles.h"
 #include "session/view_position.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "teach/lesson_text.h"
 
 namespace se::view {

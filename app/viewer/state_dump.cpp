@@ -13,7 +13,7 @@
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "teach/json_text.h"
 
 namespace se::view {

@@ -8,7 +8,7 @@
 #include "lesson_files.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
-#include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/why/figure_check.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/verdict_table.h"
 #include "teach/embedded_lessons.h"

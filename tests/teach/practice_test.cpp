@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/stepper.h"
 #include "teach/result_table.h"

@@ -8,7 +8,7 @@
 
 #include "layers/layer.h"
 #include "open_session.h"
-#include "spiraling_edge/replay/pivot_record.h"
+#include "spiraling_edge/run/pivot_record.h"
 
 namespace se::view::test {
 

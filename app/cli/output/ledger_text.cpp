@@ -6,7 +6,7 @@
 
 #include "failure_totals.h"
 #include "sentences.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "teach/json_text.h"
 #include "verdict_text.h"
 

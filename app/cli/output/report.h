@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input.h"
-#include "spiraling_edge/explain/trial.h"
+#include "spiraling_edge/why/trial.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"

@@ -2,7 +2,7 @@
 // it. The search is core's reduceInput(); this file decides whether a subset still fails, by
 // preparing, running and inspecting it. Its effort is counted in elementary tests instead of
 // seconds, so that the result does not depend on the machine.
-#include "spiraling_edge/explain/reduce.h"
+#include "spiraling_edge/why/reduce.h"
 
 #include <fmt/format.h>
 

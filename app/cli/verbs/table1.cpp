@@ -17,7 +17,7 @@
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
 #include "teach/json_text.h"

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::teach {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "run/selection.h"
-#include "spiraling_edge/explain/ring_history.h"
+#include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
 

@@ -8,7 +8,7 @@
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/points/index_ranges.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

@@ -9,7 +9,7 @@
 
 #include "commands.h"
 #include "run/selection.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {

@@ -49,6 +49,10 @@ std::string changeOfPlace(const Session& session) {
 void AlertController::begin(const Options& options) {
     asked_ = options.alert;
     interactive_ = !options.onPaper() && options.benchFrames == 0;
+    // A picture of a file shows where its faults are. Built-in inputs are small, and may be about
+    // one.
+    const bool own = isScene(options.input.source) || !options.lesson.empty();
+    c_.session.alerts().search().setFollows(interactive_ || own || !asked_.empty());
 }
 
 /// Applies the best settings that were tried, where the user has asked for it before all were.

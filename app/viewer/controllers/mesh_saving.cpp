@@ -31,7 +31,7 @@ void MeshController::publish() {
     MeshForm& form = c_.ui.mesh;
     form.saving = export_.saving();
     form.writing = export_.writing();
-    form.share = export_.share();
+    form.share = c_.session.ready() ? c_.session.madeShare() : 0.0;
     form.size.reset();
     if (const FinishedMesh* mesh = export_.mesh()) {
         form.size = MeshSize{mesh->triangles->size(), mesh->points->position.size(),
@@ -56,15 +56,25 @@ void MeshController::takeOutcome(const Result<SavedMesh>& outcome) {
 
 void MeshController::carryOut() {
     const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
-    // Another run may have been opened.
-    if (dialogOpen() && !export_.saving())
-        export_.make(c_.session.sharedModel(), c_.session.input().file());
+    if (dialogOpen()) prepareMesh();
     if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
     if (!dialogOpen()) {
         export_.discard();
         c_.ui.mesh.question.clear();
     }
     publish();
+}
+
+/// Prepares the mesh once the run is made. While a file is saved, another run may have been opened.
+void MeshController::prepareMesh() {
+    const bool idle = !export_.making() && export_.mesh() == nullptr;
+    if (export_.saving() && !idle) return;
+    if (const auto end = c_.session.runEnd()) {
+        export_.make(c_.session.sharedModel(), c_.session.input().file(), end);
+    } else if (export_.saving() && c_.session.isMade()) {
+        export_.cancel();
+        c_.ui.mesh.complaint = "The run did not come to its end: there is no mesh to save.";
+    }
 }
 
 void MeshController::answer(MeshAsk ask) {

@@ -28,6 +28,7 @@ class MeshController {
     bool dialogOpen() const;
     void takeOutcome(const Result<SavedMesh>& outcome);
     void publish();
+    void prepareMesh();
     void answer(MeshAsk ask);
     void save(const std::string& path, bool replace);
     void copyCommand(const std::string& path);

@@ -4,7 +4,7 @@
 #include <set>
 #include <variant>
 
-#include "spiraling_edge/replay/run_cursor.h"
+#include "spiraling_edge/run/run_cursor.h"
 #include "teach/lesson_runs.h"
 
 namespace se::view {

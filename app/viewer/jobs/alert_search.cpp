@@ -11,6 +11,7 @@ namespace se::view {
 void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
     query_.cancel();
     model_ = std::move(model);
+    end_.reset();
     started_ = stopped_ = false;
     groups_.clear();
     openLoops_ = {};
@@ -19,12 +20,17 @@ void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
     placeOf_.clear();
 }
 
-void AlertSearch::start() {
+void AlertSearch::start(std::shared_ptr<const RunEnd> end) {
     if (!model_ || started_ || stopped_) return;
     started_ = true;
-    query_.start([model = model_](const Progress& progress) {
-        return searchFailures(model->points, model->params, progress);
-    });
+    end_ = std::move(end);
+    const bool atEnd = end_ && !follows_;
+    query_.start(
+        [model = model_, end = end_, atEnd](const Progress& progress) -> Result<RunFailureSearch> {
+            if (atEnd) return failuresAtEnd(model->points, end->counts, end->mesh);
+            if (!end) return searchFailures(model->points, model->params, progress);
+            return searchFailures(model->points, model->params, end->counts, end->mesh, progress);
+        });
 }
 
 void AlertSearch::stop() {
@@ -36,7 +42,7 @@ void AlertSearch::stop() {
 void AlertSearch::resume() {
     assert(!busy());
     stopped_ = started_ = false;
-    start();
+    start(end_);
 }
 
 bool AlertSearch::poll() {

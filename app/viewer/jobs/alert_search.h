@@ -12,8 +12,9 @@
 
 #include "background_job.h"
 #include "run/model.h"
-#include "spiraling_edge/explain/failure_moments.h"
-#include "spiraling_edge/explain/remedy.h"
+#include "runner.h"
+#include "spiraling_edge/why/failure_moments.h"
+#include "spiraling_edge/why/remedy.h"
 
 namespace se::view {
 
@@ -35,8 +36,12 @@ class AlertSearch {
   public:
     /// Sets the run to search, which starts at start(); a search in progress is cancelled.
     void enqueue(std::shared_ptr<const Model> model);
-    /// Starts the search, unless it was done or the user has stopped it.
-    void start();
+    /// Starts the search, unless it was done or the user has stopped it. `end`: of the run; null if
+    /// it could not be made.
+    void start(std::shared_ptr<const RunEnd> end = nullptr);
+    /// Whether failures are followed to their causes, as lists of them need; where they are is found
+    /// in a fraction of the time.
+    void setFollows(bool on) { follows_ = on; }
     /// Stops the search at the user's request.
     void stop();
     /// Starts the search again, after stop() or a failure. Requires !busy().
@@ -84,6 +89,8 @@ class AlertSearch {
     void indexAnswer();
 
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const RunEnd> end_;
+    bool follows_ = true;
     bool started_ = false;
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
@@ -105,8 +112,8 @@ class RunAlerts {
   public:
     /// Sets another run, of which nothing is known.
     void open(std::shared_ptr<const Model> model);
-    /// Starts the search, unless it was done or the user has stopped it.
-    void start() { search_.start(); }
+    /// Starts the search; see AlertSearch::start().
+    void start(std::shared_ptr<const RunEnd> end) { search_.start(std::move(end)); }
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until there are results to take.

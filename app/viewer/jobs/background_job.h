@@ -14,20 +14,48 @@
 #include <utility>
 #include <vector>
 
+#include "run/model.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/run/sweep.h"
 #include "thread.h"
 
 namespace se::view {
 
+/// A pass through the run of a model, which it keeps alive. It begins with the first slice, since
+/// the start of a run takes a pass over the points.
+class ModelPass {
+  public:
+    ModelPass(std::shared_ptr<const Model> model, PivotVisitor visit)
+        : model_(std::move(model)), visit_(std::move(visit)) {}
+
+    /// Runs a slice. False once the run is complete.
+    bool advance() {
+        if (!sweep_) sweep_.emplace(model_->points, model_->params, visit_);
+        return sweep_->advance(kPivotsPerReport);
+    }
+    // Both require that advance() was called.
+    double share() const { return sweep_->share(); }
+    const State& state() const { return sweep_->state(); }
+
+  private:
+    std::shared_ptr<const Model> model_;
+    PivotVisitor visit_;
+    std::optional<Sweep> sweep_;
+};
+
 template <typename Item>
 class BackgroundJob {
+  public:
+    class Results;
+
+  private:
     struct Job {
         std::mutex mutex;
         std::vector<Item> pending;  ///< Not yet taken; guarded.
         std::atomic<double> share = 0.0;
-        std::string complaint;         ///< Valid once the job has ended.
-        std::optional<Thread> thread;  // last: it uses all members above
+        std::string complaint;           ///< Valid once the job has ended.
+        std::optional<Results> results;  ///< Of the work, from its first slice on.
+        std::optional<Thread> thread;    // last: it uses all members above
     };
 
   public:
@@ -63,15 +91,25 @@ class BackgroundJob {
 
     /// Starts `work`, which may use nothing that it may outlive. A job in progress is cancelled.
     void start(std::function<void(Results&)> work) {
+        startSlices([work = std::move(work)](Results& results) {
+            work(results);
+            return false;
+        });
+    }
+    /// The same for work that is called again until it returns false, or report() did. A slice
+    /// should take no longer than sliceTime().
+    void startSlices(std::function<bool(Results&)> slice) {
         cancel();
         job_ = std::make_unique<Job>();
-        job_->thread.emplace([&job = *job_, work = std::move(work)](const CancelFlag& cancelled) {
+        job_->thread.emplace([&job = *job_, slice = std::move(slice)](const CancelFlag& cancelled) {
+            bool more = false;
             const Status good = guarded([&] {
-                Results results(job, cancelled);
-                work(results);
-                results.report(1.0);
+                if (!job.results) job.results.emplace(job, cancelled);
+                more = slice(*job.results) && !cancelled.isSet();
+                if (!more) job.results->report(1.0);
             });
             if (!good) job.complaint = good.error().message;
+            return more && good ? Slice::More : Slice::Done;
         });
     }
     void cancel() {
@@ -115,6 +153,17 @@ class BackgroundQuery {
     /// Returns an error once `progress` returns false. It must own all that it needs.
     using Work = std::function<Result<Answer>(const Progress& progress)>;
 
+    /// Starts a query that is a question about the run of a model; the previous one is cancelled
+    /// and its answer discarded.
+    void ask(std::shared_ptr<const Model> model, Question<Answer> question) {
+        cancel();
+        const auto pass = std::make_shared<ModelPass>(std::move(model), question.visit);
+        job_.startSlices([pass, question](Results& results) {
+            const bool more = pass->advance();
+            if (!more) results.add(question.answer(pass->state()));
+            return results.report(pass->share()) && more;
+        });
+    }
     /// Starts a query; the previous one is cancelled and its answer discarded.
     void start(Work work) {
         cancel();

@@ -1,15 +1,15 @@
-// The sampler runs in a thread that is paced by the window: `due` counts the steps to make, and
-// the thread sleeps between them while it is played. Only the newest picture is kept, so a slow
-// window skips pictures instead of lagging. Quality measures are costly and get a fixed
-// share of the time, except at rest, where the figures must belong to the picture.
+// The sampler's slices are paced by the window: `due` counts the steps to make, and there is a
+// pause between them while it is played. Only the newest picture is kept, so a slow window skips
+// pictures instead of lagging. Quality measures are costly and get a fixed share of the time,
+// except at rest, where the figures must belong to the picture.
 #include "growth.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -31,14 +31,12 @@ constexpr double kMeasureShare = 0.2;
 struct Growth::Job {
     SampleSpec spec;
     std::mutex mutex;
-    std::condition_variable changed;
     // Guarded by the mutex:
     int due = 0;          ///< Steps to be made.
     bool slowly = false;  ///< At kRate.
     std::optional<GrowthPicture> fresh;
     std::optional<std::string> error;
     GrowthPhase phase = GrowthPhase::Finding;
-    bool over = false;  ///< Nothing follows.
 
     std::atomic<double> found = 0.0;
     std::optional<Thread> thread;  // last: it uses all members above
@@ -106,19 +104,17 @@ void Growth::cancel() {
     error_.clear();
     if (!job_) return;
     job_->thread->cancel();
-    {
-        const std::scoped_lock lock(job_->mutex);
-        job_->changed.notify_all();
-    }
     cancelled_.push_back(std::move(job_));
 }
 
 void Growth::setTarget(int steps, bool slowly) {
     if (!job_ || phase_ == GrowthPhase::Done || phase_ == GrowthPhase::Failed) return;
-    const std::scoped_lock lock(job_->mutex);
-    job_->due = steps;
-    job_->slowly = slowly;
-    job_->changed.notify_all();
+    {
+        const std::scoped_lock lock(job_->mutex);
+        job_->due = steps;
+        job_->slowly = slowly;
+    }
+    job_->thread->wake();
 }
 
 void Growth::play() { setTarget(kAll, true); }
@@ -154,12 +150,11 @@ bool Growth::poll() {
 
 void Growth::waitUntilDone() {
     if (!job_) return;
-    {
-        std::unique_lock lock(job_->mutex);
-        job_->changed.wait(lock, [this] {
-            const bool waits = job_->phase == GrowthPhase::Paused && job_->due == 0;
-            return waits || job_->over;
-        });
+    const auto rests = [this] {
+        const std::scoped_lock lock(job_->mutex);
+        return job_->phase == GrowthPhase::Paused && job_->due == 0;
+    };
+    while (!job_->thread->waitFor(std::chrono::hours(1), rests)) {
     }
     poll();
 }
@@ -170,83 +165,80 @@ SampleSpec Growth::spec() const {
     return spec;
 }
 
-/// Body of the thread.
+/// The slices of the work: the surface is found, then each is a step.
 class Growth::Worker {
   public:
-    Worker(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
+    explicit Worker(Job& job) : job_(job) {}
 
-    void work() {
-        Result<Field> field = surfaceOf(job_.spec);
-        if (!field) return fail(field.error().message);
-        field_ = std::move(field.value());
-        Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(), [this](double share) {
-            job_.found = share;
-            return !cancelled_.isSet();
-        });
-        if (!begun) return fail(begun.error().message);
-        Sampler& sampler = begun.value();
-        publish(sampler, GrowthPhase::Spreading);
-        while (!sampler.done()) {
-            const Turn turn = await();
-            if (cancelled_.isSet()) return;
-            if (turn == Turn::Rest) {
-                publish(sampler, GrowthPhase::Paused);
-                rest();
-                continue;
-            }
-            if (!sampler.step(goOn_)) return;
-            if (turn == Turn::StepAndShow && !sampler.done()) {
-                publish(sampler, GrowthPhase::Spreading);
-            }
+    Slice work(const CancelFlag& cancelled) {
+        if (cancelled.isSet()) return Slice::Done;
+        const Progress goOn = [&cancelled](double) { return !cancelled.isSet(); };
+        if (!sampler_) return begin(cancelled, goOn);
+        if (sampler_->done()) {
+            publish(GrowthPhase::Done, goOn);
+            return Slice::Done;
         }
-        publish(sampler, GrowthPhase::Done);
+        const Turn turn = takeTurn();
+        if (turn == Turn::Wait) return Slice::Pause;
+        if (turn == Turn::Rest) {
+            publish(GrowthPhase::Paused, goOn);
+            return Slice::Idle;
+        }
+        if (!sampler_->step(goOn)) return Slice::Done;
+        if (turn == Turn::StepAndShow && !sampler_->done()) publish(GrowthPhase::Spreading, goOn);
+        return Slice::More;
     }
-    void fail(const std::string& message) {
+    Slice fail(const std::string& message) {
         const std::scoped_lock lock(job_.mutex);
         job_.error = message;
         job_.phase = GrowthPhase::Failed;
+        return Slice::Done;
     }
 
   private:
-    enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
+    enum class Turn : std::uint8_t { Rest, Wait, Step, StepAndShow };
+
+    Slice begin(const CancelFlag& cancelled, const Progress& goOn) {
+        Result<Field> field = surfaceOf(job_.spec);
+        if (!field) return fail(field.error().message);
+        field_ = std::move(field.value());
+        Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(), [&](double share) {
+            job_.found = share;
+            return !cancelled.isSet();
+        });
+        if (!begun) return fail(begun.error().message);
+        sampler_.emplace(std::move(begun.value()));
+        publish(GrowthPhase::Spreading, goOn);
+        return Slice::More;
+    }
 
     /// Publishes a picture; one that was not taken is replaced, so the newest is always next.
-    void publish(const Sampler& sampler, GrowthPhase phase) {
+    void publish(GrowthPhase phase, const Progress& goOn) {
         const bool resting = phase != GrowthPhase::Spreading;
-        GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting, goOn_);
+        GrowthPicture picture = pictureOf(field_, *sampler_, measurer_, resting, goOn);
         const std::scoped_lock lock(job_.mutex);
         job_.fresh = std::move(picture);
         // No rest if the user resumed in the meantime.
         job_.phase = phase == GrowthPhase::Paused && job_.due > 0 ? GrowthPhase::Spreading : phase;
-        job_.changed.notify_all();
     }
 
-    /// Waits for the time of the next step; a pause or finish() ends the wait early.
-    Turn await() {
-        std::unique_lock lock(job_.mutex);
-        if (job_.due > 0 && job_.slowly) {
-            const std::chrono::duration<double> period(1.0 / kRate);
-            next_ =
-                std::max(next_ + std::chrono::duration_cast<Clock::duration>(period), Clock::now());
-            job_.changed.wait_until(lock, next_,
-                                    [this] { return !job_.slowly || cancelled_.isSet(); });
-        }
+    /// Whether it is time for the next step; finish() ends the wait early.
+    Turn takeTurn() {
+        const std::scoped_lock lock(job_.mutex);
+        const auto now = Clock::now();
         if (job_.due == 0) return Turn::Rest;
+        // After a rest, no steps are made up for.
+        if (std::exchange(job_.phase, GrowthPhase::Spreading) == GrowthPhase::Paused) next_ = now;
+        if (job_.slowly && now < next_) return Turn::Wait;
+        const std::chrono::duration<double> period(1.0 / kRate);
+        next_ = std::max(next_ + std::chrono::duration_cast<Clock::duration>(period), now);
         if (job_.due != kAll) --job_.due;
         return job_.fresh ? Turn::Step : Turn::StepAndShow;
     }
 
-    void rest() {
-        std::unique_lock lock(job_.mutex);
-        job_.changed.wait(lock, [this] { return job_.due > 0 || cancelled_.isSet(); });
-        job_.phase = GrowthPhase::Spreading;
-        next_ = Clock::now();
-    }
-
     Job& job_;
-    const CancelFlag& cancelled_;
-    const Progress goOn_ = [this](double) { return !cancelled_.isSet(); };
     Field field_;
+    std::optional<Sampler> sampler_;
     Measurer measurer_;
     Clock::time_point next_ = Clock::now();
 };
@@ -259,13 +251,11 @@ void Growth::start(const SampleSpec& spec) {
     job_->spec = spec;
     job_->due = spec.steps > 0 ? spec.steps : kAll;
     job_->slowly = spec.steps == 0;
-    job_->thread.emplace([&job = *job_](const CancelFlag& cancelled) {
-        Worker worker(job, cancelled);
-        const Status good = guarded([&worker] { worker.work(); });
-        if (!good) worker.fail(good.error().message);
-        const std::scoped_lock lock(job.mutex);
-        job.over = true;
-        job.changed.notify_all();
+    const auto worker = std::make_shared<Worker>(*job_);
+    job_->thread.emplace([worker](const CancelFlag& cancelled) {
+        Slice next = Slice::Done;
+        const Status good = guarded([&] { next = worker->work(cancelled); });
+        return good ? next : worker->fail(good.error().message);
     });
 }
 

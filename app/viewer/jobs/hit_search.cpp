@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 
@@ -103,24 +103,30 @@ void HitSearch::startNext() {
     if (lines.empty()) return;
     for (const Line& line : lines) known_[line.text] = {};
     sought_ = lines;
-    job_.start([model = model_, lines = std::move(lines)](auto& results) {
-        work(*model, lines, results);
-    });
+    job_.startSlices(searchFor(model_, std::move(lines)));
 }
 
-void HitSearch::work(const Model& model, const std::vector<Line>& lines,
-                     BackgroundJob<Found>::Results& results) {
+/// The slices of a search.
+std::function<bool(HitSearch::Results&)> HitSearch::searchFor(std::shared_ptr<const Model> model,
+                                                              std::vector<Line> lines) {
     std::vector<DecisionQuery> queries;
     queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
-    std::vector<std::size_t> logged(lines.size(), 0);
-    const auto found = [&](std::size_t line, const se::Hit& hit, const Decision& decision) {
+    const auto fresh = std::make_shared<std::vector<Found>>();
+    const auto found = [fresh, lines = std::move(lines),
+                        logged = std::vector<std::size_t>(queries.size(), 0)](
+                           std::size_t line, const se::Hit& hit, const Decision& decision) mutable {
         const bool logs = lines[line].listed && logged[line] < kMaxLogged;
         if (logs) ++logged[line];
-        results.add({line, hit, logs ? describe(decision.event) : std::string()});
+        fresh->push_back({line, hit, logs ? describe(decision.event) : std::string()});
     };
-    scanHits(model.points, model.params, queries, found,
-             [&](double share) { return results.report(share); });
+    const auto pass = std::make_shared<ModelPass>(
+        model, hitVisitor(model->points, model->params, std::move(queries), found));
+    return [fresh, pass](Results& results) {
+        const bool more = pass->advance();
+        for (Found& each : std::exchange(*fresh, {})) results.add(std::move(each));
+        return results.report(pass->share()) && more;
+    };
 }
 
 /// Takes the results of the thread so far.

@@ -2,6 +2,7 @@
 /// Results are kept until another run is open.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,7 +13,7 @@
 
 #include "background_job.h"
 #include "run/model.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 
 namespace se::view {
 
@@ -79,8 +80,9 @@ class HitSearch {
         se::Hit hit;
         std::string sentence;
     };
-    static void work(const Model& model, const std::vector<Line>& lines,
-                     BackgroundJob<Found>::Results& results);
+    using Results = BackgroundJob<Found>::Results;
+    static std::function<bool(Results&)> searchFor(std::shared_ptr<const Model> model,
+                                                   std::vector<Line> lines);
     std::vector<Line> missing() const;
     void startNext();
     bool take();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/what_if_check.h"
 
 namespace se::view {
 

@@ -1,12 +1,10 @@
 #include "mesh_export.h"
 
-#include <algorithm>
 #include <span>
 
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
-#include "spiraling_edge/replay/reconstruct.h"
 
 namespace se::view {
 
@@ -15,24 +13,14 @@ bool MeshTarget::writesFaultFields() const {
     return faultFields && format != nullptr && keepsColumns(*format);
 }
 
-Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
-                                const Progress& progress) {
-    constexpr std::uint32_t kPivotsPerReport = 64;
-    // A closed surface has two triangles per point.
-    const double expected =
-        2.0 * static_cast<double>(std::max<std::size_t>(1, model.points.size()));
-    Reconstruction run = reconstruct(model.points, model.params, [&](const State& state) {
-        if (!progress || state.counters.pivots % kPivotsPerReport != 0) return false;
-        return !progress(std::min(1.0, static_cast<double>(state.triangles.size()) / expected));
-    });
-    if (run.reason == StopReason::Condition) return Error{"Cancelled."};
+FinishedMesh finishMesh(const Model& model, const PointFile& input, const RunEnd& end) {
     PointFile points = input;
     storeDerived(model.points, model.report, points);
     FinishedMesh mesh;
     mesh.points = std::make_shared<const PointFile>(std::move(points));
-    mesh.triangles = std::make_shared<const std::vector<Triangle>>(run.state.mesh());
-    mesh.usedPoints = countUsedPoints(model.points.size(), *mesh.triangles);
-    mesh.capped = run.reason == StopReason::Capped;
+    mesh.triangles = std::make_shared<const std::vector<Triangle>>(end.mesh);
+    mesh.usedPoints = countUsedPoints(model.points.size(), end.mesh);
+    mesh.capped = end.capped;
     return mesh;
 }
 
@@ -65,11 +53,13 @@ Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const M
     return write(used, used.faces);
 }
 
-void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input) {
+void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input,
+                      std::shared_ptr<const RunEnd> end) {
     if (model == model_) return;
     model_ = model;
-    mesh_.start([model = std::move(model), input = std::move(input)](const Progress& progress) {
-        return finishMesh(*model, *input, progress);
+    mesh_.start([model = std::move(model), input = std::move(input),
+                 end = std::move(end)](const Progress&) -> Result<FinishedMesh> {
+        return finishMesh(*model, *input, *end);
     });
 }
 

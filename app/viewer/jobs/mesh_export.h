@@ -1,4 +1,4 @@
-/// The mesh at the end of the run, and its export: each in a thread of its own.
+/// The mesh at the end of the run with its points, and its export: each in a thread of its own.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "background_job.h"
 #include "run/model.h"
+#include "runner.h"
 
 namespace se::view {
 
@@ -46,9 +47,10 @@ struct SavedMesh {
 
 class MeshExport {
   public:
-    /// Runs `model` to its end, unless its mesh is ready or in progress. `input` is the file that
-    /// prepare() took.
-    void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input);
+    /// Prepares the mesh at the end of the run of `model`, unless it is ready or in progress.
+    /// `input` is the file that prepare() took.
+    void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input,
+              std::shared_ptr<const RunEnd> end);
     /// Discards the mesh, and a pending write. A write in progress completes.
     void discard();
     /// Writes a file as soon as the mesh is ready. Ignored while another one is written.
@@ -67,8 +69,6 @@ class MeshExport {
     bool saving() const { return order_.has_value() || writing(); }
     bool writing() const { return file_.busy(); }
     bool busy() const { return making() || saving(); }
-    /// Share of the run, in [0, 1]; a guess from the number of triangles.
-    double share() const { return mesh_.share(); }
     /// The outcome of save(), once.
     std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
 
@@ -82,10 +82,9 @@ class MeshExport {
     std::optional<Result<SavedMesh>> outcome_;
 };
 
-/// The mesh that `spiraling-edge run` makes of the same input with the same options. Fails only if
-/// `progress` cancels.
-Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
-                                const Progress& progress = {});
+/// The mesh that `spiraling-edge run` makes of the same input with the same options: that of the
+/// end of the run, with its points.
+FinishedMesh finishMesh(const Model& model, const PointFile& input, const RunEnd& end);
 /// Writes the mesh that `model` ends with as `spiraling-edge run -o` does. Fails with a sentence
 /// that names the file.
 Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const MeshTarget& target);

@@ -35,13 +35,16 @@ void Questions::askWhy(const Selection& what) {
     assert(model_ && what.kind != SelectionKind::None);
     subject_ = what;
     subjectName_ = selectionText(what);
-    ledger_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
-        Result<Ledger> found = why(model->points, model->params, toSubject(what), progress);
+    const auto asked = whyQuestion(model_->points, model_->params, toSubject(what));
+    assert(asked.ok());  // The selection is of points of the model.
+    const auto answer = [question = asked.value()](const State& end) -> Result<WhyAnswer> {
+        Result<Ledger> found = question.answer(end);
         if (!found) return found.error();
         Ledger& ledger = found.value();
         return WhyAnswer{nameOf(ledger.subject), ledger.present, std::move(ledger.lines),
                          ledger.cause, std::move(ledger.answer)};
-    });
+    };
+    ledger_.ask(model_, {asked.value().visit, answer});
 }
 
 void Questions::askWhy(const RingAddress& ring) {
@@ -68,9 +71,7 @@ Status Questions::find(const std::string& line) {
     if (!query) return query.error();
     assert(model_);
     line_ = line;
-    found_.start([model = model_, query = std::move(query.value())](const Progress& progress) {
-        return findDecisions(model->points, model->params, query, kMaxFound, progress);
-    });
+    found_.ask(model_, decisionsQuestion(model_->points, model_->params, query.value(), kMaxFound));
     return success();
 }
 
@@ -92,15 +93,14 @@ LedgerLine lineOf(const NearestDecision& decision) {
 void Questions::requestClosest() {
     assert(model_);
     if (!isNew(closest_)) return;
-    closest_.start([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
-        Result<NearestDecisions> decisions =
-            nearestDecisions(model->points, model->params, kClosest, progress);
-        if (!decisions) return decisions.error();
-        ClosestAnswer answer{std::move(decisions.value()), {}};
-        for (const NearestDecision& decision : answer.decisions.decisions)
-            answer.lines.push_back(lineOf(decision));
-        return answer;
-    });
+    const auto nearest = nearestQuestion(model_->points, model_->params, kClosest);
+    const auto answer = [nearest](const State& end) -> Result<ClosestAnswer> {
+        ClosestAnswer closest{nearest.answer(end).value(), {}};
+        for (const NearestDecision& decision : closest.decisions.decisions)
+            closest.lines.push_back(lineOf(decision));
+        return closest;
+    };
+    closest_.ask(model_, {nearest.visit, answer});
 }
 
 std::span<const double> Questions::leastMargin() const {
@@ -112,9 +112,7 @@ std::span<const double> Questions::leastMargin() const {
 void Questions::requestCharts() {
     assert(model_);
     if (!isNew(charts_)) return;
-    charts_.start([model = model_](const Progress& progress) {
-        return runCharts(model->points, model->params, progress);
-    });
+    charts_.ask(model_, chartsQuestion());
 }
 
 Subject toSubject(const Selection& what) {

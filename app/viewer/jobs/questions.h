@@ -9,11 +9,11 @@
 #include "background_job.h"
 #include "run/model.h"
 #include "run/selection.h"
-#include "spiraling_edge/explain/ledger.h"
-#include "spiraling_edge/explain/nearest_decisions.h"
-#include "spiraling_edge/explain/ring_history.h"
-#include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/replay/run_charts.h"
+#include "spiraling_edge/run/decision_query.h"
+#include "spiraling_edge/run/run_charts.h"
+#include "spiraling_edge/why/ledger.h"
+#include "spiraling_edge/why/nearest_decisions.h"
+#include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
 

@@ -1,40 +1,34 @@
-// A single thread owns the Timeline; the window posts one request at a time and takes immutable
-// PivotRecords in return. A long move publishes a picture every kSlice. Triangles are sent only
-// once, since the run only ever appends them.
+// One Timeline makes the run and moves in it. Slices of making it alternate with requests, which
+// come first: a request to a pivot that was made moves back there, one beyond makes the run up to
+// it. Every pivot is shown to the observer once, when it is made. While the user steps, the
+// timeline stays near him: each way to the end of what was made and back costs some milliseconds in
+// a run of a million points. Triangles are sent only once, since the run only ever appends them.
 #include "runner.h"
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <limits>
 
-#include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 
 namespace {
 
-/// Time between two pictures during a long run.
-constexpr std::chrono::milliseconds kSlice{120};
+constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+/// So long after a request another one is expected.
+constexpr std::chrono::milliseconds kLinger{200};
+/// The run is made for a slice at least as often.
+constexpr std::chrono::milliseconds kMakeAtLeast{1000};
 
 }  // namespace
 
 Runner::Runner(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       timeline_(model_->points, model_->params),
-      thread_([this](const CancelFlag&) { work(); }) {}
-
-Runner::~Runner() {
-    {
-        const std::lock_guard lock(mutex_);
-        cancelled_ = true;
-        ending_ = true;
-    }
-    changed_.notify_all();
-}
-
-void Runner::request(std::uint32_t pivot) { ask({pivot, kNone}); }
-
-void Runner::requestPoint(Index point, std::uint32_t pivot) { ask({pivot, point}); }
+      counts_(model_->points),
+      thread_([this](const CancelFlag& ending) { return work(ending); }) {}
 
 void Runner::ask(const Request& request) {
     {
@@ -43,13 +37,18 @@ void Runner::ask(const Request& request) {
         open_ = true;
         cancelled_ = false;
         wanted_ = request;
+        asked_ = true;
     }
-    changed_.notify_all();
+    thread_.wake();
 }
 
 bool Runner::waitFor(std::chrono::milliseconds timeout) {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, timeout, [&] { return answer_ && answer_->final; });
+    const auto isAnswered = [this] {
+        const std::lock_guard lock(mutex_);
+        return answer_ && answer_->final;
+    };
+    thread_.waitFor(timeout, isAnswered);
+    return isAnswered();
 }
 
 std::optional<RunnerAnswer> Runner::take() {
@@ -58,101 +57,192 @@ std::optional<RunnerAnswer> Runner::take() {
     return std::exchange(answer_, std::nullopt);
 }
 
-void Runner::work() {
-    while (true) {
-        Request request;
-        {
-            std::unique_lock lock(mutex_);
-            changed_.wait(lock, [&] { return wanted_.has_value() || ending_; });
-            if (ending_) return;
-            request = *std::exchange(wanted_, std::nullopt);
-        }
-        const Status good = guarded([&] {
-            if (!complaint_.empty()) return;
-            request.point == kNone ? serve(request.pivot) : servePoint(request);
-        });
-        if (!good) complaint_ = good.error().message;
-        if (!complaint_.empty()) publishComplaint();
-    }
-}
-
-/// Moves the timeline, with a progress picture now and then. False if cancelled.
-bool Runner::goTo(std::uint32_t position) {
-    bool arrived = false;
-    while (!arrived && !cancelled_) {
-        const auto deadline = std::chrono::steady_clock::now() + kSlice;
-        arrived = true;
-        timeline_.seek(position, [&] {
-            position_ = timeline_.position();
-            arrived = std::chrono::steady_clock::now() < deadline && !cancelled_;
-            return arrived;
-        });
-        if (!arrived && !cancelled_) publish(timeline_.position(), false);
-    }
-    return arrived;
-}
-
-void Runner::serve(std::uint32_t pivot) {
-    const bool arrived = goTo(pivot == 0 ? 0 : pivot - 1);
-    publish(arrived ? pivot : timeline_.position(), true);
-}
-
-void Runner::servePoint(const Request& request) {
-    if (!goTo(request.pivot)) return publish(timeline_.position(), true);
-    // With a stepper of its own: the timeline would make each pivot twice.
-    EventLog log;
-    Stepper stepper(model_->points, model_->params, &log);
-    stepper.setState(timeline_.state());
-    bool found = false;
-    std::uint32_t pivot = request.pivot;
-    for (bool more = true; more && !found && !cancelled_;) {
-        log.clear();
-        more = stepper.stepPivot();
-        found = std::any_of(log.events().begin(), log.events().end(), [&](const Event& event) {
-            if (subjectOf(event) != request.point) return false;
-            pivot = event.address.pivot;
-            return true;
-        });
-        position_ = stepper.state().counters.pivots;
-    }
-    if (found) return serve(pivot);
-    found_ = false;
-    serve(request.pivot);
-    found_ = true;
-}
-
-void Runner::publishComplaint() {
-    {
-        const std::lock_guard lock(mutex_);
-        if (!answer_) answer_.emplace();
-        answer_->complaint = complaint_;
-        answer_->final = true;
-    }
-    changed_.notify_all();
-}
-
 std::string Runner::complaint() {
     const std::lock_guard lock(mutex_);
     return answer_ ? answer_->complaint : std::string{};
 }
 
-void Runner::publish(std::uint32_t pivot, bool final) {
-    std::shared_ptr<const PivotRecord> record = timeline_.record(pivot);
-    position_ = timeline_.position();
-    const std::vector<Triangle>& all = timeline_.state().triangles;
+bool Runner::takeOverview(RunOverview& overview) {
+    std::vector<RunOverview> found;
     {
         const std::lock_guard lock(mutex_);
-        if (!answer_) answer_.emplace();
-        answer_->record = std::move(record);
-        answer_->final = final;
-        answer_->found = found_;
-        if (all.size() > publishedTriangles_) {
-            const auto from = all.begin() + static_cast<std::ptrdiff_t>(publishedTriangles_);
-            answer_->newTriangles.insert(answer_->newTriangles.end(), from, all.end());
-            publishedTriangles_ = all.size();
-        }
+        found = std::exchange(overview_, {});
     }
-    changed_.notify_all();
+    if (!found.empty() && overview.pivots.empty()) reservePivots(overview, model_->points.size());
+    for (const RunOverview& fresh : found) append(overview, fresh);
+    return !found.empty();
+}
+
+std::string Runner::takeComplaint() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(unmade_, {});
+}
+
+std::shared_ptr<const RunEnd> Runner::end() {
+    const std::lock_guard lock(mutex_);
+    return end_;
+}
+
+void Runner::waitUntilMade() {
+    while (!thread_.waitFor(std::chrono::hours(1), [this] { return made(); })) {
+    }
+}
+
+/// A slice of the thread.
+Slice Runner::work(const CancelFlag& ending) {
+    if (ending.isSet()) return Slice::Done;
+    takeRequest();
+    const bool waits = !serving_ && makes() && lingers();
+    const Status good = guarded([&] {
+        if (!complaint_.empty() || waits) return;
+        if (!observer_ && !made_) begin();
+        serving_ ? serve() : make(ending);
+    });
+    if (!good) complaint_ = good.error().message;
+    if (!complaint_.empty()) publishComplaint();
+    if (waits) return Slice::Pause;
+    return serving_ || makes() ? Slice::More : Slice::Idle;
+}
+
+/// Begins to observe. Not in the constructor, whose caller gets no exception of it.
+void Runner::begin() {
+    observer_.emplace(*model_, timeline_.state());
+    timeline_.setVisitor([this](const SweptPivot& pivot) { observe(pivot); });
+}
+
+void Runner::takeRequest() {
+    const std::lock_guard lock(mutex_);
+    if (!wanted_) return;
+    serving_ = std::exchange(wanted_, std::nullopt);
+    asked_ = searching_ = false;
+    found_ = true;
+}
+
+/// A slice of the open request.
+void Runner::serve() {
+    servedLast_ = Clock::now();
+    const auto deadline = servedLast_ + sliceTime();
+    const auto keepGoing = [&] {
+        position_ = timeline_.position();
+        return Clock::now() < deadline && !cancelled_;
+    };
+    const std::uint32_t pivot = serving_->pivot;
+    if (!searching_) {
+        const bool finds = serving_->point != kNone;
+        const bool there = goTo(finds || pivot == 0 ? pivot : pivot - 1, keepGoing);
+        searching_ = there && finds;
+        if (cancelled_ || (there && !finds))
+            return publish(there ? pivot : timeline_.position(), true);
+        if (!there) return publish(timeline_.position(), false);
+    }
+    searchPoint(keepGoing);
+    if (cancelled_) publish(timeline_.position(), true);
+}
+
+/// Moves the timeline. False if it did not arrive.
+bool Runner::goTo(std::uint32_t position, const std::function<bool()>& keepGoing) {
+    bool arrived = true;
+    timeline_.seek(position, [&] { return arrived = keepGoing(); });
+    noteEnd();
+    return arrived;
+}
+
+/// Goes on until an event is about the point of the request; then the request is for its pivot.
+void Runner::searchPoint(const std::function<bool()>& keepGoing) {
+    EventLog log;
+    for (bool more = true; more && keepGoing(); log.clear()) {
+        more = timeline_.stepPivot(&log);
+        noteEnd();
+        const auto about = [&](const Event& event) { return subjectOf(event) == serving_->point; };
+        const auto event = std::find_if(log.events().begin(), log.events().end(), about);
+        found_ = event != log.events().end();
+        if (more && !found_) continue;
+        serving_ = Request{found_ ? event->address.pivot : serving_->pivot, kNone};
+        searching_ = false;
+        return;
+    }
+}
+
+/// Soon after a request the timeline stays where it is, unless the run would not be made.
+bool Runner::lingers() const {
+    const auto now = Clock::now();
+    return timeline_.position() != timeline_.farthest() && now - servedLast_ < kLinger &&
+           now - madeLast_ < kMakeAtLeast;
+}
+
+/// Makes the run for a slice, or until something is requested.
+void Runner::make(const CancelFlag& ending) {
+    if (!makes()) return;
+    const auto deadline = Clock::now() + sliceTime();
+    const auto keepGoing = [&] { return Clock::now() < deadline && !asked_ && !ending.isSet(); };
+    if (goTo(timeline_.farthest(), keepGoing)) goTo(kEnd, keepGoing);
+    madeLast_ = Clock::now();
+    handOver();
+}
+
+/// Called by the timeline with each pivot, the first time. A failure ends what is observed, not the
+/// moves.
+void Runner::observe(const SweptPivot& pivot) {
+    if (!observer_) return;
+    const Status good = guarded([&] {
+        counts_.add(pivot);
+        observer_->add(pivot, fresh_);
+    });
+    if (good) return;
+    observer_.reset();
+    const std::lock_guard lock(mutex_);
+    unmade_ = good.error().message;
+    made_ = true;
+}
+
+/// Keeps the end of the run, once it is reached.
+void Runner::noteEnd() {
+    if (made_ || !timeline_.state().finished()) return;
+    const std::span<const Triangle> mesh = timeline_.state().mesh();
+    RunEnd end{{mesh.begin(), mesh.end()}, timeline_.state().capped(), std::move(counts_)};
+    fresh_.complete = true;
+    {
+        const std::lock_guard lock(mutex_);
+        end_ = std::make_shared<const RunEnd>(std::move(end));
+    }
+    handOver();
+    made_ = true;
+}
+
+void Runner::handOver() {
+    if (fresh_.pivots.empty() && !fresh_.complete) return;
+    RunOverview fresh = std::exchange(fresh_, {});
+    const std::lock_guard lock(mutex_);
+    overview_.push_back(std::move(fresh));
+}
+
+void Runner::publish(std::uint32_t pivot, bool final) {
+    std::shared_ptr<const PivotRecord> record = timeline_.record(pivot);
+    noteEnd();
+    handOver();
+    position_ = timeline_.position();
+    const std::vector<Triangle>& all = timeline_.state().triangles;
+    if (final) serving_.reset();
+    const std::lock_guard lock(mutex_);
+    if (!answer_) answer_.emplace();
+    answer_->record = std::move(record);
+    answer_->final = final;
+    answer_->found = found_;
+    if (all.size() <= publishedTriangles_) return;
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(publishedTriangles_);
+    answer_->newTriangles.insert(answer_->newTriangles.end(), from, all.end());
+    publishedTriangles_ = all.size();
+}
+
+void Runner::publishComplaint() {
+    const bool serves = std::exchange(serving_, std::nullopt).has_value();
+    const std::lock_guard lock(mutex_);
+    if (!made_) unmade_ = complaint_;
+    made_ = true;
+    if (!serves) return;
+    if (!answer_) answer_.emplace();
+    answer_->complaint = complaint_;
+    answer_->final = true;
 }
 
 }  // namespace se::view

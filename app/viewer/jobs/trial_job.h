@@ -6,7 +6,7 @@
 
 #include "background_job.h"
 #include "run/repair_diff.h"
-#include "spiraling_edge/explain/trial.h"
+#include "spiraling_edge/why/trial.h"
 
 namespace se::view {
 

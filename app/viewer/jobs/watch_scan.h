@@ -11,7 +11,7 @@
 
 #include "background_job.h"
 #include "run/model.h"
-#include "spiraling_edge/replay/watch.h"
+#include "spiraling_edge/run/watch.h"
 
 namespace se::view {
 

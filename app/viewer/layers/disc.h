@@ -8,7 +8,7 @@
 
 #include "layer.h"
 #include "run/number_format.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

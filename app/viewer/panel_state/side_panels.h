@@ -16,7 +16,7 @@
 #include "rows/step_tree.h"
 #include "rows/watch_plot.h"
 #include "run/selection.h"
-#include "spiraling_edge/explain/ring_history.h"
+#include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
 

@@ -17,7 +17,7 @@
 #include "run/sample_spec.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/prepare.h"
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/stepper/event.h"
 #include "teach/practice.h"
 
@@ -271,12 +271,13 @@ void StartPage::prepare() {
         if (!figure.sample.empty()) sampled.push_back(tileOf(figure));
     tiles.insert(others, sampled.begin(), sampled.end());
     for (const FailureScene& each : failureScenes()) tiles.push_back(tileOf(each.scene, &each));
-    sampling.start([sampled = std::move(sampled)](BackgroundJob<SceneTile>::Results& results) {
-        for (SceneTile tile : sampled) {
-            drawSample(tile);
-            results.add(std::move(tile));
-            if (!results.report(0.0)) return;
-        }
+    std::reverse(sampled.begin(), sampled.end());  // the next one last
+    sampling.startSlices([sampled = std::move(sampled)](auto& results) mutable {
+        if (sampled.empty()) return false;
+        drawSample(sampled.back());
+        results.add(std::move(sampled.back()));
+        sampled.pop_back();
+        return results.report(0.0);
     });
 }
 

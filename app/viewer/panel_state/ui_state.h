@@ -27,7 +27,7 @@
 #include "session/selection_facts.h"
 #include "settings.h"
 #include "side_panels.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 #include "start_page.h"
 #include "ui_requests.h"
 #include "what_if_offers.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

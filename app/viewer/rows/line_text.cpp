@@ -2,7 +2,7 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

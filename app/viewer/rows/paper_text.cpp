@@ -8,7 +8,7 @@
 #include "run/neighborhood.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/overloaded.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "run/strings.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "run/model.h"
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -11,9 +11,9 @@
 
 #include "run/strings.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/pivot_replay.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {

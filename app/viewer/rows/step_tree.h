@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "run/overview.h"
-#include "spiraling_edge/replay/pivot_record.h"
+#include "spiraling_edge/run/pivot_record.h"
 
 namespace se::view {
 

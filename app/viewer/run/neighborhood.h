@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

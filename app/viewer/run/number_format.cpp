@@ -8,7 +8,7 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

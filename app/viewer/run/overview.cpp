@@ -1,4 +1,4 @@
-// One pass over the whole run with the log of one pivot at a time. Each pivot is reduced to 16
+// The events of one pivot at a time, while the run is made. Each pivot is reduced to 16
 // bytes (a bit per stage and verdict, and counts), by which the filter of the tree can test it
 // without running it again. The thread hands over what is new in batches; append() adds them to
 // the lists of the window.
@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "spiraling_edge/base/disjoint_sets.h"
-#include "spiraling_edge/replay/pivot_replay.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 
@@ -158,6 +158,95 @@ const ComponentShape* shapeAt(std::span<const ComponentShape> shapes, std::uint3
         shapes.begin(), shapes.end(), pivot,
         [](const ComponentShape& shape, std::uint32_t wanted) { return shape.pivot < wanted; });
     return found != shapes.end() && found->pivot == pivot ? &*found : nullptr;
+}
+
+RunObserver::RunObserver(const Model& model, const State& start)
+    : model_(model),
+      before_(start.counters),
+      alerts_(start.alerts.size()),
+      triangles_(start.triangles.size()) {
+    if (model.points.size() <= kMaxWatched) live_.emplace(model.points, model.params.start);
+    lanes_.begin(start.rings);
+}
+
+void RunObserver::add(const SweptPivot& pivot, RunOverview& run) {
+    const State& state = pivot.after;
+    const bool complete = state.counters.pivots > before_.pivots;
+    if (complete) noteFigures(state, run);
+    noteEvents(pivot, run);
+    noteMarks(pivot, run);
+    noteShape(pivot, run);
+    noteFailures(pivot.events, run);
+    // Events after the last pivot have the next number.
+    if (!complete) run.lastPivot = before_.pivots + 1;
+    before_ = state.counters;
+    alerts_ = state.alerts.size();
+    triangles_ = state.triangles.size();
+}
+
+void RunObserver::noteFigures(const State& state, RunOverview& run) {
+    const EdgeRings& rings = state.rings;
+    const std::uint32_t length = rings.active() == kNone ? 0 : rings.length(rings.active());
+    const auto depth = static_cast<std::uint32_t>(rings.stack().size());
+    run.ringLength.push_back(length);
+    run.stackDepth.push_back(depth);
+    run.triangles.push_back(static_cast<std::uint32_t>(state.triangles.size()));
+    run.longestRing = std::max(run.longestRing, length);
+    run.deepestStack = std::max(run.deepestStack, depth);
+    run.lastPivot = state.counters.pivots;
+}
+
+void RunObserver::noteEvents(const SweptPivot& pivot, RunOverview& run) {
+    PivotSummary summary;
+    for (const Event& event : pivot.events) {
+        count(summary, event);
+        lanes_.take(event);
+        run.lanes = std::max(run.lanes, lanes_.live());
+    }
+    lanes_.settle(pivot.after.rings);
+    run.pivots.push_back(summary);
+    const auto changes = lanes_.takeChanges();
+    run.laneChanges.insert(run.laneChanges.end(), changes.begin(), changes.end());
+}
+
+void RunObserver::noteMarks(const SweptPivot& pivot, RunOverview& run) const {
+    const Counters& now = pivot.after.counters;
+    if (now.seeds > before_.seeds) run.marks.push_back({now.pivots, MarkKind::Seed});
+    if (now.splits > before_.splits) run.marks.push_back({now.pivots, MarkKind::Split});
+    if (now.joins > before_.joins) run.marks.push_back({now.pivots, MarkKind::Join});
+    if (pivot.after.alerts.size() == alerts_) return;
+    // The first alert of this pivot.
+    for (const Event& event : pivot.events) {
+        const auto* alert = as<AlertEvidence>(event);
+        if (alert == nullptr) continue;
+        run.marks.push_back({now.pivots, MarkKind::Alert, event.address.n, *alert});
+        return;
+    }
+}
+
+/// Whether this pivot, or a seed, has begun or completed a component.
+void RunObserver::noteShape(const SweptPivot& pivot, RunOverview& run) {
+    for (const Event& event : pivot.events) {
+        if (event.address.stage == Stage::Seed) begin_ = triangles_;
+        const auto* complete = as<ComponentEvidence>(event);
+        if (complete == nullptr) continue;
+        const std::span<const Triangle> all(pivot.after.triangles);
+        const std::size_t end = std::min<std::size_t>(complete->triangles, all.size());
+        const std::size_t begin = std::min(begin_, end);
+        run.shapes.push_back(shapeOf(model_, all.subspan(begin, end - begin), begin));
+        run.shapes.back().pivot = event.address.pivot;
+        const auto since = std::chrono::steady_clock::now() - began_;
+        run.shapes.back().seconds = std::chrono::duration<double>(since).count();
+    }
+}
+
+void RunObserver::noteFailures(std::span<const Event> events, RunOverview& run) {
+    if (!live_) return;
+    for (LiveFailure& each : live_->check(events)) {
+        if (noticed_++ == kMaxNoticed) live_.reset();
+        if (!live_) return;
+        run.failures.push_back(std::move(each));
+    }
 }
 
 }  // namespace se::view

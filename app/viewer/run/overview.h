@@ -3,23 +3,21 @@
 
 #include <array>
 #include <bitset>
+#include <chrono>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "model.h"
-#include "spiraling_edge/replay/live_check.h"
-#include "spiraling_edge/replay/ring_lanes.h"
-#include "spiraling_edge/stepper/event.h"
-
-namespace se {
-struct State;
-}
+#include "spiraling_edge/run/live_check.h"
+#include "spiraling_edge/run/ring_lanes.h"
+#include "spiraling_edge/run/sweep.h"
 
 namespace se::view {
 
 /// A complete component: its triangles, its position and its boundary. Computed once, by the thread
-/// that makes the overview, because a pass over all its triangles takes longer than a frame.
+/// that makes the run, because a pass over all its triangles takes longer than a frame.
 struct ComponentShape {
     std::uint32_t pivot = 0;  ///< Pivot at whose end the component was complete.
     std::size_t begin = 0;    ///< Number of its first triangle.
@@ -114,5 +112,32 @@ void reservePivots(RunOverview& overview, std::size_t points);
 
 /// Appends the lists of `fresh` to those of `overview` and copies its figures.
 void append(RunOverview& overview, const RunOverview& fresh);
+
+/// Notes what there is to see from afar while a run is made: every decision is counted, none is
+/// kept.
+class RunObserver {
+  public:
+    /// `start`: the state before the first pivot. `model` must outlive this object.
+    RunObserver(const Model& model, const State& start);
+    /// Adds the next pivot of the run to `run`.
+    void add(const SweptPivot& pivot, RunOverview& run);
+
+  private:
+    void noteFigures(const State& state, RunOverview& run);
+    void noteEvents(const SweptPivot& pivot, RunOverview& run);
+    void noteMarks(const SweptPivot& pivot, RunOverview& run) const;
+    void noteShape(const SweptPivot& pivot, RunOverview& run);
+    void noteFailures(std::span<const Event> events, RunOverview& run);
+
+    const Model& model_;
+    Counters before_;            ///< Before the pivot.
+    std::size_t alerts_ = 0;     ///< Likewise.
+    std::size_t triangles_ = 0;  ///< Likewise.
+    std::size_t begin_ = 0;      ///< The first triangle of the current component.
+    LaneTracker lanes_;
+    std::optional<LiveCheck> live_;  ///< Empty for very large inputs.
+    std::size_t noticed_ = 0;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace se::view

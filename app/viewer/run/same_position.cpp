@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "spiraling_edge/replay/pivot_replay.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "spiraling_edge/replay/pivot_record.h"
+#include "spiraling_edge/run/pivot_record.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 

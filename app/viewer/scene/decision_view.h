@@ -6,7 +6,7 @@
 
 #include "camera.h"
 #include "run/model.h"
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

@@ -8,7 +8,7 @@
 #include "camera.h"
 #include "mesh_index.h"
 #include "run/selection.h"
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/camera.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {

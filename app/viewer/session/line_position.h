@@ -6,7 +6,7 @@
 #include <span>
 
 #include "session.h"
-#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/why/ledger.h"
 
 namespace se::view {
 

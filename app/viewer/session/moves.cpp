@@ -47,8 +47,11 @@ std::optional<std::string> History::forward(std::string here) {
     return step(after_, before_, std::move(here));
 }
 
-void Moves::open(std::unique_ptr<Runner> runner, const std::optional<SamePosition>& place) {
-    runner_ = std::move(runner);
+std::uint32_t Moves::runnerPosition() const {
+    return session_.runner_ ? session_.runner_->position() : 0;
+}
+
+void Moves::open(const std::optional<SamePosition>& place) {
     moves_.clear();
     waiting_ = false;
     awaitedShare_.reset();
@@ -66,13 +69,13 @@ bool Moves::poll() {
 }
 
 void Moves::wait() {
-    if (waiting_) runner_->waitFor(std::chrono::milliseconds(200));
+    if (waiting_) session_.runner_->waitFor(std::chrono::milliseconds(200));
 }
 
 const PivotRecord& Moves::record() const { return session_.record(); }
 
 bool Moves::takeAnswer() {
-    std::optional<RunnerAnswer> answer = runner_->take();
+    std::optional<RunnerAnswer> answer = session_.runner_->take();
     if (!answer) return false;
     session_.take(*answer);
     if (!answer->complaint.empty()) {
@@ -194,12 +197,12 @@ void Moves::cancel() {
     moves_.clear();
     awaitedShare_.reset();
     awaitedStop_ = 0;
-    if (waiting_) runner_->cancel();
+    if (waiting_) session_.runner_->cancel();
 }
 
 void Moves::push(Move move) {
     // While a point is held, the cursor stays at its decision.
-    if (!runner_ || moves_.size() >= kMaxMoves || session_.drag().held()) return;
+    if (!session_.runner_ || moves_.size() >= kMaxMoves || session_.drag().held()) return;
     session_.messages().clear();
     awaitedShare_.reset();
     awaitedStop_ = 0;
@@ -284,7 +287,7 @@ void Moves::request(std::uint32_t pivot, Landing landing, const Address& target)
         land();
         return;
     }
-    runner_->request(pivot);
+    session_.runner_->request(pivot);
     await(pivot);
 }
 
@@ -293,7 +296,7 @@ void Moves::await(std::uint32_t pivot) {
     requested_ = pivot;
     waiting_ = true;
     waitingSince_ = Clock::now();
-    runner_->waitFor(kAnswerTimeout);
+    session_.runner_->waitFor(kAnswerTimeout);
     takeAnswer();
 }
 
@@ -310,7 +313,7 @@ void Moves::performPoint(Index point) {
     landing_ = Landing::AtPoint;
     target_ = session_.address();
     pointWanted_ = point;
-    runner_->requestPoint(point, record().pivot);
+    session_.runner_->requestPoint(point, record().pivot);
     await(session_.overview().lastPivot);
 }
 

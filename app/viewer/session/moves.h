@@ -14,7 +14,7 @@
 #include "jobs/runner.h"
 #include "run/same_position.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 
 namespace se::view {
 
@@ -86,14 +86,14 @@ class Moves {
     bool awaitsLength() const { return awaitedShare_.has_value(); }
     /// Seconds since the wait began; 0 without a wait.
     double busySeconds() const;
-    std::uint32_t runnerPosition() const { return runner_ ? runner_->position() : 0; }
+    std::uint32_t runnerPosition() const;
     std::uint32_t runnerTarget() const { return requested_; }
     void cancel();
 
     // By the session.
-    /// Sets the runner of another run; its first answer is ready. The cursor is at the start, or
-    /// at `place`.
-    void open(std::unique_ptr<Runner> runner, const std::optional<SamePosition>& place);
+    /// Begins in another run, whose runner has its first answer ready. The cursor is at the start,
+    /// or at `place`.
+    void open(const std::optional<SamePosition>& place);
     /// Takes the answer of the runner thread. True if there was one.
     bool poll();
     /// Makes the moves that waited for the length of the run; requires that it is known.
@@ -140,7 +140,6 @@ class Moves {
     Address target_;
     Index pointWanted_ = kNone;
     SamePosition samePosition_;
-    std::unique_ptr<Runner> runner_;
 };
 
 }  // namespace se::view

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "session.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

@@ -7,7 +7,7 @@
 
 #include "jobs/background_job.h"
 #include "run/model.h"
-#include "spiraling_edge/replay/moved_pivot.h"
+#include "spiraling_edge/run/moved_pivot.h"
 #include "spiraling_edge/stepper/what_if.h"
 
 namespace se::view {

@@ -51,7 +51,7 @@ void Session::keepFinishedMesh(const Opened& opened) {
 
 void Session::adopt(Opened opened) {
     keepFinishedMesh(opened);
-    overviewJob_.reset();
+    stopRunner();
     drag_.forget();
     model_ = std::move(opened.model);
     moved_ = std::move(opened.moved);
@@ -77,16 +77,34 @@ void Session::adopt(Opened opened) {
     trials_.open(input_.file(), withFixesAsOptions(input_.spec()));
     ++generation_;
     ++revision_;
-    overviewJob_ = std::make_unique<OverviewJob>(model_);
     const std::string notice = messages_.notice();
     const std::string changes = changesText(*model_);
     messages_.say(changes.empty() ? model_->watch : changes);
     messages_.forgetMiss();
     // The loader has requested the start of the run, and has waited for the answer.
-    moves_.open(std::move(opened.runner), opened.place);
+    runner_ = std::move(opened.runner);
+    moves_.open(opened.place);
     if (!opened.place) return;
     const bool undone = notice.starts_with("Undone:") || notice.starts_with("Redone:");
     messages_.say((undone ? notice + " " : "") + describe(*opened.place, address()));
+}
+
+/// A slice of work of the old run may take a while: nobody waits for its end.
+void Session::stopRunner() {
+    if (!runner_) return;
+    runner_->stop();
+    stopped_.push_back(std::move(runner_));
+}
+
+std::shared_ptr<const RunEnd> Session::runEnd() const { return runner_ ? runner_->end() : nullptr; }
+
+double Session::madeShare() const {
+    if (isMade()) return 1.0;
+    // A closed surface has two triangles per point.
+    const double expected =
+        2.0 * static_cast<double>(std::max<std::size_t>(1, model_->points.size()));
+    const double made = overview_.triangles.empty() ? 0.0 : overview_.triangles.back();
+    return std::min(1.0, made / expected);
 }
 
 bool Session::poll() {
@@ -101,11 +119,12 @@ bool Session::poll() {
     }
     changed = moves_.poll() || changed;
     changed = drag_.poll() || changed;
-    if (overviewJob_) {
-        const bool gone = overviewJob_->done();
-        changed = overviewJob_->poll(overview_) || changed;
-        if (gone) messages_.sayIfAny(overviewJob_->takeComplaint());
-        if (gone) moves_.goToAwaited();
+    std::erase_if(stopped_, [](const auto& runner) { return runner->ended(); });
+    if (runner_) {
+        const bool made = runner_->made();
+        changed = runner_->takeOverview(overview_) || changed;
+        if (made) messages_.sayIfAny(runner_->takeComplaint());
+        if (made) moves_.goToAwaited();
     }
     changed = questions_->poll() || changed;
     changed = hits_.poll() || changed;
@@ -119,10 +138,10 @@ bool Session::poll() {
 /// Doctor and alerts come last: neither the first picture nor the run waits for them. They come one
 /// after the other, since each takes hundreds of megabytes for a million points.
 bool Session::pollLast() {
-    if (!ready() || !overviewJob_ || !overviewJob_->done()) return false;
+    if (!ready() || !runner_->made()) return false;
     doctorJob_.start();
     const bool examined = doctorJob_.poll();
-    if (!doctorJob_.busy()) alerts_.start();
+    if (!doctorJob_.busy()) alerts_.start(runner_->end());
     const bool alerted = alerts_.poll();
     const bool news = trials_.poll() || alerted;
     if (!examined) return news;
@@ -135,7 +154,7 @@ bool Session::pollLast() {
 void Session::waitUntilDone() {
     input_.waitUntilDone();
     poll();
-    if (overviewJob_) overviewJob_->waitUntilDone();
+    if (runner_) runner_->waitUntilMade();
     hits_.waitUntilDone();
     watches_.waitUntilDone();
     poll();

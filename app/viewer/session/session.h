@@ -17,7 +17,7 @@
 #include "jobs/alert_search.h"
 #include "jobs/doctor_job.h"
 #include "jobs/hit_search.h"
-#include "jobs/overview_job.h"
+#include "jobs/runner.h"
 #include "jobs/trial_job.h"
 #include "jobs/watch_scan.h"
 #include "messages.h"
@@ -28,8 +28,8 @@
 #include "run/selection.h"
 #include "scene/mesh_index.h"
 #include "session_input.h"
-#include "spiraling_edge/replay/pivot_record.h"
-#include "spiraling_edge/replay/pivot_replay.h"
+#include "spiraling_edge/run/pivot_record.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 
@@ -105,6 +105,12 @@ class Session {
     PivotReplay replay() const { return PivotReplay(record_); }
     const DecisionState& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
+    /// The mesh at the end of the run; null before it is made.
+    std::shared_ptr<const RunEnd> runEnd() const;
+    /// The run is made, or will not be.
+    bool isMade() const { return runner_ && runner_->made(); }
+    /// Share of the run that is made, in [0, 1]; a guess from the number of triangles.
+    double madeShare() const;
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
     /// Triangles at the cursor: the first of triangles(), or the repaired mesh.
@@ -199,6 +205,7 @@ class Session {
     void setCursorToLast();
     void take(RunnerAnswer& answer);
     void adopt(Opened opened);
+    void stopRunner();
     void keepFinishedMesh(const Opened& opened);
     void fail(std::string why);
     bool pollLast();
@@ -232,7 +239,8 @@ class Session {
     DoctorJob doctorJob_;
     bool problemFound_ = false;
     std::unique_ptr<Questions> questions_;
-    std::unique_ptr<OverviewJob> overviewJob_;
+    std::unique_ptr<Runner> runner_;
+    std::vector<std::unique_ptr<Runner>> stopped_;  ///< Until they have ended.
 };
 
 }  // namespace se::view

@@ -16,13 +16,22 @@
 
 namespace se {
 
-/// Threads in addition to the caller's. An exception in one of them reaches the caller.
+/// False in a build without threads, as for the browser (SPIRALING_EDGE_THREADS).
+#ifdef SPIRALING_EDGE_NO_THREADS
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
+/// Threads in addition to the caller's. An exception in one of them reaches the caller. In a build
+/// without threads, join() does their work.
 class Workers {
   public:
     /// Calls work() in a thread of its own. Everything it uses must outlive this object.
     template <typename Work>
     void start(Work&& work) {
-        running_.push_back(std::async(std::launch::async, std::forward<Work>(work)));
+        running_.push_back(std::async(kHasThreads ? std::launch::async : std::launch::deferred,
+                                      std::forward<Work>(work)));
     }
     /// Waits for all of them; then rethrows the first exception, in the order of start(). The
     /// destructor waits as well, and throws nothing.
@@ -35,8 +44,10 @@ class Workers {
     std::vector<std::future<void>> running_;
 };
 
-/// Number of threads that `threads` stands for. 0: as many as the machine has.
+/// Number of threads that `threads` stands for. 0: as many as the machine has. At least 1; without
+/// threads exactly that.
 inline unsigned threadCount(unsigned threads) {
+    if (!kHasThreads) return 1;
     return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
 }
 

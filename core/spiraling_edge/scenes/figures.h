@@ -1,5 +1,5 @@
 /// The figures of the paper as a table: what to open, where to look, what the points are called,
-/// what has to be seen there, and what goes wrong without the rule. explain/figure_check.h checks
+/// what has to be seen there, and what goes wrong without the rule. why/figure_check.h checks
 /// it.
 #pragma once
 
@@ -21,7 +21,7 @@ struct FigureExpectation {
     /// corners of a triangle.
     std::string_view points;
     /// The verdict of a test in the words of verdictText(), or of what is done: outcomeText() in
-    /// explain/figure_check.h.
+    /// why/figure_check.h.
     std::string_view outcome;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/random_points.h"

@@ -7,7 +7,7 @@
 
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/prepare/judge.h"
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
 

@@ -11,7 +11,7 @@
 
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/prepare/judge.h"
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/stepper/params.h"
 #include "support/clouds.h"
 #include "support/shared_data.h"

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "spiraling_edge/points/usable_points.h"
-#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/spec/run_spec.h"
 #include "support/clouds.h"
 #include "support/oracles.h"

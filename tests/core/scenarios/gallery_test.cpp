@@ -5,9 +5,9 @@
 #include <string>
 
 #include "spiraling_edge/doctor/doctor.h"
-#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/mesh/inspection.h"
-#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/run/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/rig.h"

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 

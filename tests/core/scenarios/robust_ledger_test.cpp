@@ -5,8 +5,8 @@
 #include <array>
 #include <functional>
 
-#include "spiraling_edge/explain/ledger.h"
-#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/why/ledger.h"
+#include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
@@ -102,7 +102,7 @@ struct Found {
 Found firstDecision(const std::vector<PointSet>& all, const Params& params, const Sign& sign) {
     Found found;
     for (const PointSet& points : all) {
-        (void)scanRun(points, params, [&](const ScannedPivot& pivot) {
+        (void)sweep(points, params, [&](const SweptPivot& pivot) {
             if (found.points != nullptr) return;
             const auto event = std::find_if(pivot.events.begin(), pivot.events.end(), sign.is);
             if (event != pivot.events.end()) found = {&points, *event};

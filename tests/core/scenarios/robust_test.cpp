@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "spiraling_edge/mesh/faults.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"

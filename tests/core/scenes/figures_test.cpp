@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/explain/figure_check.h"
+#include "spiraling_edge/why/figure_check.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "support/clouds.h"
 #include "support/rig.h"
@@ -251,7 +251,7 @@ TEST_CASE("figure 6: e's first is after it on the ring, e's last before it, as p
     std::optional<ReciprocalEvidence> test;
     Params params = paper();
     params.start = figure.scene.start();
-    scanRun(sceneNamed("figure-6"), params, [&](const ScannedPivot& pivot) {
+    sweep(sceneNamed("figure-6"), params, [&](const SweptPivot& pivot) {
         for (const Event& event : pivot.events) {
             const auto* found = std::get_if<ReciprocalEvidence>(&event.evidence);
             if (found != nullptr && !test) test = *found;
@@ -302,7 +302,7 @@ bool goesAround(const std::vector<Triangle>& mesh, const std::vector<double>& an
 Around aroundAfter(const char* scene, std::uint32_t pivots) {
     const PointSet points = sceneNamed(scene);
     std::vector<Triangle> mesh;
-    scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+    sweep(points, paper(), [&](const SweptPivot& pivot) {
         for (const Event& event : pivot.events) {
             const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
             if (emit != nullptr && event.address.pivot <= pivots) mesh.push_back(emit->corners);
@@ -335,7 +335,7 @@ TEST_CASE(
     const Figure& figure = *findFigure(14);
     const PointSet points = sceneNamed("figure-14");
     std::vector<Triangle> first;
-    scanRun(points, withoutRule(figure, paper()), [&](const ScannedPivot& pivot) {
+    sweep(points, withoutRule(figure, paper()), [&](const SweptPivot& pivot) {
         for (const Event& event : pivot.events) {
             const auto* found = std::get_if<PivotEvidence>(&event.evidence);
             if (found != nullptr && event.address.pivot == 1) CHECK(found->first == found->last);
@@ -360,7 +360,7 @@ TEST_CASE("figure 17: the ring runs from a wall over the corner to the next wall
     CHECK(points.type[t] == withCornerBit(kPositiveX | kPositiveY));
     CHECK(points.type[q] == kPositiveY);
     std::vector<Index> next;  // The points after p on the ring, from where the figure is seen.
-    scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+    sweep(points, paper(), [&](const SweptPivot& pivot) {
         const auto* at = std::get_if<PivotEvidence>(&pivot.events.front().evidence);
         if (at == nullptr) return;
         const bool begins = toString(pivot.events.front().address) == figure.scene.address;

@@ -1,6 +1,6 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/mesh/faults.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <cstring>
 #include <set>
 
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 #include "support/clouds.h"
 
 using namespace se;

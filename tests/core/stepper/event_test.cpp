@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/what_if.h"
 #include "support/clouds.h"

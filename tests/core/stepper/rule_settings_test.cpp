@@ -1,6 +1,6 @@
 /// The table of all settings of the rules, and the effect of each.
 #include "spiraling_edge/stepper/rule_settings.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rules.h"
 #include "support/clouds.h"
@@ -48,7 +48,7 @@ Params with(std::string_view text, std::string_view set = "paper") {
 template <typename Matches>
 std::size_t count(const PointSet& points, const Params& params, const Matches& matches) {
     std::size_t found = 0;
-    scanRun(points, params, [&](const ScannedPivot& pivot) {
+    sweep(points, params, [&](const SweptPivot& pivot) {
         found += static_cast<std::size_t>(
             std::count_if(pivot.events.begin(), pivot.events.end(), matches));
     });

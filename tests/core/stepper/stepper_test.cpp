@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "spiraling_edge/mesh/mesh_report.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "support/clouds.h"
 
 using namespace se;

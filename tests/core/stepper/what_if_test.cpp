@@ -1,16 +1,16 @@
 /// Forks: overrides of the rules at one place of a run.
 #include "spiraling_edge/stepper/what_if.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "spiraling_edge/explain/what_if_check.h"
-#include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/replay/scan_run.h"
-#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/why/what_if_check.h"
+#include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/run/sweep.h"
+#include "spiraling_edge/run/timeline.h"
 #include "spiraling_edge/stepper/stepper.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
@@ -43,7 +43,7 @@ Status answer(const PointSet& points, const Params& params) {
 
 std::vector<Event> eventsOf(const PointSet& points, const Params& params) {
     std::vector<Event> all;
-    scanRun(points, params, [&](const ScannedPivot& pivot) {
+    sweep(points, params, [&](const SweptPivot& pivot) {
         all.insert(all.end(), pivot.events.begin(), pivot.events.end());
     });
     return all;

@@ -69,6 +69,7 @@ TEST_CASE("Played particles are shown on their way, and stop on request") {
     growth.start(torus(200));
     bool seen = false;
     for (int i = 0; i < 2000 && !seen; ++i) {
+        runSlices(std::chrono::milliseconds(1));
         growth.poll();
         const GrowthPicture* picture = growth.picture();
         seen = picture != nullptr && picture->step > 2 && picture->step < Sampler::allSteps();

@@ -10,7 +10,6 @@
 #include "jobs/growth.h"
 #include "jobs/hit_search.h"
 #include "jobs/loader.h"
-#include "jobs/overview_job.h"
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
 #include "open_session.h"
@@ -35,7 +34,8 @@ TEST_CASE("An exception becomes a sentence") {
     CHECK(of([] { throw 7; }).starts_with("Internal error"));
 }
 
-TEST_CASE("Without memory an input is not opened, and the program continues") {
+TEST_CASE("Without memory an input is not opened, and the program continues" *
+          doctest::test_suite("threads")) {
     Session session;
     {
         const ScarceMemory scarce(4096);
@@ -49,7 +49,8 @@ TEST_CASE("Without memory an input is not opened, and the program continues") {
     CHECK(session.ready());
 }
 
-TEST_CASE("Without memory a move ends where it began, with a reason") {
+TEST_CASE("Without memory a move ends where it began, with a reason" *
+          doctest::test_suite("threads")) {
     test::OpenSession open("scene:torus");
     REQUIRE(open.session.ready());
     {
@@ -69,17 +70,19 @@ TEST_CASE("Without memory a move ends where it began, with a reason") {
     CHECK(open.session.atEnd());
 }
 
-TEST_CASE("Without memory the overview ends, with a reason") {
+TEST_CASE("Without memory a run is not made to its end, with a reason" *
+          doctest::test_suite("threads")) {
     const auto model = test::sphereModel();
     const ScarceMemory scarce;
-    OverviewJob thread(model);
-    thread.waitUntilDone();
-    CHECK(thread.done());
-    CHECK(saysOutOfMemory(thread.takeComplaint()));
-    CHECK(thread.takeComplaint().empty());
+    Runner run(model);
+    run.waitUntilMade();
+    CHECK(run.end() == nullptr);
+    CHECK(saysOutOfMemory(run.takeComplaint()));
+    CHECK(run.takeComplaint().empty());
 }
 
-TEST_CASE("Without memory the doctor gives the reason for no result") {
+TEST_CASE("Without memory the doctor gives the reason for no result" *
+          doctest::test_suite("threads")) {
     LoadProgress progress;
     const auto loaded = loadInput(RunSpec{"scene:torus"}, progress);
     REQUIRE(loaded.ok());
@@ -96,7 +99,8 @@ TEST_CASE("Without memory the doctor gives the reason for no result") {
     CHECK(saysOutOfMemory(doctorJob.complaint()));
 }
 
-TEST_CASE("Without memory a comparison gives the reason for no result") {
+TEST_CASE("Without memory a comparison gives the reason for no result" *
+          doctest::test_suite("threads")) {
     test::OpenSession open("scene:torus");
     Comparison comparison;
     {
@@ -122,7 +126,8 @@ TEST_CASE("An exception in a query is its complaint") {
     CHECK(query.complaint().empty());
 }
 
-TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason") {
+TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason" *
+          doctest::test_suite("threads")) {
     const auto model = test::sphereModel();
     HitSearch hits;
     WatchScan watches;
@@ -144,7 +149,7 @@ TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason")
     CHECK(watches.of("ring")->complete);
 }
 
-TEST_CASE("Without memory new points fail, with a reason") {
+TEST_CASE("Without memory new points fail, with a reason" * doctest::test_suite("threads")) {
     Growth growth;
     {
         const ScarceMemory scarce;

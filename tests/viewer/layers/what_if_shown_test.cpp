@@ -11,8 +11,8 @@
 #include "rows/evidence_rows.h"
 #include "rows/paper_text.h"
 #include "rows/pivot_dial.h"
-#include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/run/timeline.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,8 +1,8 @@
-#include "spiraling_edge/replay/ring_lanes.h"
+#include "spiraling_edge/run/ring_lanes.h"
 
 #include <doctest/doctest.h>
 
-#include "jobs/overview_job.h"
+#include "jobs/runner.h"
 #include "open_session.h"
 #include "rows/lane_picture.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -47,10 +47,10 @@ RunOverview shortRun() {
 TEST_CASE("The overview has the lanes at any pivot") {
     const auto model = modelOf("scene:torus", "paper");
     REQUIRE(model != nullptr);
-    OverviewJob thread(model);
-    thread.waitUntilDone();
+    Runner runner(model);
+    runner.waitUntilMade();
     RunOverview run;
-    REQUIRE(thread.poll(run));
+    REQUIRE(runner.takeOverview(run));
     CHECK(run.lanes >= 2);
     std::size_t wrong = 0;
     for (std::uint32_t pivot = 1; pivot <= run.ringLength.size(); ++pivot) {

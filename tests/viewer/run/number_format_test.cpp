@@ -1,5 +1,5 @@
 #include "run/number_format.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 #include <doctest/doctest.h>
 

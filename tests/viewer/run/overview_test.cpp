@@ -1,4 +1,4 @@
-#include "jobs/overview_job.h"
+#include "jobs/runner.h"
 
 #include <doctest/doctest.h>
 
@@ -16,10 +16,10 @@ RunOverview wholeRun(const char* scene) {
     LoadProgress progress;
     const auto model = test::loadModel(RunSpec{scene}, progress);
     REQUIRE(model.ok());
-    OverviewJob thread(model.value());
-    thread.waitUntilDone();
+    Runner runner(model.value());
+    runner.waitUntilMade();
     RunOverview run;
-    thread.poll(run);
+    runner.takeOverview(run);
     return run;
 }
 
@@ -64,11 +64,11 @@ TEST_CASE("The overview has the shape of each component of any size") {
 TEST_CASE("The overview has the counts of a plain run") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
-    OverviewJob thread(model);
-    thread.waitUntilDone();
+    Runner runner(model);
+    runner.waitUntilMade();
     RunOverview run;
-    CHECK(thread.poll(run));
-    CHECK_FALSE(thread.poll(run));
+    CHECK(runner.takeOverview(run));
+    CHECK_FALSE(runner.takeOverview(run));
     Stepper stepper(model->points, model->params);
     stepper.run();
     const State& end = stepper.state();

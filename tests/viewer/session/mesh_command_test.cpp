@@ -12,7 +12,7 @@
 #include "run/strings.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/stepper.h"
 
@@ -195,9 +195,10 @@ void checkReproduced(const RunSpec& spec, const char* name = "m.ply", bool usedO
     app.session.waitUntilDone();
     REQUIRE_MESSAGE(app.session.ready(), app.session.input().error());
     const MeshTarget target{(app.folder / name).string(), usedOnly, faultFields};
-    const auto mesh = finishMesh(app.session.model(), *app.session.input().file());
-    REQUIRE(!mesh.value().triangles->empty());
-    REQUIRE(saveMesh(app.session.model(), mesh.value(), target).ok());
+    const FinishedMesh mesh =
+        finishMesh(app.session.model(), *app.session.input().file(), *app.session.runEnd());
+    REQUIRE(!mesh.triangles->empty());
+    REQUIRE(saveMesh(app.session.model(), mesh, target).ok());
     const std::optional<std::string> saved = readText(target.path);
     fs::remove(target.path);
     const MeshCommand command = meshCommand(app.session, target);

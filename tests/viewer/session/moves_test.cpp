@@ -187,7 +187,10 @@ TEST_CASE("A share of the run means the whole run, also before it is complete") 
     REQUIRE(last > 100);
     Session session;
     session.open(RunSpec{"scene:torus"});
-    while (!session.ready()) session.poll();
+    while (!session.ready()) {
+        runSlices(std::chrono::milliseconds(1));
+        session.poll();
+    }
     REQUIRE(session.moves().goToText("50%").ok());
     // Known by now or not: the share is of the whole run, not of the known part.
     CHECK(session.moves().awaitsLength() == !session.overview().complete);
@@ -204,7 +207,10 @@ TEST_CASE("Waiting for the length of the run can be stopped, and ends with anoth
     for (const bool stopped : {true, false}) {
         Session session;
         session.open(RunSpec{"scene:torus"});
-        while (!session.ready()) session.poll();
+        while (!session.ready()) {
+            runSlices(std::chrono::milliseconds(1));
+            session.poll();
+        }
         session.moves().goToShare(1.0);
         const bool waits = session.moves().awaitsLength();
         stopped ? session.moves().cancel() : session.moves().stepPivot(1);

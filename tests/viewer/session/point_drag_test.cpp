@@ -4,8 +4,8 @@
 
 #include "open_session.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/timeline.h"
 
 using namespace se;
 using namespace se::view;

@@ -11,7 +11,7 @@
 #include "rows/rule_rows.h"
 #include "rules.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {

@@ -15,7 +15,7 @@
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

@@ -9,7 +9,7 @@
 #include "panels/widgets/widgets.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 
 namespace se::view {
 

@@ -9,7 +9,7 @@
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"
-#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/why/ledger.h"
 
 namespace se::view {
 

@@ -12,7 +12,7 @@
 #include "run/strings.h"
 #include "scene/point_tint.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/run/decision_query.h"
 
 namespace se::view {
 

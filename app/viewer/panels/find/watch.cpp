@@ -12,7 +12,7 @@
 #include "rows/watch_plot.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/run/decision_query.h"
 
 namespace se::view {
 

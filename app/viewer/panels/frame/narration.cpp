@@ -9,7 +9,7 @@
 #include "run/number_format.h"
 #include "scene/palette.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "view_parts.h"
 
 namespace se::view {

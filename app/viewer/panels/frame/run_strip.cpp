@@ -10,7 +10,7 @@
 #include "session/annotations.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/breakpoint.h"
+#include "spiraling_edge/run/breakpoint.h"
 #include "strips.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include "scene/palette.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "strips.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/status_list.h"
+#include "spiraling_edge/run/status_list.h"
 
 namespace se::view {
 

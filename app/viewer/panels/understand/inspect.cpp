@@ -8,7 +8,7 @@
 #include "scene/palette.h"
 #include "session/selection_facts.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 

@@ -12,8 +12,8 @@
 #include "run/number_format.h"
 #include "scene/palette.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
 #include "teach/play_moves.h"
 
 namespace se::view {

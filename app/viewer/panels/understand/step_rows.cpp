@@ -8,8 +8,8 @@
 #include "scene/draw_list.h"
 #include "scene/palette.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/reading.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 #include "rows/evidence_rows.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
-#include "spiraling_edge/replay/event_text.h"
+#include "spiraling_edge/run/event_text.h"
 #include "text_cut.h"
 
 namespace se::view {

@@ -1,0 +1,208 @@
+/// A replay of the ring stack from events alone. Events carry lengths, not rings: where a split,
+/// join or close may concern the active ring or one pushed by the same pivot, the length that fits
+/// decides. Freed lanes go to a heap, so that the least free number is reused. O(1) per event,
+/// O(log lanes) per lane.
+#include "spiraling_edge/run/ring_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "spiraling_edge/base/overloaded.h"
+
+namespace se {
+
+const char* laneChangeText(LaneChangeKind kind) {
+    constexpr std::array<const char*, 8> kTexts{
+        "seed",   "split off",          "comes off the stack",  "joined",
+        "closed", "ends at a boundary", "ends at an open hole", "ends without a triangle"};
+    static_assert(kTexts.size() == static_cast<std::size_t>(LaneChangeKind::Failed) + 1);
+    return kTexts[static_cast<std::size_t>(kind)];
+}
+
+std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) {
+    const auto next = std::upper_bound(
+        changes.begin(), changes.end(), pivot,
+        [](std::uint32_t p, const LaneChange& change) { return p < change.pivot; });
+    return next == changes.begin() ? 0 : std::prev(next)->live;
+}
+
+std::vector<LaneChange> LaneTracker::takeChanges() { return std::exchange(changes_, {}); }
+
+void LaneTracker::begin(const EdgeRings& rings) {
+    const auto add = [&](Index ring) {
+        const Ring added{freeLane(), rings.length(ring), false};
+        ring == rings.active() ? void(active_ = added) : stack_.push_back(added);
+        note(LaneChangeKind::Seed, added.lane, added.lane);
+    };
+    for (const Index ring : rings.stack()) add(ring);
+    if (rings.active() != kNone) add(rings.active());
+}
+
+void LaneTracker::take(const Event& event) {
+    pivot_ = event.address.pivot;
+    std::visit(Overloaded{[&](const SeedEvidence&) {
+                              active_ = Ring{freeLane(), 2, false};
+                              note(LaneChangeKind::Seed, active_->lane, active_->lane);
+                          },
+                          [&](const PivotEvidence& pivot) { beginPivot(pivot.ringLength); },
+                          [&](const FillEvidence& fill) { beginPivot(fill.ringLength); },
+                          [&](const InsertEvidence& insert) {
+                              const bool inserted = insert.verdict == Verdict::Before ||
+                                                    insert.verdict == Verdict::After;
+                              if (active_ && inserted) ++active_->length;
+                          },
+                          [&](const RingEvidence& ring) { changeLength(ring.inserted); },
+                          [&](const SplitEvidence& split) { splitRing(split); },
+                          [&](const JoinEvidence& join) { joinRings(join); },
+                          [&](const CloseEvidence& close) {
+                              if (close.rest > 0) return shorten(close);
+                              closeRing(close.b == kNone ? 1 : 2);
+                          },
+                          [&](const AdvanceEvidence& advance) {
+                              const bool next = advance.popped && !active_ && !stack_.empty();
+                              if (next) activate(stack_.size() - 1);
+                          },
+                          [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
+                          [&](const TakeUpEvidence&) {
+                              if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
+                          },
+                          [&](const FreeEvidence& free) {
+                              endActive(free.seed ? LaneChangeKind::Failed : LaneChangeKind::Freed);
+                          },
+                          [&](const AlertEvidence& alert) {
+                              const bool freed = !changes_.empty() &&
+                                                 changes_.back().kind == LaneChangeKind::Freed;
+                              if (freed && alert.kind != AlertKind::TriangleCap)
+                                  changes_.back().kind = LaneChangeKind::Hole;
+                          },
+                          [](const auto&) {}},
+               event.evidence);
+}
+
+void LaneTracker::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
+    changes_.push_back({pivot_, lane, other, live(), kind});
+}
+
+std::uint32_t LaneTracker::freeLane() {
+    if (free_.empty()) return lanes_++;
+    const std::uint32_t lane = free_.top();
+    free_.pop();
+    return lane;
+}
+
+void LaneTracker::endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
+    free_.push(lane);
+    note(kind, lane, other);
+}
+
+void LaneTracker::beginPivot(Index ringLength) {
+    if (active_) active_->length = ringLength;
+    for (auto ring = stack_.rbegin(); ring != stack_.rend() && ring->fresh; ++ring) {
+        ring->fresh = false;
+    }
+    closing_ = 0;
+}
+
+void LaneTracker::changeLength(bool inserted) {
+    if (closing_ > 0) {
+        --closing_;
+    } else if (active_) {
+        active_->length += inserted ? 1U : Index(-1);
+    }
+}
+
+std::optional<std::size_t> LaneTracker::freshOfLength(Index length) const {
+    for (std::size_t i = stack_.size(); i-- > 0 && stack_[i].fresh;) {
+        if (stack_[i].length == length) return i;
+    }
+    return std::nullopt;
+}
+
+LaneTracker::Ring LaneTracker::unstack(std::size_t place) {
+    const Ring ring = stack_[place];
+    stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(place));
+    return ring;
+}
+
+void LaneTracker::splitRing(const SplitEvidence& split) {
+    if (!active_) return;
+    const Index whole = split.activeLength + split.stackedLength;
+    Ring* parent = &*active_;
+    if (active_->length != whole) {
+        // A ring that an earlier link of this pivot has pushed may split on the stack.
+        if (const auto place = freshOfLength(whole)) parent = &stack_[*place];
+    }
+    parent->length = split.activeLength;
+    const std::uint32_t from = parent->lane;
+    stack_.push_back({freeLane(), split.stackedLength, true});
+    note(LaneChangeKind::Split, stack_.back().lane, from);
+}
+
+void LaneTracker::joinRings(const JoinEvidence& join) {
+    if (!active_ || stack_.empty()) return;
+    const std::size_t top = stack_.size() - 1;
+    Ring* kept = &*active_;
+    std::size_t gone = 0;
+    if (join.depthFromTop == kNone) {
+        gone = freshOfLength(join.length - active_->length).value_or(top);
+    } else {
+        gone = top - std::min<std::size_t>(join.depthFromTop, top);
+        const auto fresh = freshOfLength(join.length - stack_[gone].length);
+        if (active_->length + stack_[gone].length != join.length && fresh && *fresh != gone) {
+            // Two stacked rings: the longer one keeps its place.
+            const bool keepFresh = stack_[*fresh].length >= stack_[gone].length;
+            kept = &stack_[keepFresh ? *fresh : gone];
+            if (!keepFresh) gone = *fresh;
+        }
+    }
+    kept->length = join.length;
+    const std::uint32_t into = kept->lane;
+    endLane(LaneChangeKind::Join, unstack(gone).lane, into);
+}
+
+void LaneTracker::closeRing(Index entries) {
+    closing_ = entries;
+    if (const auto place = freshOfLength(entries)) {
+        const std::uint32_t lane = unstack(*place).lane;
+        endLane(LaneChangeKind::Closed, lane, lane);
+    } else {
+        endActive(LaneChangeKind::Closed);
+    }
+}
+
+void LaneTracker::shorten(const CloseEvidence& close) {
+    closing_ = 2;
+    if (close.depthFromTop == kNone) {
+        if (active_) active_->length = close.rest;
+    } else if (close.depthFromTop < stack_.size()) {
+        stack_[stack_.size() - 1 - close.depthFromTop].length = close.rest;
+    }
+}
+
+void LaneTracker::endActive(LaneChangeKind kind) {
+    if (!active_) return;
+    const std::uint32_t lane = active_->lane;
+    active_.reset();
+    endLane(kind, lane, lane);
+}
+
+void LaneTracker::shelveActive(Index shelved) {
+    if (!active_) return;
+    const std::size_t place = std::min<std::size_t>(shelved, stack_.size());
+    stack_.insert(stack_.begin() + static_cast<std::ptrdiff_t>(place), *active_);
+    active_.reset();
+}
+
+void LaneTracker::activate(std::size_t place) {
+    active_ = unstack(place);
+    note(LaneChangeKind::Activated, active_->lane, active_->lane);
+}
+
+void LaneTracker::settle(const EdgeRings& rings) {
+    if (rings.active() == kNone || active_ || stack_.empty()) return;
+    // The pivot's ring was closed, and the traversal continues in one that it had split off.
+    activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));
+}
+
+}  // namespace se

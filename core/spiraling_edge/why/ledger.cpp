@@ -1,0 +1,393 @@
+/// The ledger by re-running: one run with a log of one pivot at a time, of which only the lines
+/// about the subject are kept: tests between its points, tests that end a fan it would have been
+/// in, and facts about its points. For this the points of the subject that may still become spokes
+/// of the current fan are tracked. O(run), with memory for the answer alone.
+#include "spiraling_edge/why/ledger.h"
+
+#include <algorithm>
+#include <bitset>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/run/sweep.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
+
+namespace se {
+
+std::size_t Subject::find(Index p) const {
+    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(size_);
+    return static_cast<std::size_t>(std::find(points_.begin(), end, p) - points_.begin());
+}
+
+std::string nameOf(const Subject& subject) {
+    const auto name = [&](std::size_t i) { return std::to_string(subject[i]); };
+    if (subject.size() == 1) return "point " + name(0);
+    if (subject.size() == 2) return "edge " + name(0) + "-" + name(1);
+    return "triangle (" + name(0) + ", " + name(1) + ", " + name(2) + ")";
+}
+
+namespace {
+
+std::size_t countIn(const Subject& subject, std::initializer_list<Index> points) {
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(), [&](Index p) { return subject.has(p); }));
+}
+
+bool holds(const Triangle& t, const Subject& subject) {
+    return countIn(subject, {t.a, t.b, t.c}) == subject.size();
+}
+
+/// True if the mesh has the subject: a point in some triangle, an edge, or the triangle in either
+/// winding. O(triangles).
+bool isInMesh(std::span<const Triangle> mesh, const Subject& subject) {
+    return std::any_of(mesh.begin(), mesh.end(),
+                       [&](const Triangle& t) { return holds(t, subject); });
+}
+
+/// True if the mesh under repair has the subject; called after each step. O(triangles at a point),
+/// O(triangles) at a pinched one.
+bool isInMesh(const RepairState& repair, const Subject& subject) {
+    const Index p = subject[0];
+    if (repair.pinched[p]) return isInMesh(repair.triangles, subject);
+    bool found = false;
+    forEachSideOf(repair, p, [&](HalfEdge side) {
+        found = found || holds(repair.triangles[side / 3], subject);
+    });
+    return found;
+}
+
+constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
+
+/// The cause for which a subject is not in the mesh.
+struct Cause {
+    std::size_t line = kNoLine;
+    std::string words;  ///< One sentence, without the address.
+};
+
+class CauseFinder {
+  public:
+    CauseFinder(const PointSet& points, const Ledger& ledger, const State& end)
+        : points_(points), ledger_(ledger), end_(end) {}
+
+    Cause find() const {
+        const std::size_t undone =
+            last([](const LedgerLine& line) { return line.role == LineRole::Undone; });
+        if (ledger_.present) {
+            std::size_t made = undone == kNoLine ? 0 : undone + 1;
+            while (ledger_.lines[made].role != LineRole::Made) ++made;
+            return causeAt(made);
+        }
+        if (undone != kNoLine) return causeAt(undone);
+        if (ledger_.subject.size() == 3) return ofTriangle();
+        return ofPoints(ledger_.subject);
+    }
+
+  private:
+    using Test = std::function<bool(const LedgerLine&)>;
+
+    std::size_t last(const Test& test) const {
+        for (std::size_t i = ledger_.lines.size(); i-- > 0;) {
+            if (test(ledger_.lines[i])) return i;
+        }
+        return kNoLine;
+    }
+    Cause causeAt(std::size_t line) const { return {line, describe(ledger_.lines[line].event)}; }
+
+    /// True if another entry of the point passed the reciprocal test: then the refused one is no
+    /// cause.
+    bool hasOtherEntry(const LedgerLine& refused) const {
+        if (refused.event.address.stage != Stage::Reciprocal) return false;
+        return std::any_of(ledger_.lines.begin(), ledger_.lines.end(), [&](const LedgerLine& line) {
+            return line.role == LineRole::Taken &&
+                   line.event.address.pivot == refused.event.address.pivot &&
+                   line.event.address.stage == Stage::Reciprocal &&
+                   testedPoint(line.event) == testedPoint(refused.event);
+        });
+    }
+    Cause ofPoints(const Subject& subject) const {
+        const auto refused = [&](const LedgerLine& line) {
+            const Index tested = testedPoint(line.event);
+            const bool concerned = (tested == kNone || subject.has(tested)) &&
+                                   (subject.size() == 1 || subject.has(line.pivot));
+            // A limit that does not move refuses nothing.
+            return line.role == LineRole::Refused && concerned && !isA<LimitEvidence>(line.event) &&
+                   !hasOtherEntry(line);
+        };
+        std::size_t line = last(
+            [&](const LedgerLine& each) { return refused(each) && !wasSettledBefore(each.event); });
+        if (line == kNoLine) line = last(refused);
+        if (line != kNoLine) return causeAt(line);
+        return subject.size() == 1 ? untestedPoint(subject[0]) : untestedEdge(subject);
+    }
+
+    bool lists(Index a, Index b) const {
+        const auto list = points_.neighbors[a];
+        return std::find(list.begin(), list.end(), b) != list.end();
+    }
+    bool wasPivot(Index p) const {
+        return last([&](const LedgerLine& line) {
+                   const auto* pivot = as<PivotEvidence>(line.event);
+                   return pivot != nullptr && pivot->pivot == p;
+               }) != kNoLine;
+    }
+    /// The last line that names one of the points.
+    std::size_t lastAbout(const Subject& subject) const {
+        const std::size_t about = last([&](const LedgerLine& line) {
+            return subject.has(testedPoint(line.event)) || subject.has(line.pivot);
+        });
+        return about != kNoLine ? about : ledger_.lines.size() - 1;
+    }
+
+    Cause untestedPoint(Index p) const {
+        std::size_t listing = 0;
+        for (std::size_t q = 0; q < points_.size(); ++q) {
+            if (lists(static_cast<Index>(q), p)) ++listing;
+        }
+        const std::string words =
+            listing == 0 ? "No point lists " + std::to_string(p) +
+                               " among its neighbors, so no pivot ever tested it."
+                         : "Point " + std::to_string(p) + " is listed by " +
+                               std::to_string(listing) + (listing == 1 ? " point" : " points") +
+                               ", but none of them was a pivot that looked at it.";
+        return {lastAbout(ledger_.subject), words};
+    }
+
+    /// Neither end ever tested the other.
+    Cause untestedEdge(const Subject& edge) const {
+        const std::size_t line = lastAbout(edge);
+        const std::string a = std::to_string(edge[0]);
+        const std::string b = std::to_string(edge[1]);
+        const bool ab = lists(edge[0], edge[1]);
+        const bool ba = lists(edge[1], edge[0]);
+        if (!ab && !ba) {
+            return {line, "Neither of " + a + " and " + b +
+                              " lists the other among its neighbors, so no pivot ever tested them "
+                              "together."};
+        }
+        std::string words;
+        const auto add = [&](Index from, const std::string& name, const std::string& other) {
+            words += name + " lists " + other + ", but " +
+                     (wasPivot(from) ? "looked at no neighbor when it was the pivot"
+                                     : "was never a pivot") +
+                     ". ";
+        };
+        if (ab) add(edge[0], a, b);
+        if (ba) add(edge[1], b, a);
+        words.pop_back();
+        return {line, words};
+    }
+
+    Cause ofTriangle() const {
+        const Subject& s = ledger_.subject;
+        Cause latest;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Subject edge = Subject::edge(s[i], s[(i + 1) % 3]);
+            if (isInMesh(end_.mesh(), edge)) continue;
+            const Cause cause = ofPoints(edge);
+            if (latest.line != kNoLine && cause.line <= latest.line) continue;
+            latest = {cause.line, "Its " + nameOf(edge) + " is not in the mesh: " + cause.words};
+        }
+        return latest.line != kNoLine ? latest : allEdgesTaken();
+    }
+
+    /// All three edges are in the mesh: the other triangles at them came first.
+    Cause allEdgesTaken() const {
+        const std::size_t emit =
+            last([](const LedgerLine& line) { return isA<EmitEvidence>(line.event); });
+        if (emit == kNoLine)
+            return {lastAbout(ledger_.subject), "Its three edges came into the mesh one by one."};
+        return {emit,
+                "Its three edges are in the mesh, each in other triangles; the last of them: " +
+                    describe(ledger_.lines[emit].event)};
+    }
+
+    const PointSet& points_;
+    const Ledger& ledger_;
+    const State& end_;
+};
+
+/// Collects, pivot by pivot, the lines of a ledger; then finds the deciding one.
+class LedgerBuilder {
+  public:
+    LedgerBuilder(const PointSet& points, const Params& params, const Subject& subject)
+        : points_(points), params_(params), subject_(subject), ledger_{subject, false, {}, 0, {}} {}
+
+    void add(const SweptPivot& pivot) {
+        alive_.reset();
+        reciprocal_ = kNone;
+        for (const Event& event : pivot.events) {
+            follow(event);
+            addEvent(pivot, event);
+        }
+    }
+    /// The reason why there is no deciding line: the subject is one of a given start.
+    std::optional<Error> withoutDecision(const State& end) const {
+        const auto isMade = [](const LedgerLine& line) { return line.role == LineRole::Made; };
+        const auto& lines = ledger_.lines;
+        const bool made = std::any_of(lines.begin(), lines.end(), isMade);
+        if (!lines.empty() && (made || !isInMesh(end.mesh(), subject_))) return {};
+        std::string name = nameOf(subject_);
+        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        return Error{name +
+                     (isInMesh(params_.start.triangles, subject_)
+                          ? " is in the mesh that the run begins with: no decision made it."
+                          : " is in no decision of the run, which begins with a given mesh.")};
+    }
+    /// Finds the deciding line. Call it after the last pivot was added, with the state there.
+    Ledger finish(const State& end) {
+        ledger_.present = isInMesh(end.mesh(), subject_);
+        const Cause cause = CauseFinder(points_, ledger_, end).find();
+        ledger_.cause = cause.line;
+        ledger_.answer =
+            nameOf(subject_) + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
+            cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
+        ledger_.answer[0] = static_cast<char>(ledger_.answer[0] - 'a' + 'A');
+        return ledger_;
+    }
+
+  private:
+    /// Tracks the points of the subject that are still in the neighbor ring of this pivot.
+    void follow(const Event& event) {
+        const auto set = [&](Index p, bool on) {
+            if (const std::size_t i = subject_.find(p); i < subject_.size()) alive_.set(i, on);
+        };
+        if (const auto* pivot = as<PivotEvidence>(event)) {
+            set(pivot->first, true);
+            set(pivot->last, true);
+            return;
+        }
+        // Points that limits move past stay spokes, and so do first and last, which are no
+        // candidates.
+        const bool stays = isA<LimitEvidence>(event) || verdictOf(event) == Verdict::OnRingEnd;
+        const Outcome outcome = outcomeOf(event);
+        if (stays || outcome == Outcome::None) return;
+        const Index tested = testedPoint(event);
+        if (event.address.stage == Stage::Reciprocal) {
+            // One entry of the point whose test passes is enough (§6.1, Fig. 6).
+            if (isAgainst(outcome) && reciprocal_ == tested) return;
+            if (outcome == Outcome::Taken) reciprocal_ = tested;
+        }
+        set(tested, outcome == Outcome::Taken);
+    }
+
+    void addEvent(const SweptPivot& pivot, const Event& event) {
+        std::optional<LineRole> role = roleOf(pivot.point, event);
+        if (editsMesh(event)) {
+            if (!inMesh_) inMesh_ = isInMesh(pivot.after.triangles, subject_);
+            const bool now = isInMesh(pivot.after.repair, subject_);
+            if (now != *inMesh_) role = now ? LineRole::Made : LineRole::Undone;
+            inMesh_ = now;
+        }
+        if (!role) return;
+        ledger_.lines.push_back(
+            {event, pivot.point, *role, readingOf(event, {points_, params_, pivot.point})});
+    }
+
+    std::optional<LineRole> roleOf(Index pivot, const Event& event) const {
+        const auto* emit = as<EmitEvidence>(event);
+        if (emit != nullptr && holds(emit->corners, subject_)) return LineRole::Made;
+        if (const auto role = roleOfTest(pivot, event)) return role;
+        return isFact(event) ? std::optional(LineRole::Fact) : std::nullopt;
+    }
+
+    /// The role of a test between two points of the subject, or of its one point, or of a test that
+    /// ends their fan.
+    std::optional<LineRole> roleOfTest(Index pivot, const Event& event) const {
+        const Outcome outcome = outcomeOf(event);
+        if (outcome == Outcome::None) return {};
+        const LineRole role = outcome == Outcome::Taken ? LineRole::Taken : LineRole::Refused;
+        const Index tested = testedPoint(event);
+        const bool single = subject_.size() == 1;
+        if (subject_.has(tested) && (single || (subject_.has(pivot) && tested != pivot)))
+            return role;
+        // The fan as a whole, which would have held the subject.
+        const bool wholeFan =
+            tested == kNone && rowOf(event.address.stage).tests == StageTests::OfFans;
+        const bool concerned = alive_.any() && (single || subject_.has(pivot));
+        return wholeFan && isAgainst(outcome) && concerned ? std::optional(role) : std::nullopt;
+    }
+
+    bool isFact(const Event& event) const {
+        const auto any = [&](std::initializer_list<Index> points) {
+            return countIn(subject_, points) > 0;
+        };
+        return std::visit(Overloaded{[&](const SeedEvidence& e) {
+                                         return any({e.first, e.second});
+                                     },
+                                     [&](const CloseEvidence& e) {
+                                         return any({e.a, e.b});
+                                     },
+                                     [&](const FlipEvidence& e) {
+                                         return any({e.u, e.v, e.x, e.y});
+                                     },
+                                     [&](const CloseHoleEvidence& e) {
+                                         return any({e.first, e.second});
+                                     },
+                                     [&](const RemeshEvidence& e) {
+                                         return any({e.faulty.a, e.faulty.b, e.faulty.c});
+                                     },
+                                     [&](const EmitEvidence& e) {
+                                         return countIn(subject_,
+                                                        {e.corners.a, e.corners.b, e.corners.c}) >=
+                                                std::min<std::size_t>(2, subject_.size());
+                                     },
+                                     [](const AlertEvidence&) { return false; },
+                                     [&](const auto& e) {
+                                         // Of §7: the other side of the pivot would stay open
+                                         // (docs/robust.md).
+                                         if constexpr (requires { e.pivot; }) return any({e.pivot});
+                                         // A test is no fact.
+                                         if constexpr (requires { e.verdict; }) return false;
+                                         if constexpr (requires { e.point; }) return any({e.point});
+                                         return false;
+                                     }},
+                          event.evidence);
+    }
+
+    const PointSet& points_;
+    const Params& params_;
+    const Subject subject_;
+    Ledger ledger_;
+    std::bitset<3> alive_;  ///< Points of the subject that may become spokes of the current fan.
+    Index reciprocal_ = kNone;    ///< The last point that passed the reciprocal test at this pivot.
+    std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
+};
+
+std::optional<Error> subjectError(const PointSet& points, const Subject& subject) {
+    for (std::size_t i = 0; i < subject.size(); ++i) {
+        if (subject[i] >= points.size()) {
+            return Error{"There is no point " + std::to_string(subject[i]) +
+                         ": the points are 0 to " + std::to_string(points.size() - 1) + "."};
+        }
+        if (subject.find(subject[i]) != i)
+            return Error{"The points of the " + nameOf(subject) + " must be different."};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& params,
+                                     const Subject& subject) {
+    if (points.size() == 0) return Error{"There are no points."};
+    if (auto error = subjectError(points, subject)) return *error;
+    const auto builder = std::make_shared<LedgerBuilder>(points, params, subject);
+    return Question<Ledger>{[builder](const SweptPivot& pivot) { builder->add(pivot); },
+                            [builder](const State& end) -> Result<Ledger> {
+                                if (auto error = builder->withoutDecision(end)) return *error;
+                                return builder->finish(end);
+                            }};
+}
+
+Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,
+                   const Progress& progress) {
+    const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
+    if (!question) return question.error();
+    return ask(points, params, question.value(), progress);
+}
+
+}  // namespace se

@@ -1,0 +1,58 @@
+/// The ledger: why a point, an edge or a triangle is in the mesh, or why not. Found by running
+/// again and keeping the events about the subject; no log of a whole run is ever stored.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/run/sweep.h"
+
+namespace se {
+
+/// The subject of a query: one point, the two of an edge, or the three of a triangle, in any order.
+class Subject {
+  public:
+    static Subject point(Index p) { return Subject({p, kNone, kNone}, 1); }
+    static Subject edge(Index a, Index b) { return Subject({a, b, kNone}, 2); }
+    static Subject triangle(Index a, Index b, Index c) { return Subject({a, b, c}, 3); }
+
+    std::span<const Index> points() const { return {points_.data(), size_}; }
+    std::size_t size() const { return size_; }
+    Index operator[](std::size_t i) const { return points_[i]; }
+    /// Position of p among the points, size() if it is none of them.
+    std::size_t find(Index p) const;
+    bool has(Index p) const { return find(p) < size_; }
+
+  private:
+    Subject(std::array<Index, 3> points, std::size_t size) : points_(points), size_(size) {}
+
+    std::array<Index, 3> points_;
+    std::size_t size_;
+};
+/// "point 812", "edge 812-640", "triangle (1, 2, 3)".
+std::string nameOf(const Subject& subject);
+
+/// The answer to a query.
+struct Ledger {
+    Subject subject;
+    bool present = false;           ///< In the mesh at the end of the run.
+    std::vector<LedgerLine> lines;  ///< In the order of the run.
+    /// Position of the deciding line: the one that made the subject, or the last that prevented it.
+    /// Always below lines.size().
+    std::size_t cause = 0;
+    std::string answer;  ///< One or two sentences that end with the address of the cause.
+};
+
+/// The question why the subject is in the mesh of a run, or why it is not. Fails if its points are
+/// not all different and below points.size(). O(run); 43,000 points take a few tenths of a second.
+/// Deterministic.
+Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& params,
+                                     const Subject& subject);
+/// Its answer. Fails also if cancelled.
+Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,
+                   const Progress& progress = {});
+
+}  // namespace se

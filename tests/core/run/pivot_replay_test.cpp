@@ -1,0 +1,175 @@
+#include "spiraling_edge/run/pivot_replay.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "spiraling_edge/mesh/fresh_triangles.h"
+#include "spiraling_edge/run/timeline.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+
+using namespace se;
+
+namespace {
+
+/// A ring as a cycle that begins at its least point, so that cycles can be compared.
+std::vector<Index> cycle(std::vector<Index> points) {
+    if (!points.empty()) {
+        std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+    }
+    return points;
+}
+
+std::size_t indexOf(const PivotRecord& record, Stage stage) {
+    return record.find({record.pivot, stage, 0}).value_or(record.events.size());
+}
+
+}  // namespace
+
+TEST_CASE("The last event of every pivot shows the state after it") {
+    for (const char* scene : {"sphere", "torus", "sheet"}) {
+        CAPTURE(scene);
+        Timeline timeline(test::sceneNamed(scene), Params{});
+        for (std::uint32_t pivot = 1; pivot <= 200; pivot += 7) {
+            const auto record = timeline.record(pivot);
+            const DecisionState state = PivotReplay(record).after(record->events.size() - 1);
+            CHECK(state.complete);
+            CHECK(state.status == record->after.status);
+            CHECK(state.finishedTriangles + state.newTriangles.size() ==
+                  record->after.triangleCount);
+        }
+    }
+}
+
+TEST_CASE("Ring events change the ring one by one into that after the pivot") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    int compared = 0;
+    for (std::uint32_t pivot = 1; pivot <= 150; ++pivot) {
+        const auto record = timeline.record(pivot);
+        const bool plain = indexOf(*record, Stage::Split) == record->events.size() &&
+                           indexOf(*record, Stage::Join) == record->events.size() &&
+                           indexOf(*record, Stage::Done) == record->events.size();
+        const std::size_t advance = indexOf(*record, Stage::Advance);
+        if (!plain || advance == 0 || record->events[advance - 1].address.stage != Stage::Ring)
+            continue;
+        const DecisionState before = PivotReplay(record).after(advance - 1);
+        const DecisionState after = PivotReplay(record).after(advance);
+        REQUIRE_FALSE(before.rings.empty());
+        REQUIRE_FALSE(after.rings.empty());
+        CAPTURE(pivot);
+        CHECK(cycle(before.rings[0].points) == cycle(after.rings[0].points));
+        ++compared;
+    }
+    CHECK(compared > 60);
+}
+
+TEST_CASE("Triangles appear one by one") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    const auto record = timeline.record(30);
+    const std::size_t emit = indexOf(*record, Stage::Emit);
+    REQUIRE(emit < record->events.size());
+    CHECK(PivotReplay(record).after(emit - 1).newTriangles.empty());
+    CHECK(PivotReplay(record).after(emit).newTriangles.size() == 1);
+    CHECK(PivotReplay(record).after(emit + 1).newTriangles.size() == 2);
+}
+
+TEST_CASE("Candidates are marked from their first test on, and stay crossed once rejected") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    for (std::uint32_t pivot = 1; pivot <= 60; ++pivot) {
+        const auto record = timeline.record(pivot);
+        std::size_t known = 0;
+        std::size_t rejected = 0;
+        for (std::size_t i = 0; i < record->events.size(); ++i) {
+            const DecisionState state = PivotReplay(record).after(i);
+            CHECK(state.candidates.size() >= known);
+            known = state.candidates.size();
+            const auto crossed = static_cast<std::size_t>(std::count_if(
+                state.candidates.begin(), state.candidates.end(),
+                [](const CandidateMark& m) { return m.state == CandidateState::Rejected; }));
+            CHECK(crossed >= rejected);
+            rejected = crossed;
+        }
+    }
+}
+
+TEST_CASE("A seed shows a ring of two, and the pivot its first and last") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    const auto record = timeline.record(1);
+    const DecisionState seed = PivotReplay(record).after(indexOf(*record, Stage::Seed));
+    REQUIRE(seed.rings.size() == 1);
+    CHECK(seed.rings[0].points.size() == 2);
+    CHECK(seed.rings[0].active);
+    CHECK(seed.pivot == kNone);
+    const DecisionState pivot = PivotReplay(record).after(indexOf(*record, Stage::Pivot));
+    CHECK(pivot.pivot != kNone);
+    CHECK(pivot.first == pivot.last);
+    CHECK(pivot.sectorDegrees == doctest::Approx(360.0));
+}
+
+TEST_CASE("The stack shows its top first, as the state has it") {
+    Timeline timeline(test::sceneNamed("torus"), Params{});
+    bool seen = false;
+    for (std::uint32_t pivot = 10; pivot < 700 && !seen; pivot += 10) {
+        const auto record = timeline.record(pivot);
+        const RunState& state = record->after;
+        if (state.rings.stack().empty() || state.rings.active() == kNone) continue;
+        seen = true;
+        const std::vector<RingPath> paths = ringPaths(state.rings);
+        REQUIRE(paths.size() == state.rings.stack().size() + 1);
+        CHECK(paths[0].active);
+        CHECK(paths[1].id == state.rings.stack().back());
+        CHECK(paths[1].points.size() == state.rings.length(paths[1].id));
+    }
+    CHECK(seen);
+}
+
+TEST_CASE("The state before an event is that after the event before it") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    const auto record = timeline.record(30);
+    const std::size_t emit = indexOf(*record, Stage::Emit);
+    CHECK(PivotReplay(record).before(emit).newTriangles.empty());
+    CHECK(PivotReplay(record).before(emit + 1).newTriangles.size() == 1);
+    const DecisionState first = PivotReplay(record).before(0);
+    CHECK_FALSE(first.event.has_value());
+    CHECK(first.pivot == kNone);
+    CHECK(first.status == record->before.status);
+}
+
+TEST_CASE("A refused candidate keeps its cross until the pivot ends") {
+    Timeline timeline(test::sceneNamed("sphere"), Params{});
+    const auto record = timeline.record(30);
+    const auto crosses = [&](std::size_t i) {
+        const DecisionState state = PivotReplay(record).after(i);
+        return std::count_if(
+            state.candidates.begin(), state.candidates.end(),
+            [](const CandidateMark& m) { return m.state == CandidateState::Rejected; });
+    };
+    const std::size_t emit = indexOf(*record, Stage::Emit);
+    REQUIRE(crosses(emit) > 0);
+    CHECK(crosses(record->events.size() - 2) == crosses(emit));
+}
+
+TEST_CASE("The end of a run has as many triangles as its mesh") {
+    int edited = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Timeline timeline(test::randomPoints(seed), *paramsByName("robust"));
+        timeline.seek(std::numeric_limits<std::uint32_t>::max());
+        const auto record = timeline.record(timeline.lastPivot());
+        const DecisionState state = PivotReplay(record).after(record->events.size() - 1);
+        const std::size_t triangles = timeline.state().mesh().size();
+        edited += triangles != timeline.state().triangles.size() ? 1 : 0;
+        CHECK(state.finishedTriangles + state.newTriangles.size() == triangles);
+    }
+    CHECK(edited > 0);
+}
+
+TEST_CASE("After the last pivot, triangles with only rotated corners are not new") {
+    const std::vector<Triangle> before = {{0, 1, 2}, {2, 1, 3}};
+    const std::vector<Triangle> after = {{1, 2, 0}, {2, 1, 4}};
+    const std::vector<Triangle> fresh = freshTriangles(before, after);
+    REQUIRE(fresh.size() == 1);
+    CHECK(fresh[0] == Triangle{2, 1, 4});
+}

@@ -1,0 +1,305 @@
+#include "spiraling_edge/why/failure_moments.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+#include "spiraling_edge/run/timeline.h"
+#include "spiraling_edge/sampling/field.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+FailureMoments momentsIn(const PointSet& points, const Params& params, const MeshFailure& failure,
+                         const std::vector<Triangle>& mesh) {
+    const auto moments = momentsOf(points, params, failure, mesh);
+    REQUIRE(moments.ok());
+    return moments.value();
+}
+
+/// The failure of this class whose decision is the one that the gallery names.
+bool leadsTo(const FailureScene& each) {
+    const PointSet points = prepared(each.scene.build());
+    const Run run = runAll(points, paper());
+    for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
+        if (failure.kind->name != each.failure) continue;
+        const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
+        const std::uint32_t pivot = addressFromString(each.address)->pivot;
+        const auto& at = moments.unavoidable.event.address;
+        if (toString(at) == each.address || at.pivot == pivot ||
+            moments.created.event.address.pivot == pivot)
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("moments: in the gallery they lead to the planted cause") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        CHECK(leadsTo(each));
+    }
+}
+
+TEST_CASE("moments: touched first, then unavoidable, then created") {
+    for (const char* set : {"paper", "robust"}) {
+        const Params params = *paramsByName(set);
+        for (const FailureScene& each : failureScenes()) {
+            CAPTURE(set);
+            CAPTURE(each.scene.id);
+            const PointSet points = prepared(each.scene.build());
+            const Run run = runAll(points, params);
+            std::size_t asked = 0;
+            for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
+                if (++asked > (kSanitized ? 5U : 40U)) break;
+                CAPTURE(describe(failure));
+                const FailureMoments moments = momentsIn(points, params, failure, run.state.mesh());
+                const auto pivot = [](const LedgerLine& line) { return line.event.address.pivot; };
+                CHECK(pivot(moments.touched) <= pivot(moments.unavoidable));
+                CHECK(pivot(moments.unavoidable) <= pivot(moments.created));
+            }
+        }
+    }
+}
+
+TEST_CASE("moments: the hole of four was made by the point that was kept behind it") {
+    const FailureScene& each = failureScenes()[0];
+    REQUIRE(each.scene.id == "four-edge-hole");
+    const PointSet points = prepared(each.scene.build());
+    const Run run = runAll(points, paper());
+    for (const MeshFailure& failure : inspectMesh(points, run.state.mesh())) {
+        if (failure.kind->name != each.failure || failure.triangles.back() != 196) continue;
+        const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
+        CHECK(toString(moments.created.event.address) == "54.emit.1");
+        CHECK(toString(moments.unavoidable.event.address) == each.address);
+        CHECK(testedPoint(moments.unavoidable.event) == 63);
+    }
+}
+
+TEST_CASE("moments: a failure of another mesh, and a cancelled search") {
+    const PointSet points = prepared(failureScenes()[0].scene.build());
+    const Run run = runAll(points, paper());
+    const auto failures = inspectMesh(points, run.state.mesh());
+    REQUIRE_FALSE(failures.empty());
+    CHECK_FALSE(momentsOf(points, paper(), failures[0], {}).ok());
+    CHECK_FALSE(momentsOf(points, paper(), failures[0], run.state.mesh(), [](double) {
+                    return false;
+                }).ok());
+}
+
+namespace {
+
+bool same(const LedgerLine& a, const LedgerLine& b) { return a.event.address == b.event.address; }
+
+}  // namespace
+
+TEST_CASE("moments: all failures at once have the moments that each has alone") {
+    for (const char* scene : {"four-edge-hole", "noise", "stranded-point"}) {
+        CAPTURE(scene);
+        const PointSet points = prepared(findScene(scene)->build());
+        const Run run = runAll(points, paper());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        const std::vector<MeshFailure> inMesh = inspectMesh(points, run.state.mesh());
+        std::size_t next = 0;
+        for (const RunFailure& each : all.value()) {
+            if (each.failure.kind->find == nullptr) continue;
+            REQUIRE(next < inMesh.size());
+            CHECK(each.failure.points == inMesh[next].points);
+            if (next % 16 == 0) {
+                const FailureMoments alone =
+                    momentsIn(points, paper(), inMesh[next], run.state.mesh());
+                CHECK(same(each.moments.created, alone.created));
+                CHECK(same(each.moments.unavoidable, alone.unavoidable));
+                CHECK(same(each.moments.touched, alone.touched));
+            }
+            ++next;
+        }
+        CHECK(next == inMesh.size());
+    }
+}
+
+TEST_CASE("moments: a ring that is left over is a failure of the run, with the points it had") {
+    // Two points that list only each other: a seed without a third point.
+    PointFile file;
+    file.position = {{0, 0, 0}, {1, 0, 0}, {9, 0, 0}, {10, 0, 0}, {9, 1, 0}};
+    file.normal.assign(5, Vec3(0, 0, 1));
+    const std::vector<std::vector<Index>> lists{{1}, {0}, {3, 4}, {2, 4}, {2, 3}};
+    for (const auto& list : lists) file.neighbors.append(list);
+    const PointSet points = prepared(std::move(file));
+    const auto all = failuresOfRun(points, paperBut(&Readings::keepSeeds));
+    REQUIRE(all.ok());
+    const auto left = std::find_if(all.value().begin(), all.value().end(), [](const auto& each) {
+        return each.failure.kind->name == "leftover_rings";
+    });
+    REQUIRE(left != all.value().end());
+    CHECK(left->failure.points == std::vector<Index>{0, 1});
+    CHECK(std::holds_alternative<FreeEvidence>(left->moments.created.event.evidence));
+    CHECK(left->moments.touched.event.address.pivot <= left->moments.created.event.address.pivot);
+}
+
+TEST_CASE("moments: as many rings are left over as the run has alerts of them") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const Run run = runAll(points, paper());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        const auto rings = std::count_if(
+            all.value().begin(), all.value().end(),
+            [](const RunFailure& f) { return f.failure.kind->name == "leftover_rings"; });
+        CHECK(static_cast<std::size_t>(rings) == run.state.alerts.size());
+    }
+}
+
+TEST_CASE("moments: the first failure is the one that was created first") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    const std::size_t first = firstCreated(all.value());
+    REQUIRE(first < all.value().size());
+    const std::uint32_t pivot = all.value()[first].moments.created.event.address.pivot;
+    for (const RunFailure& each : all.value())
+        CHECK(pivot <= each.moments.created.event.address.pivot);
+    CHECK(firstCreated({}) == 0);
+}
+
+TEST_CASE("moments: a point that no test ever saw was lost with the last of its neighbors") {
+    // The plane of a sheet, and a point above it that lists points of it, but is listed by none.
+    PointFile file = findScene("grid")->build();
+    const auto lone = static_cast<Index>(file.position.size());
+    file.position.emplace_back(0.5, 0.5, 0.3);
+    file.normal.emplace_back(0, 0, 1);
+    file.type.push_back(kInterior);
+    NeighborLists lists;
+    const PointSet plain = prepared(findScene("grid")->build());
+    for (Index p = 0; p < lone; ++p) lists.append(plain.neighbors[p]);
+    const std::vector<Index> mine{40, 41, 49, 50};
+    lists.append(mine);
+    file.neighbors = std::move(lists);
+    const PointSet points = prepared(std::move(file));
+    const auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    const auto lost = std::find_if(all.value().begin(), all.value().end(), [&](const auto& each) {
+        return each.failure.points == std::vector<Index>{lone};
+    });
+    REQUIRE(lost != all.value().end());
+    const auto* ring = std::get_if<RingEvidence>(&lost->moments.unavoidable.event.evidence);
+    REQUIRE(ring != nullptr);
+    CHECK(ring->status < 0);
+    CHECK(std::find(mine.begin(), mine.end(), ring->point) != mine.end());
+    CHECK(std::holds_alternative<StrandEvidence>(lost->moments.created.event.evidence));
+}
+
+TEST_CASE("moments: every faulty triangle has a decision that it would not be there without") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        for (const RunFailure& failure : all.value()) {
+            // Two corners that are the same point are no choice between candidates.
+            if (failure.corners.empty() || failure.failure.kind->name == "degenerate_triangles")
+                continue;
+            CAPTURE(describe(failure.failure));
+            CHECK_FALSE(
+                std::holds_alternative<EmitEvidence>(failure.moments.unavoidable.event.evidence));
+        }
+    }
+}
+
+TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted") {
+    SamplerOptions options;
+    options.count = 400;
+    const PointFile file = sample(fieldOf(*findShape("torus")), options).value();
+    const std::array kinds{reach(100), NeighborOptions{WithinRadius{1e300}}};
+    for (const NeighborOptions& lists : kinds) {
+        const PointSet points = prepared(file, lists);
+        const auto found = searchFailures(points, paper());
+        REQUIRE(found.ok());
+        const std::vector<ClassTotal>& totals = found.value().verdict.totals;
+        REQUIRE(totals.size() == failureClasses().size());
+        CHECK_FALSE(isComplete(totals));
+        std::size_t listed = 0;
+        for (const ClassTotal& each : totals) {
+            CHECK(each.listed <= each.total);
+            CHECK((each.listed > 0) == (each.total > 0));
+            listed += each.listed;
+        }
+        CHECK(listed == found.value().failures.size());
+        CHECK(listed < 20000);
+        const auto& last = found.value().failures.back();
+        CHECK(last.failure.kind->name == "triangle_cap");
+        if (&lists != &kinds[0]) continue;
+        const auto again = searchFailures(points, paper());
+        REQUIRE(again.ok());
+        CHECK(std::equal(totals.begin(), totals.end(), again.value().verdict.totals.begin(),
+                         [](const ClassTotal& a, const ClassTotal& b) {
+                             return amountText(a) == amountText(b);
+                         }));
+    }
+}
+
+TEST_CASE("moments: of other runs all failures are followed") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const auto found = searchFailures(points, paper());
+    REQUIRE(found.ok());
+    CHECK(isComplete(found.value().verdict.totals));
+    CHECK(found.value().failures.size() == failuresOfRun(points, paper()).value().size());
+}
+
+TEST_CASE("moments: of a stopped run, points and rings that were not DONE yet are no failures") {
+    const PointSet points = prepared(closedFamilies(0.2)[0].sample(1));
+    Params params = paper();
+    params.maxTrianglesPerPoint = 1;
+    const Run run = runAll(points, params);
+    REQUIRE(run.stop == StopReason::Capped);
+    REQUIRE(run.mesh.unusedPoints > 0);
+    REQUIRE(run.mesh.boundaryLoops == 1);
+    const auto found = searchFailures(points, params);
+    REQUIRE(found.ok());
+    for (std::size_t i = 0; i < failureClasses().size(); ++i) {
+        CAPTURE(failureClasses()[i].name);
+        const std::size_t expected = failureClasses()[i].name == "triangle_cap" ? 1 : 0;
+        CHECK(found.value().verdict.totals[i].listed == expected);
+        CHECK(found.value().verdict.totals[i].total == expected);
+    }
+    REQUIRE(found.value().failures.size() == 1);
+    CHECK(found.value().failures[0].failure.kind->name == "triangle_cap");
+}
+
+TEST_CASE("moments: a run that was counted while it was made has the failures of one run again") {
+    const PointSet points = sceneNamed("uneven-density");
+    for (const char* rules : {"paper", "robust"}) {
+        CAPTURE(rules);
+        const Params params = paramsByName(rules).value();
+        RunCounts counts(points);
+        Timeline timeline(points, params);
+        timeline.setVisitor([&](const SweptPivot& pivot) { counts.add(pivot); });
+        timeline.seek(std::numeric_limits<std::uint32_t>::max());
+        const std::vector<Triangle> mesh = timeline.state().mesh();
+        const RunFailureSearch again = searchFailures(points, params).value();
+        const RunFailureSearch made = searchFailures(points, params, counts, mesh).value();
+        REQUIRE(made.failures.size() == again.failures.size());
+        for (std::size_t i = 0; i < made.failures.size(); ++i) {
+            CHECK(made.failures[i].failure.points == again.failures[i].failure.points);
+            CHECK((made.failures[i].moments.unavoidable.event.address ==
+                   again.failures[i].moments.unavoidable.event.address));
+        }
+        const RunFailureSearch atEnd = failuresAtEnd(points, counts, mesh);
+        CHECK(atEnd.failures.empty());
+        CHECK(atEnd.all.size() == again.all.size());
+        CHECK(headlineOf(atEnd.verdict) == headlineOf(again.verdict));
+        CHECK(atEnd.places.size() == again.places.size());
+    }
+}

@@ -1,0 +1,215 @@
+#include "spiraling_edge/why/ledger.h"
+#include "spiraling_edge/run/event_text.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "spiraling_edge/run/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+Ledger ask(const PointSet& points, const Params& params, const Subject& subject) {
+    const Result<Ledger> ledger = why(points, params, subject);
+    REQUIRE(ledger.ok());
+    return ledger.value();
+}
+
+bool inMesh(const std::vector<Triangle>& mesh, const Subject& subject) {
+    return std::any_of(mesh.begin(), mesh.end(), [&](const Triangle& t) {
+        const std::set<Index> corners{t.a, t.b, t.c};
+        return std::all_of(subject.points().begin(), subject.points().end(),
+                           [&](Index p) { return corners.contains(p); });
+    });
+}
+
+/// Checks of an answer for any subject: it agrees with the mesh, and its cause is a decision of
+/// that run at its address and about the subject.
+void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Ledger& ledger) {
+    CAPTURE(ledger.answer);
+    CHECK(ledger.present == inMesh(mesh, ledger.subject));
+    REQUIRE(ledger.cause < ledger.lines.size());
+    const LedgerLine& cause = ledger.lines[ledger.cause];
+    const Address address = cause.event.address;
+    const std::vector<Event> events = timeline.eventsOf(address.pivot);
+    const auto found = std::find_if(events.begin(), events.end(),
+                                    [&](const Event& e) { return e.address == address; });
+    REQUIRE(found != events.end());
+    CHECK(describe(*found) == describe(cause.event));
+    CHECK(ledger.answer.ends_with("(" + toString(address) + ")"));
+    CHECK(ledger.present == (cause.role == LineRole::Made));
+}
+
+/// `count` random points, edges and triangles; edges and triangles mostly of near points, as in
+/// most queries.
+void checkRandomSubjects(const PointSet& points, const Params& params, std::size_t count) {
+    Timeline timeline(points, params);
+    timeline.seek(0xffffffffU);
+    const std::vector<Triangle> mesh = timeline.state().mesh();
+    Random random(7);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto a = static_cast<Index>(random.below(points.size()));
+        checkAnswer(timeline, mesh, ask(points, params, Subject::point(a)));
+        const auto list = points.neighbors[a];
+        const auto near = [&] {
+            return list.empty() || random.below(8) == 0
+                       ? static_cast<Index>(random.below(points.size()))
+                       : list[random.below(list.size())];
+        };
+        const Index b = near();
+        const Index c = near();
+        if (a == b) continue;
+        checkAnswer(timeline, mesh, ask(points, params, Subject::edge(a, b)));
+        if (c == a || c == b) continue;
+        checkAnswer(timeline, mesh, ask(points, params, Subject::triangle(a, b, c)));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("ledger: the answer for any subject is a decision of the run, on every scene") {
+    for (const Scene& scene : scenes()) {
+        CAPTURE(scene.id);
+        if (scene.start != nullptr) continue;  // the next test
+        checkRandomSubjects(prepared(scene.build()), paper(), kSanitized ? 3 : 12);
+    }
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        checkRandomSubjects(prepared(each.scene.build()), paper(), kSanitized ? 2 : 8);
+    }
+}
+
+TEST_CASE("ledger: of a given mesh no decision is told, of triangles made from it on one is") {
+    const Scene& scene = *findScene("figure-4");
+    const PointSet points = prepared(scene.build());
+    const Params params = withStartOf(scene, paper());
+    const auto answer = [&](const Subject& subject) { return why(points, params, subject); };
+    const auto given = answer(Subject::edge(0, 3));
+    REQUIRE_FALSE(given.ok());
+    CHECK(given.error().message ==
+          "Edge 0-3 is in the mesh that the run begins with: no decision made it.");
+    Timeline timeline(points, params);
+    timeline.seek(0xffffffffU);
+    const std::vector<Triangle> mesh = timeline.state().mesh();
+    checkAnswer(timeline, mesh, answer(Subject::triangle(0, 5, 7)).value());
+    checkAnswer(timeline, mesh, answer(Subject::edge(0, 8)).value());
+    CHECK(answer(Subject::edge(0, 8)).value().answer.ends_with("removed. (1.limits.5)"));
+}
+
+TEST_CASE("ledger: the same on points that no surface gave, with and without the robust rules") {
+    for (std::uint64_t seed = 1; seed <= (kSanitized ? 5U : 30U); ++seed) {
+        CAPTURE(seed);
+        const PointSet points = randomPoints(seed);
+        checkRandomSubjects(points, paper(), 6);
+        checkRandomSubjects(points, *paramsByName("robust"), 6);
+    }
+}
+
+TEST_CASE("ledger: a point in no triangle was refused by a test, and the ledger names the last") {
+    // Every tenth point has a twin a little above it: one of the two is usually left over.
+    PointFile file = closedFamilies()[0].sample(3);
+    for (std::size_t p = 0, count = file.position.size(); p < count; p += 10) {
+        file.position.push_back(1.02 * file.position[p] + Vec3(0.02, 0.01, 0.0));
+        file.normal.push_back(file.normal[p]);
+    }
+    const PointSet points = prepared(file);
+    const Run run = runAll(points, paper());
+    std::size_t unused = 0;
+    for (Index p = 0; p < points.size(); ++p) {
+        if (inMesh(run.state.mesh(), Subject::point(p))) continue;
+        ++unused;
+        const Ledger ledger = ask(points, paper(), Subject::point(p));
+        CAPTURE(ledger.answer);
+        const LedgerLine& cause = ledger.lines[ledger.cause];
+        CHECK(cause.role == LineRole::Refused);
+        CHECK((testedPoint(cause.event) == p || testedPoint(cause.event) == kNone));
+        // Later refusals are only that it was DONE.
+        for (std::size_t i = ledger.cause + 1; i < ledger.lines.size(); ++i) {
+            if (ledger.lines[i].role != LineRole::Refused) continue;
+            const auto* sort = std::get_if<SortEvidence>(&ledger.lines[i].event.evidence);
+            REQUIRE(sort != nullptr);
+            CHECK(sort->verdict == Verdict::AlreadyDone);
+        }
+    }
+    CHECK(unused > 0);
+}
+
+TEST_CASE("ledger: points that do not list each other were never tested together") {
+    const PointSet points = sceneNamed("sphere");
+    Index far = 1;
+    const auto distance = [&](Index q) {
+        return glm::length(points.position[q] - points.position[0]);
+    };
+    for (Index q = 1; q < points.size(); ++q) {
+        if (distance(q) > distance(far)) far = q;
+    }
+    const Ledger ledger = ask(points, paper(), Subject::edge(0, far));
+    CHECK(ledger.answer.find("Neither of 0 and " + std::to_string(far) + " lists the other") !=
+          std::string::npos);
+}
+
+TEST_CASE("ledger: a triangle of the mesh names the step that made it") {
+    const PointSet points = sceneNamed("sphere");
+    EventLog log;
+    const Run run = runAll(points, paper(), &log);
+    for (std::size_t i = 0; i < run.state.triangles.size(); i += 97) {
+        const Triangle& t = run.state.triangles[i];
+        const Ledger ledger = ask(points, paper(), Subject::triangle(t.c, t.a, t.b));
+        CHECK(ledger.present);
+        const auto* emit = std::get_if<EmitEvidence>(&ledger.lines[ledger.cause].event.evidence);
+        REQUIRE(emit != nullptr);
+        CHECK(emit->triangle == i);
+    }
+}
+
+TEST_CASE("ledger: the answer for an edge that was flipped away") {
+    const PointSet points = sceneNamed("linked-tori");
+    const Params robust = *paramsByName("robust");
+    EventLog log;
+    runAll(points, robust, &log);
+    std::size_t flips = 0;
+    for (const Event& event : log.events()) {
+        const auto* flip = std::get_if<FlipEvidence>(&event.evidence);
+        if (flip == nullptr || ++flips > 3) continue;
+        const Ledger ledger = ask(points, robust, Subject::edge(flip->u, flip->v));
+        const bool undone =
+            std::any_of(ledger.lines.begin(), ledger.lines.end(), [&](const auto& line) {
+                return line.role == LineRole::Undone && line.event.address == event.address;
+            });
+        CHECK(undone);
+    }
+}
+
+TEST_CASE("ledger: the answer for an isolated point is that nothing lists it") {
+    PointFile file = findScene("sphere")->build();
+    file.neighbors = {};
+    PointSet points = prepared(file);
+    NeighborLists lists;
+    for (Index p = 0; p < points.size(); ++p) {
+        std::vector<Index> list(points.neighbors[p].begin(), points.neighbors[p].end());
+        std::erase(list, Index{5});
+        if (p == 5) list.clear();
+        lists.append(list);
+    }
+    points.neighbors = lists;
+    const Ledger ledger = ask(points, paper(), Subject::point(5));
+    CHECK_FALSE(ledger.present);
+    CHECK(ledger.answer.find("No point lists 5") != std::string::npos);
+    CHECK(ledger.lines[ledger.cause].event.address.stage == Stage::Strand);
+}
+
+TEST_CASE("ledger: invalid subjects") {
+    const PointSet points = sceneNamed("grid");
+    CHECK_FALSE(why(points, paper(), Subject::point(100000)).ok());
+    CHECK_FALSE(why(points, paper(), Subject::edge(3, 3)).ok());
+    CHECK_FALSE(why({}, paper(), Subject::point(0)).ok());
+    CHECK_FALSE(why(points, paper(), Subject::point(0), [](double) { return false; }).ok());
+}
