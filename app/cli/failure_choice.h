@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/why/failure_moments.h"
 
 namespace se::cli {
 

@@ -13,12 +13,12 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/why/figure_check.h"
-#include "spiraling_edge/why/run_compare.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/why/figure_check.h"
+#include "spiraling_edge/why/run_compare.h"
 
 namespace se::teach {
 namespace {

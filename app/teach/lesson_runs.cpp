@@ -11,10 +11,10 @@
 #include "practice.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/why/what_if_check.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/why/what_if_check.h"
 
 namespace se::teach {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
-#include "spiraling_edge/why/figure_check.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/run/sweep.h"
+#include "spiraling_edge/why/figure_check.h"
 
 namespace se::teach {
 namespace {
@@ -122,7 +122,7 @@ void takePivot(std::span<const Event> events, SkeletonFinds& finds) {
 SkeletonFinds findsOf(const PreparedRun& run) {
     SkeletonFinds finds;
     sweep(*run.points, run.params,
-            [&](const SweptPivot& pivot) { takePivot(pivot.events, finds); });
+          [&](const SweptPivot& pivot) { takePivot(pivot.events, finds); });
     return finds;
 }
 

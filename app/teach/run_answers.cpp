@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "spiraling_edge/why/figure_check.h"
 #include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/why/figure_check.h"
 
 namespace se::teach {
 namespace {

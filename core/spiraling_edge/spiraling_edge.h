@@ -3,10 +3,6 @@
 #pragma once
 
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/why/failure_moments.h"
-#include "spiraling_edge/why/figure_check.h"
-#include "spiraling_edge/why/ledger.h"
-#include "spiraling_edge/why/run_compare.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
@@ -18,3 +14,7 @@
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/failure_moments.h"
+#include "spiraling_edge/why/figure_check.h"
+#include "spiraling_edge/why/ledger.h"
+#include "spiraling_edge/why/run_compare.h"

@@ -4,13 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "spiraling_edge/run/decision_query.h"
+#include "spiraling_edge/run/run_charts.h"
 #include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/why/nearest_decisions.h"
 #include "spiraling_edge/why/remedy.h"
 #include "spiraling_edge/why/ring_history.h"
-#include "spiraling_edge/run/decision_query.h"
-#include "spiraling_edge/run/run_charts.h"
 
 namespace se::cli {
 

@@ -11,11 +11,11 @@
 #include "piece_text.h"
 #include "sentences.h"
 #include "spiraling_edge/base/outside_text.h"
-#include "spiraling_edge/why/trial.h"
-#include "spiraling_edge/why/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/why/trial.h"
+#include "spiraling_edge/why/what_if_check.h"
 #include "teach/json_text.h"
 #include "verdict_text.h"
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "input.h"
-#include "spiraling_edge/why/trial.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/why/trial.h"
 
 namespace se::cli {
 

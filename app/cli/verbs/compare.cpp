@@ -12,10 +12,10 @@
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
-#include "spiraling_edge/why/run_compare.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/why/run_compare.h"
 #include "teach/json_text.h"
 #include "verbs.h"
 

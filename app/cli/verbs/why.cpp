@@ -12,10 +12,10 @@
 #include "output/ledger_text.h"
 #include "output/output.h"
 #include "progress.h"
-#include "spiraling_edge/why/cause_inversion.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/why/cause_inversion.h"
 #include "teach/json_text.h"
 #include "verbs.h"
 

@@ -21,9 +21,9 @@
 #include "scene/mesh_index.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
-#include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/run/live_check.h"
 #include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/why/failure_moments.h"
 
 namespace se::view {
 

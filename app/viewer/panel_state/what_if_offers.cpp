@@ -7,8 +7,8 @@
 
 #include "run/number_format.h"
 #include "session/session.h"
-#include "spiraling_edge/why/what_if_check.h"
 #include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/why/what_if_check.h"
 
 namespace se::view {
 

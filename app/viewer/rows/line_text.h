@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/run/decision_query.h"
+#include "spiraling_edge/why/ledger.h"
 
 namespace se::view {
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "spiraling_edge/doctor/doctor.h"
-#include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/run/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/why/ledger.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 

@@ -5,10 +5,10 @@
 #include <array>
 #include <functional>
 
-#include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/why/ledger.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/why/figure_check.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/why/figure_check.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 

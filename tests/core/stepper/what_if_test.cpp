@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <random>
 
-#include "spiraling_edge/why/what_if_check.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/run/timeline.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/what_if_check.h"
 #include "support/clouds.h"
 #include "support/open_surfaces.h"
 #include "support/random_points.h"

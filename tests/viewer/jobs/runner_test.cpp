@@ -83,7 +83,7 @@ TEST_CASE("The next event about a point is found before the run is made, and aft
     CHECK_FALSE(none.found);
 }
 
-TEST_CASE("A request can be ended on its way; then another one is served") {
+TEST_CASE("A request can be ended on its way, and another one is served") {
     const auto model = runModel("scene:torus", "robust");
     Runner runner(model);
     runner.request(kEnd);

@@ -13,8 +13,8 @@
 #include "jobs/background_job.h"
 #include "jobs/file_watch.h"
 #include "session/session.h"
-#include "spiraling_edge/why/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
+#include "spiraling_edge/why/run_compare.h"
 #include "trace_replay.h"
 
 namespace se::view {

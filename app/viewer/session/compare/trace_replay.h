@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/why/run_compare.h"
 #include "spiraling_edge/run/pivot_replay.h"
+#include "spiraling_edge/why/run_compare.h"
 #include "teach/trace/trace_diff.h"
 
 namespace se::view {
