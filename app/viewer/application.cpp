@@ -191,7 +191,11 @@ void Application::placeCamera(const PanelRects& rects) {
         frameAlert(commands_, rects.view);
         --alertFrames_;
     }
-    if (lesson_.takeAim()) lesson_.aim();
+    if (lesson_.takeAim()) {
+        lesson_.aim();
+        // Not a change of the user's.
+        undo_.acceptCamera(captureEdits(commands_).camera);
+    }
     // The undo stack begins here: the user has not changed anything yet.
     if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&

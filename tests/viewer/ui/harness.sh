@@ -8,10 +8,16 @@
 #   click 480 300                 # in pixels of the window
 #   stop                          # Ctrl+Q, and a good exit code
 #
+# With SE_OFFSCREEN, the path of the library of offscreen_glfw.cpp, the program runs as it is on a window without a
+# display: many scenarios beside each other, on any machine. Without it a scenario runs on a virtual display.
+#
 # Exits with 0 on success, 77 (skipped) if a tool is missing, and reports the state on failure.
 set -u
 viewer=$(realpath "$1")
-for tool in Xvfb xdotool compare import; do
+offscreen=${SE_OFFSCREEN:-}
+tools=(compare)
+[ -n "$offscreen" ] || tools=(Xvfb xdotool compare import)
+for tool in "${tools[@]}"; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 
@@ -22,7 +28,7 @@ window=
 state=$work/state.json
 cleanup() {
     [ -n "$program" ] && kill "$program" 2>/dev/null
-    [ -n "$server" ] && kill "$server" 2>/dev/null
+    [ -n "$server" ] && [ "$server" != none ] && kill "$server" 2>/dev/null
     rm -rf "$work"
 }
 trap cleanup EXIT
@@ -33,14 +39,34 @@ fail() {
     exit 1
 }
 
+if [ -n "$offscreen" ]; then
+    # The words that these two get are what the library understands.
+    xdotool() {
+        local IFS=$'\t' answer
+        printf '%s\n' "$*" >&5
+        [[ $1 != get* ]] || { read -r -t 60 answer <&6 && printf '%s\n' "$answer"; }
+    }
+    import() {
+        xdotool import "$3"
+        read -r -t 60 <&6
+    }
+fi
+
 # A separate display of SIZE (1700x1000); the program finds an empty home.
 display() {
-    mkfifo "$work/number"
-    Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
-    server=$!
-    local number
-    read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
-    export DISPLAY=:$number
+    if [ -n "$offscreen" ]; then
+        server=none
+        mkfifo "$work/input" "$work/answers"
+        exec 5<>"$work/input" 6<>"$work/answers"
+        export SE_INPUT=$work/input SE_ANSWERS=$work/answers
+    else
+        mkfifo "$work/number"
+        Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
+        server=$!
+        local number
+        read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
+        export DISPLAY=:$number
+    fi
     unset WAYLAND_DISPLAY
     export HOME=$work/home XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_CACHE_HOME=$work/cache
     mkdir -p "$HOME" "$XDG_CONFIG_HOME" "$XDG_STATE_HOME" "$XDG_CACHE_HOME"
@@ -52,17 +78,18 @@ start() {
     rm -f "$state"
     local sized=(--size "${size:-1280x800}")
     [ "${size:-}" != kept ] || sized=()
-    "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
+    LD_PRELOAD=$offscreen "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
     for _ in $(seq $looks); do
         kill -0 "$program" 2>/dev/null || fail "the program ends at once"
-        window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
+        window=this
+        [ -n "$offscreen" ] || window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
         [ -n "$window" ] && [ -f "$state" ] && break
         sleep 0.05
     done
     [ -n "$window" ] || fail "no window appears"
-    xdotool windowfocus --sync "$window"
+    [ -n "$offscreen" ] || xdotool windowfocus --sync "$window"
 }
 
 # stop: Ctrl+Q; the program quits with exit code 0.
@@ -84,13 +111,15 @@ stop() {
 # Waiting is for states, however long they take: a busy machine is slow, not wrong. After this many
 # looks the state does not come.
 looks=2400
+pause=0.05
+[ -z "$offscreen" ] || pause=0.02 looks=6000
 # poll COMMAND...: calls it until it succeeds. Fails at the end, or when the program is gone.
 poll() {
     local look
     for ((look = 0; look < looks; ++look)); do
         "$@" && return 0
         kill -0 "$program" 2>/dev/null || { "$@"; return; }
-        sleep 0.05
+        sleep $pause
     done
     return 1
 }
@@ -112,7 +141,7 @@ go_to() { press ctrl+g; type_text "$1"; press Return; }
 pointer() { xdotool getmouselocation | cut -d' ' -f1,2; }
 move_to() {
     local X=0 Y=0
-    eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^[XY]=')"
+    eval "$(xdotool getwindowgeometry --shell "$window" | grep -oE '^[XY]=[0-9]+|[XY]=0')"
     [ "$(pointer)" = "x:$((X + $1)) y:$((Y + $2))" ] ||
         act 1 xdotool mousemove --window "$window" "$1" "$2"
 }

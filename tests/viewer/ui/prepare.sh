@@ -79,5 +79,5 @@ press ctrl+shift+r; says prepare true
 reach "prepare From the input##m"; click_on "prepare ok"; says prepare false; says cures '\[\]'
 stop
 # The pointer does not move for a number of frames.
-timeout 600 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
+LD_PRELOAD=$offscreen timeout 600 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
 well
