@@ -1,8 +1,13 @@
 /// Exit codes of the program, and the exception by which a verb ends early.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "spiraling_edge/base/result.h"
 
 namespace se::cli {
 
@@ -20,10 +25,21 @@ enum class ExitCode : int {
 class Failure : public std::runtime_error {
   public:
     Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    /// With a message as of fmt::format().
+    template <typename... Values>
+    Failure(ExitCode code, fmt::format_string<Values...> form, Values&&... values)
+        : Failure(code, fmt::format(form, std::forward<Values>(values)...)) {}
     ExitCode code() const { return code_; }
 
   private:
     ExitCode code_;
 };
+
+/// The value of a result. Throws Failure with its error, which `before` begins.
+template <typename Value>
+Value require(Result<Value> result, ExitCode code, const std::string& before = "") {
+    if (!result) throw Failure(code, before + result.error().message);
+    return std::move(result).value();
+}
 
 }  // namespace se::cli

@@ -24,17 +24,16 @@ FailureChoice failureChoiceFrom(const std::string& text) {
     const std::size_t colon = text.find(':');
     FailureChoice wanted{findFailureClass(text.substr(0, colon)), 1};
     if (wanted.kind == nullptr) {
-        throw Failure(
-            ExitCode::Usage,
-            fmt::format("--failure {}: no such class; the classes are {}", text, classNames()));
+        throw Failure(ExitCode::Usage, "--failure {}: no such class; the classes are {}", text,
+                      classNames());
     }
     if (colon == std::string::npos) return wanted;
     const std::string digits = text.substr(colon + 1);
     const bool number = !digits.empty() && digits.size() < 10 &&
                         digits.find_first_not_of("0123456789") == std::string::npos;
     if (!number || digits.find_first_not_of('0') == std::string::npos)
-        throw Failure(ExitCode::Usage,
-                      fmt::format("--failure {}: expected a number >= 1 after the colon", text));
+        throw Failure(ExitCode::Usage, "--failure {}: expected a number >= 1 after the colon",
+                      text);
     wanted.number = std::stoul(digits);
     return wanted;
 }
@@ -52,10 +51,10 @@ namespace {
     const auto& total = totals[static_cast<std::size_t>(wanted.kind - failureClasses().data())];
     const std::string has = total.all() ? counted(total.total, "failure")
                                         : "only the " + amountText(total) + " failures listed";
-    throw Failure(ExitCode::CheckFailed,
-                  fmt::format("{}: the run has {} of class {}; spiraling-edge why {} --failures "
-                              "lists those it has",
-                              input, has, wanted.kind->name, shellPath(input)));
+    throw Failure(
+        ExitCode::CheckFailed,
+        "{}: the run has {} of class {}; spiraling-edge why {} --failures lists those it has",
+        input, has, wanted.kind->name, shellPath(input));
 }
 
 }  // namespace

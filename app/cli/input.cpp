@@ -19,9 +19,8 @@ namespace {
 PointFile buildScene(const std::string& id) {
     const Scene* scene = findScene(id);
     if (scene == nullptr) {
-        throw Failure(ExitCode::Input, "scene:" + id +
-                                           ": no such scene; `spiraling-edge scenes` "
-                                           "lists the scenes");
+        throw Failure(ExitCode::Input,
+                      "scene:{}: no such scene; `spiraling-edge scenes` lists the scenes", id);
     }
     return scene->build();
 }
@@ -30,24 +29,22 @@ PointFile buildScene(const std::string& id) {
 void refuseOtherThings(const std::string& input) {
     if (isVolumePath(input)) {
         throw Failure(ExitCode::Input,
-                      input + ": is a volume; `spiraling-edge sample " + shellPath(input) +
-                          " -n N -o POINTS.ply` samples points on a surface in it");
+                      "{}: is a volume; `spiraling-edge sample {} -n N -o POINTS.ply` samples "
+                      "points on a surface in it",
+                      input, shellPath(input));
     }
     if (input.starts_with("sample:")) {
-        throw Failure(
-            ExitCode::Input,
-            input +
-                ": works in the viewer only; `spiraling-edge sample` writes such points to "
-                "a file first");
+        throw Failure(ExitCode::Input,
+                      "{}: works in the viewer only; `spiraling-edge sample` writes such points to "
+                      "a file first",
+                      input);
     }
     const MeshFormat* format = meshFormatOf(input);
     if (format != nullptr && !isReadable(*format)) {
         const auto unreadable = [](const MeshFormat& each) { return !isReadable(each); };
-        throw Failure(ExitCode::Input,
-                      input + ": " + listText(meshFormats(), &MeshFormat::name, "and", unreadable) +
-                          " can be written, not read; " +
-                          listText(meshFormats(), &MeshFormat::name, "and", isReadable) +
-                          " can be read");
+        throw Failure(ExitCode::Input, "{}: {} can be written, not read; {} can be read", input,
+                      listText(meshFormats(), &MeshFormat::name, "and", unreadable),
+                      listText(meshFormats(), &MeshFormat::name, "and", isReadable));
     }
 }
 
@@ -56,40 +53,31 @@ void refuseOtherThings(const std::string& input) {
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
     if (isScene(input)) return buildScene(input.substr(kScenePrefix.size()));
-    Result<PointFile> file = isStandardInput(input)
-                                 ? readStandardInput(limit)
-                                 : readPoints(std::filesystem::path(input), limit);
-    if (!file) throw Failure(ExitCode::Input, file.error().message);
-    return std::move(file.value());
+    return require(isStandardInput(input) ? readStandardInput(limit)
+                                          : readPoints(std::filesystem::path(input), limit),
+                   ExitCode::Input);
 }
 
 InputPiece readPiece(const RunSpec& spec) {
     InputPiece read{readInput(spec.source, ByteLimit{spec.maxBytes}), {spec.piece, 0, 0}};
     read.points.inFile = read.file.position.size();
-    Result<PointFile> cut = cutPiece(std::move(read.file), spec.piece, nameOfInput(spec.source));
-    if (!cut) throw Failure(ExitCode::Usage, "--crop: " + cut.error().message);
-    read.file = std::move(cut.value());
+    read.file = require(cutPiece(std::move(read.file), spec.piece, nameOfInput(spec.source)),
+                        ExitCode::Usage, "--crop: ");
     read.points.kept = read.file.position.size();
     return read;
 }
 
-Params paramsFrom(const RunSpec& spec) {
-    Result<Params> params = paramsOf(spec);
-    if (!params) throw Failure(ExitCode::Usage, params.error().message);
-    return std::move(params.value());
-}
+Params paramsFrom(const RunSpec& spec) { return require(paramsOf(spec), ExitCode::Usage); }
 
 PrepareOptions prepareOptionsFrom(const RunSpec& spec, const Params& params,
                                   const PointFile& file) {
-    Result<PrepareOptions> options = prepareOptionsOf(spec, params, file);
-    if (!options) throw Failure(ExitCode::Usage, "--scanner: " + options.error().message);
-    return std::move(options.value());
+    return require(prepareOptionsOf(spec, params, file), ExitCode::Usage, "--scanner: ");
 }
 
 void requireNoStart(const GivenStart& start, const std::string& what) {
     if (start.empty()) return;
     throw Failure(ExitCode::Usage,
-                  what + ": the run begins with given triangles, which name points by numbers");
+                  "{}: the run begins with given triangles, which name points by numbers", what);
 }
 
 void InputArguments::addTo(CLI::App& app) {
@@ -110,9 +98,7 @@ RunSpec InputArguments::spec() const {
     RunSpec spec = specOf(given());
     spec.source = input_;
     if (startFile_.empty()) return spec;
-    Result<GivenStart> start = teach::readStartFile(startFile_);
-    if (!start) throw Failure(ExitCode::Input, start.error().message);
-    spec.start = std::move(start.value());
+    spec.start = require(teach::readStartFile(startFile_), ExitCode::Input);
     return spec;
 }
 
@@ -124,10 +110,8 @@ void InputArguments::requireStartFits(const PointSet& points, const GivenStart& 
     for (const char* key : {"crop", "thin"}) {
         if (options_.has(key)) requireNoStart(start, std::string("--") + key);
     }
-    const Status status = requireStart(points, start);
-    if (status) return;
-    throw Failure(ExitCode::Input, (startFile_.empty() ? nameOfInput(input_) : startFile_) + ": " +
-                                       status.error().message);
+    require(requireStart(points, start), ExitCode::Input,
+            (startFile_.empty() ? nameOfInput(input_) : startFile_) + ": ");
 }
 
 PointFile InputArguments::read(const ProgressLine& line) const {

@@ -78,13 +78,12 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
     if (std::filesystem::exists(word, ignored) || word.starts_with("scene:"))
         return viewVerb(arguments);
     if (word.starts_with("-")) {
-        throw Failure(ExitCode::Usage,
-                      fmt::format("{}: no such option; see spiraling-edge --help", word));
+        throw Failure(ExitCode::Usage, "{}: no such option; see spiraling-edge --help", word);
     }
     if (word.find_first_of("./") != std::string::npos)
         throw Failure(ExitCode::Input, word + ": no such file");
-    throw Failure(ExitCode::Usage,
-                  fmt::format("{}: neither a verb nor a file; see spiraling-edge --help", word));
+    throw Failure(ExitCode::Usage, "{}: neither a verb nor a file; see spiraling-edge --help",
+                  word);
 }
 
 ExitCode dispatch(const Arguments& arguments) {

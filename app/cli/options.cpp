@@ -15,21 +15,18 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
         printText(app.help());
         return ExitCode::Good;
     } catch (const CLI::ParseError& problem) {
-        throw Failure(ExitCode::Usage,
-                      fmt::format("{}; see {} --help", problem.what(), app.get_name()));
+        throw Failure(ExitCode::Usage, "{}; see {} --help", problem.what(), app.get_name());
     }
     return std::nullopt;
 }
 
 RunSpec specOf(const SpecChange& given, RunSpec spec) {
-    const Status valid = applyChange(given, spec);
-    if (!valid) throw Failure(ExitCode::Usage, valid.error().message);
+    require(applyChange(given, spec), ExitCode::Usage);
     return spec;
 }
 
 void requirePossible(const PointSet& points, const Params& params) {
-    const Status possible = requireWhatIfs(points, params);
-    if (!possible) throw Failure(ExitCode::Usage, "--what-if " + possible.error().message);
+    require(requireWhatIfs(points, params), ExitCode::Usage, "--what-if ");
 }
 
 }  // namespace se::cli

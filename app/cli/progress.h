@@ -48,8 +48,7 @@ auto runWithProgress(const std::string& what, const std::string& input, Progress
         return true;
     });
     line.clear();
-    if (!result) throw Failure(ExitCode::Input, nameOfInput(input) + ": " + result.error().message);
-    return std::move(result.value());
+    return require(std::move(result), ExitCode::Input, nameOfInput(input) + ": ");
 }
 
 }  // namespace se::cli

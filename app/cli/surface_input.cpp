@@ -18,15 +18,13 @@ namespace {
 
 Field readVolumeField(const std::string& input, const std::optional<double>& isovalue,
                       const ByteLimit& limit) {
-    Result<Volume> read = readVolume(std::filesystem::path(input), limit);
-    if (!read) throw Failure(ExitCode::Input, read.error().message);
-    const auto volume = std::make_shared<const Volume>(std::move(read.value()));
+    const auto volume = std::make_shared<const Volume>(
+        require(readVolume(std::filesystem::path(input), limit), ExitCode::Input));
     const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
     if (!iso) {
         const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
-        throw Failure(
-            ExitCode::Usage,
-            fmt::format("{}: has no isovalue; give --iso V, from {} to {}", input, *least, *most));
+        throw Failure(ExitCode::Usage, "{}: has no isovalue; give --iso V, from {} to {}", input,
+                      *least, *most);
     }
     return fieldOf(volume, *iso);
 }
@@ -40,9 +38,10 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
     if (isVolumePath(input)) return readVolumeField(input, isovalue, limit);
     const Shape* shape = findShape(input);
     if (shape == nullptr) {
-        throw Failure(ExitCode::Input, input + " neither a shape nor a volume (" +
-                                           wordList(volumeExtensions(), "") +
-                                           "); `spiraling-edge sample --list` lists the shapes");
+        throw Failure(
+            ExitCode::Input,
+            "{} neither a shape nor a volume ({}); `spiraling-edge sample --list` lists the shapes",
+            input, wordList(volumeExtensions(), ""));
     }
     Field field = fieldOf(*shape);
     if (isovalue) field.isovalue = *isovalue;
@@ -53,9 +52,9 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
     const bool within = glm::clamp(box.low, field.low, field.high) == box.low &&
                         glm::clamp(box.high, field.low, field.high) == box.high;
     if (isVolumePath(input) && !within) {
-        throw Failure(ExitCode::Usage, fmt::format("--box: {} ends at {},{},{} and {},{},{}", input,
-                                                   field.low.x, field.low.y, field.low.z,
-                                                   field.high.x, field.high.y, field.high.z));
+        throw Failure(ExitCode::Usage, "--box: {} ends at {},{},{} and {},{},{}", input,
+                      field.low.x, field.low.y, field.low.z, field.high.x, field.high.y,
+                      field.high.z);
     }
     field = inBox(std::move(field), box.low, box.high);
 }

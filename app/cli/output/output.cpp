@@ -25,20 +25,17 @@ void ForceOption::require(NamedFiles inputs, NamedFiles outputs) const {
     const auto isUnnamed = [](const NamedFile& each) { return each.path.empty(); };
     std::erase_if(inputs, isUnnamed);
     std::erase_if(outputs, isUnnamed);
-    const auto requireGood = [](const Status& status, const std::string& before) {
-        if (!status) throw Failure(ExitCode::Usage, before + status.error().message);
-    };
-    requireGood(requireApart(outputs), "");
-    if (!given_) requireGood(requireKept(inputs, outputs), "");
+    cli::require(requireApart(outputs), ExitCode::Usage);
+    if (!given_) cli::require(requireKept(inputs, outputs), ExitCode::Usage);
     for (const NamedFile& each : outputs) {
-        if (each.path != "-") requireGood(AtomicFile::check(each.path), each.role + " ");
+        if (each.path != "-")
+            cli::require(AtomicFile::check(each.path), ExitCode::Usage, each.role + " ");
     }
 }
 
 void writeOutput(const std::string& path, std::string_view bytes) {
     if (path != "-") {
-        const Status status = writeFileAtomically(path, bytes);
-        if (!status) throw Failure(ExitCode::Internal, status.error().message);
+        require(writeFileAtomically(path, bytes), ExitCode::Internal);
         return;
     }
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||

@@ -88,9 +88,8 @@ struct CheckArguments {
                           "options of a run prepare points: name them by --points");
         for (const std::string& name : allowed) {
             if (findFailureClass(name) == nullptr) {
-                throw Failure(ExitCode::Usage, fmt::format("--allow {}: no such class; see "
-                                                           "spiraling-edge check --help",
-                                                           name));
+                throw Failure(ExitCode::Usage,
+                              "--allow {}: no such class; see spiraling-edge check --help", name);
             }
         }
     }
@@ -101,7 +100,7 @@ struct CheckArguments {
 
 /// The points that a mesh is judged by; what the options of the run name counts.
 PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
-    const auto judge = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
+    const auto judgeOf = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
         const RunSpec spec = arguments.spec();
         const Params params = paramsFrom(spec);
@@ -111,11 +110,10 @@ PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
         const auto made = judgeFor(file, options, prepared.value().points);
         if (!made) return made.error();
         return withoutOpeningsToClose(made.value(), params);
-    }();
-    if (!judge)
-        throw Failure(ExitCode::Input, nameOfInput(arguments.cloud) + ": " + judge.error().message);
-    PointSet points = judge.value()->points;
-    points.judge = judge.value();
+    };
+    auto judge = require(judgeOf(), ExitCode::Input, nameOfInput(arguments.cloud) + ": ");
+    PointSet points = judge->points;
+    points.judge = std::move(judge);
     return points;
 }
 
@@ -156,9 +154,9 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
         const auto found = at.find(placeOf(x));
         if (found != at.end()) return found->second;
         throw Failure(ExitCode::Input,
-                      fmt::format("{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; "
-                                  "omit --points, or give the points that the mesh was made of",
-                                  names.mesh, corner, x.x, x.y, x.z, names.cloud));
+                      "{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; omit --points, "
+                      "or give the points that the mesh was made of",
+                      names.mesh, corner, x.x, x.y, x.z, names.cloud);
     };
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.faces.size());
@@ -241,9 +239,8 @@ void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles
         for (const Index p : {t.a, t.b, t.c}) {
             const Vec3& x = file.position[p];
             if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z)) continue;
-            throw Failure(
-                ExitCode::Input,
-                fmt::format("{}: triangle {} has corner {}, which is not finite", name, i, p));
+            throw Failure(ExitCode::Input, "{}: triangle {} has corner {}, which is not finite",
+                          name, i, p);
         }
     }
 }
@@ -263,10 +260,9 @@ ExitCode checkVerb(const Arguments& words) {
     if (mesh.faces.empty() && arguments.cloud.empty())
         throw Failure(
             ExitCode::Input,
-            fmt::format("{0}: has no triangles; check reads meshes: spiraling-edge run {1} -o "
-                        "mesh.ply makes one, spiraling-edge why {1} --failures explains what "
-                        "goes wrong in the run",
-                        arguments.mesh, shellPath(arguments.mesh)));
+            "{0}: has no triangles; check reads meshes: spiraling-edge run {1} -o mesh.ply makes "
+            "one, spiraling-edge why {1} --failures explains what goes wrong in the run",
+            arguments.mesh, shellPath(arguments.mesh));
     const bool alone = arguments.cloud.empty();
     const PointFile cloud = alone ? PointFile{} : readPiece(spec).file;
     const PointFile& file = alone ? mesh : cloud;

@@ -244,15 +244,13 @@ ComparedWords splitAtWith(const Arguments& words) {
 /// The spec of B: that of A, changed by `with` (otherRun()). Throws Failure(Usage) if a word is
 /// not understood, or changes the points.
 RunSpec specOfB(const RunSpec& a, const Arguments& with) {
-    const Result<SpecChange> change = changeFromWords(with);
-    if (!change) throw Failure(ExitCode::Usage, "--with " + change.error().message);
+    const SpecChange change = require(changeFromWords(with), ExitCode::Usage, "--with ");
     for (const char* key : {"crop", "thin"}) {
-        if (textOf(change.value(), key).empty()) continue;
+        if (textOf(change, key).empty()) continue;
         throw Failure(ExitCode::Usage,
-                      std::string("--") + key +
-                          ": two runs are compared on the same points; give it before --with");
+                      "--{}: two runs are compared on the same points; give it before --with", key);
     }
-    return otherRun(a, change.value());
+    return otherRun(a, change);
 }
 
 /// "--rules robust"; "the paper's rules" if nothing is set.

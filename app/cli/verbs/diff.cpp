@@ -45,17 +45,14 @@ struct DiffArguments {
     std::optional<TraceStage> upto() const {
         const auto found = teach::traceStageFromName(stage);
         if (stage.empty() || found) return found;
-        throw Failure(ExitCode::Usage, fmt::format("--upto {}: no such stage; see "
-                                                   "spiraling-edge diff --help",
-                                                   stage));
+        throw Failure(ExitCode::Usage, "--upto {}: no such stage; see spiraling-edge diff --help",
+                      stage);
     }
 };
 
 Trace readTraceArgument(const std::string& path, std::optional<TraceStage> upto) {
     const std::string file = path == kStandardInput ? "/dev/stdin" : path;
-    Result<Trace> trace = teach::readTraceFile(file, upto.value_or(TraceStage::Emit));
-    if (!trace) throw Failure(ExitCode::Input, trace.error().message);
-    return std::move(trace.value());
+    return require(teach::readTraceFile(file, upto.value_or(TraceStage::Emit)), ExitCode::Input);
 }
 
 DiffJson reasonJson(const teach::TraceReason& reason) {
@@ -127,8 +124,7 @@ ExitCode diffVerb(const Arguments& words) {
     const Trace trace = readTraceArgument(arguments.trace, upto);
     ProgressLine line(!arguments.quiet);
     PreparedInput prepared = arguments.input.prepare(line);
-    const Status same = teach::requireTraceOf(trace, prepared.points, arguments.trace);
-    if (!same) throw Failure(ExitCode::Input, same.error().message);
+    require(teach::requireTraceOf(trace, prepared.points, arguments.trace), ExitCode::Input);
     const SharedPoints points(std::move(prepared.points));
     const TraceComparison found =
         runWithProgress("comparing", input, line, [&](const Progress& progress) {

@@ -57,7 +57,7 @@ struct DoctorArguments {
 
     void validate() const {
         if (!fixed.empty() && fixed != "-" && !fixed.ends_with(".ply"))
-            throw Failure(ExitCode::Usage, fmt::format("--fix {}: only .ply is written", fixed));
+            throw Failure(ExitCode::Usage, "--fix {}: only .ply is written", fixed);
         if (fixed == "-" && json)
             throw Failure(ExitCode::Usage,
                           "--fix -: standard output takes the points or --json, not both");
@@ -65,9 +65,7 @@ struct DoctorArguments {
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
                 throw Failure(ExitCode::Usage,
-                              fmt::format("--drop {}: no such check; see spiraling-edge doctor "
-                                          "--help",
-                                          name));
+                              "--drop {}: no such check; see spiraling-edge doctor --help", name);
         }
     }
 };
@@ -187,17 +185,14 @@ void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
     std::string others;
     for (const std::string& name : arguments.drop)
         others += (others.empty() ? "leave out " : ", ") + ("--drop " + name);
-    throw Failure(
-        ExitCode::CheckFailed,
-        fmt::format("{}: {} not written: {}; {}, or add {} to write the rest",
-                    nameOfInput(arguments.input.input()), arguments.fixed, most.error().message,
-                    others.empty() ? "correct the file at its source" : others, kForceOption));
+    throw Failure(ExitCode::CheckFailed, "{}: {} not written: {}; {}, or add {} to write the rest",
+                  nameOfInput(arguments.input.input()), arguments.fixed, most.error().message,
+                  others.empty() ? "correct the file at its source" : others, kForceOption);
 }
 
 void write(const std::string& path, const PointFile& fixed) {
     if (path == "-") return writeOutput(path, meshPlyBytes(fixed, fixed.faces));
-    const Status status = writeMeshPly(path, fixed, fixed.faces);
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    require(writeMeshPly(path, fixed, fixed.faces), ExitCode::Internal);
 }
 
 }  // namespace

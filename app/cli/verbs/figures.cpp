@@ -144,9 +144,8 @@ FigureText checkedResult(const Figure& figure, const FigureArguments& arguments,
         samplePoints(readSurface(surface, std::nullopt, arguments.limit), sampling, surface, line);
     PrepareOptions options;
     options.neighbors.reach = WithinSpacings{};
-    const Result<Prepared> prepared = prepare(file, options);
-    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
-    const std::size_t made = reconstruct(prepared.value().points, {}).state.mesh().size();
+    const Prepared prepared = require(prepare(file, options), ExitCode::Internal);
+    const std::size_t made = reconstruct(prepared.points, {}).state.mesh().size();
     const std::size_t wanted = figure.counts.triangles;
     const std::size_t off = made > wanted ? made - wanted : wanted - made;
     const bool holds =
@@ -160,9 +159,8 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
     if (!std::filesystem::is_directory(folder)) {
-        throw Failure(ExitCode::Usage, fmt::format("--conformance {}: no folder, and it cannot be "
-                                                   "made",
-                                                   folder.string()));
+        throw Failure(ExitCode::Usage, "--conformance {}: no folder, and it cannot be made",
+                      folder.string());
     }
     for (const teach::ConformanceInput& input : teach::conformanceInputs()) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
@@ -207,8 +205,8 @@ ExitCode figuresVerb(const Arguments& words) {
         failed += checked.holds ? 0 : 1;
     }
     if (failed > 0) {
-        throw Failure(ExitCode::CheckFailed, fmt::format("{} of the figures {} not hold", failed,
-                                                         failed == 1 ? "does" : "do"));
+        throw Failure(ExitCode::CheckFailed, "{} of the figures {} not hold", failed,
+                      failed == 1 ? "does" : "do");
     }
     return ExitCode::Good;
 }

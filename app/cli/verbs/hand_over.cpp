@@ -29,9 +29,9 @@ constexpr const char* kViewerName = "spiraling-edge-viewer";
     pointers.push_back(nullptr);
     ::execv(viewer.c_str(), pointers.data());
     throw Failure(ExitCode::NoDisplay,
-                  fmt::format("cannot start the viewer: {} does not exist. Build it with "
-                              "-DSPIRALING_EDGE_BUILD_VIEWER=ON, or use spiraling-edge run",
-                              viewer));
+                  "cannot start the viewer: {} does not exist. Build it with "
+                  "-DSPIRALING_EDGE_BUILD_VIEWER=ON, or use spiraling-edge run",
+                  viewer);
 }
 
 /// Decided by the extension, or by JSON content. A session has a position of its own to show.
@@ -109,8 +109,7 @@ ExitCode renderVerb(const Arguments& words) {
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;
     if (!picture.ends_with(".png") && !picture.ends_with(".PNG"))
-        throw Failure(ExitCode::Usage,
-                      fmt::format("-o {}: pictures are written as .png only", picture));
+        throw Failure(ExitCode::Usage, "-o {}: pictures are written as .png only", picture);
     if (place.empty() && !isSession(input)) place = "100%";
     Arguments arguments{input};
     if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});

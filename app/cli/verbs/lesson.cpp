@@ -150,17 +150,15 @@ OpenedLesson openLesson(const std::string& name) {
     std::error_code ignored;
     if (!fs::exists(name, ignored)) {
         throw Failure(ExitCode::Input,
-                      name + ": no such lesson or file; `spiraling-edge lesson list` lists them");
+                      "{}: no such lesson or file; `spiraling-edge lesson list` lists them", name);
     }
-    Result<LessonReading> reading = teach::readLessonFile(name);
-    if (!reading) throw Failure(ExitCode::Input, reading.error().message);
-    return {std::move(reading.value()), fs::path(name).parent_path()};
+    return {require(teach::readLessonFile(name), ExitCode::Input), fs::path(name).parent_path()};
 }
 
 /// The one name of an action. Throws Failure(Usage) otherwise.
 const std::string& theName(const LessonArguments& arguments, const std::string& what) {
     if (arguments.names.size() == 1) return arguments.names.front();
-    throw Failure(ExitCode::Usage, fmt::format("lesson {}: expected {}", arguments.action, what));
+    throw Failure(ExitCode::Usage, "lesson {}: expected {}", arguments.action, what);
 }
 
 ExitCode listLessons(const LessonArguments& arguments) {
@@ -193,9 +191,7 @@ ExitCode showLesson(const LessonArguments& arguments) {
         return ExitCode::Good;
     }
     LessonRuns runs(opened.folder, arguments.limit);
-    const Result<std::string> page = lessonPageWithAnswers(reading.lesson, runs);
-    if (!page) throw Failure(ExitCode::Input, page.error().message);
-    printText(page.value());
+    printText(require(lessonPageWithAnswers(reading.lesson, runs), ExitCode::Input));
     return ExitCode::Good;
 }
 
@@ -241,9 +237,8 @@ std::string inputForLesson(const std::string& input, const std::string& output) 
     const fs::path folder = fs::absolute(output).parent_path();
     const fs::path path = fs::absolute(input).lexically_relative(folder);
     if (!path.empty() && *path.begin() != "..") return path.string();
-    throw Failure(
-        ExitCode::Usage,
-        fmt::format("{}: not in the folder of {}; a lesson lies beside its inputs", input, output));
+    throw Failure(ExitCode::Usage, "{}: not in the folder of {}; a lesson lies beside its inputs",
+                  input, output);
 }
 
 ExitCode newLesson(const LessonArguments& arguments) {
@@ -254,12 +249,9 @@ ExitCode newLesson(const LessonArguments& arguments) {
     const std::string output = arguments.output.empty() ? "-" : arguments.output;
     arguments.force.require({{"", input}}, {{"-o", output}});
     const std::string written = inputForLesson(input, output);
-    const Result<teach::PreparedRun> run =
-        teach::prepareRun(readInput(input, arguments.limit), input, {});
-    if (!run) throw Failure(ExitCode::Input, run.error().message);
-    const Result<std::string> text = teach::lessonSkeleton(written, run.value());
-    if (!text) throw Failure(ExitCode::Input, text.error().message);
-    writeOutput(output, text.value());
+    const teach::PreparedRun run =
+        require(teach::prepareRun(readInput(input, arguments.limit), input, {}), ExitCode::Input);
+    writeOutput(output, require(teach::lessonSkeleton(written, run), ExitCode::Input));
     return ExitCode::Good;
 }
 
@@ -271,11 +263,8 @@ ExitCode sumUpResults(const LessonArguments& arguments) {
     arguments.force.require(std::move(inputs), {{"-o", arguments.output}});
     std::vector<teach::LessonResult> results;
     for (const std::string& name : arguments.names) {
-        const Result<std::string> bytes = readBytes(name, kTextLimit);
-        if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
-        Result<teach::LessonResult> result = teach::resultFromJson(bytes.value(), name);
-        if (!result) throw Failure(ExitCode::Input, result.error().message);
-        results.push_back(std::move(result.value()));
+        const std::string bytes = require(readBytes(name, kTextLimit), ExitCode::Input);
+        results.push_back(require(teach::resultFromJson(bytes, name), ExitCode::Input));
     }
     const std::vector<teach::QuestionSummary> rows = teach::summarize(results);
     if (arguments.output != "-") printText(teach::summaryText(rows));
@@ -322,9 +311,10 @@ ExitCode lessonVerb(const Arguments& words) {
         std::find_if(kLessonActions.begin(), kLessonActions.end(),
                      [&](const LessonAction& each) { return each.name == arguments.action; });
     if (action == kLessonActions.end()) {
-        throw Failure(ExitCode::Usage, arguments.action +
-                                           ": expected list, show, check, new or results; see "
-                                           "spiraling-edge lesson --help");
+        throw Failure(
+            ExitCode::Usage,
+            "{}: expected list, show, check, new or results; see spiraling-edge lesson --help",
+            arguments.action);
     }
     return action->run(arguments);
 }

@@ -126,12 +126,9 @@ std::string solutionText(const PracticeTask& task) {
 
 std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& task) {
     const bool piped = path == kStandardInput;
-    const Result<std::string> bytes = readBytes(piped ? "/dev/stdin" : path, kTextLimit);
-    if (!bytes) throw Failure(ExitCode::Input, bytes.error().message);
-    Result<std::vector<PlayMove>> moves =
-        teach::readMoves(bytes.value(), piped ? "standard input" : path, task);
-    if (!moves) throw Failure(ExitCode::Input, moves.error().message);
-    return std::move(moves.value());
+    const std::string bytes =
+        require(readBytes(piped ? "/dev/stdin" : path, kTextLimit), ExitCode::Input);
+    return require(teach::readMoves(bytes, nameOfInput(path), task), ExitCode::Input);
 }
 
 std::string gradeText(const PracticeGrade& grade, const std::vector<PlayMove>& moves,

@@ -148,8 +148,7 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
     const std::string& output = arguments.output;
     const std::string session = arguments.beside(".sesession");
     const std::string test = arguments.beside(".sh");
-    const Status status = writeMeshPly(output, reduced.file, {});
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    require(writeMeshPly(output, reduced.file, {}), ExitCode::Internal);
     const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
     writeOutput(session, sessionOf(output, arguments.input, wanted, address));
     writeOutput(test, testText(output, arguments, wanted));
@@ -180,13 +179,11 @@ ExitCode reduceVerb(const Arguments& words) {
     const FailureChoice wanted = failureChoiceFrom(arguments.failure);
     if (wanted.kind->find == nullptr) {
         throw Failure(ExitCode::Usage,
-                      fmt::format("--failure {}: only failures of the mesh can be reduced; try "
-                                  "holes",
-                                  arguments.failure));
+                      "--failure {}: only failures of the mesh can be reduced; try holes",
+                      arguments.failure);
     }
     if (!arguments.output.ends_with(".ply"))
-        throw Failure(ExitCode::Usage,
-                      fmt::format("-o {}: only .ply is written", arguments.output));
+        throw Failure(ExitCode::Usage, "-o {}: only .ply is written", arguments.output);
     arguments.force.require(arguments.input.files(),
                             {{"-o", arguments.output},
                              {"-o (session)", arguments.beside(".sesession")},

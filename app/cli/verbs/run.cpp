@@ -69,10 +69,6 @@ struct TraceFormat {
     bool (*step)(Stepper&, EventLog&, teach::TraceDetail, std::string&);
 };
 
-void require(const Status& status) {
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
-}
-
 std::string noHeader(const PointSet&) { return {}; }
 
 /// One line per event.
@@ -118,9 +114,7 @@ TraceWriter::TraceWriter(const std::string& path, teach::TraceDetail detail) : d
     if (path.empty()) return;
     format_ = traceFormatOf(path);
     if (path == "-") return;
-    Result<AtomicFile> file = AtomicFile::create(path);
-    if (!file) throw Failure(ExitCode::Internal, file.error().message);
-    file_ = std::move(file.value());
+    file_ = require(AtomicFile::create(path), ExitCode::Internal);
 }
 
 void TraceWriter::begin(const PointSet& points) {
@@ -138,7 +132,7 @@ bool TraceWriter::step(Stepper& stepper) {
 
 void TraceWriter::flush() {
     if (file_) {
-        require(file_->write(buffer_));
+        require(file_->write(buffer_), ExitCode::Internal);
     } else {
         writeOutput("-", buffer_);
     }
@@ -148,7 +142,7 @@ void TraceWriter::flush() {
 void TraceWriter::commit() {
     if (!active()) return;
     flush();
-    if (file_) require(file_->commit());
+    if (file_) require(file_->commit(), ExitCode::Internal);
 }
 
 constexpr long long kMaxPivots = 0xffffffffLL;
@@ -232,17 +226,16 @@ struct RunArguments {
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
             throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
         if (output != "-" && meshFormatOf(output) == nullptr)
-            throw Failure(ExitCode::Usage,
-                          fmt::format("-o {}: only {} can be written", output,
-                                      listText(meshFormats(), &MeshFormat::extension, "and")));
+            throw Failure(ExitCode::Usage, "-o {}: only {} can be written", output,
+                          listText(meshFormats(), &MeshFormat::extension, "and"));
         if (writing.normals) requireNormals();
         if (faultFields) requireColumns();
         if (lists) requireLists();
         if (stages && !isPivotTrace(trace)) {
             throw Failure(ExitCode::Usage,
-                          fmt::format("--trace-stages: {} has a line per decision already; name "
-                                      "a file .setrace with --trace",
-                                      trace));
+                          "--trace-stages: {} has a line per decision already; name a file "
+                          ".setrace with --trace",
+                          trace);
         }
         force.require(input.files(), {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
@@ -250,23 +243,18 @@ struct RunArguments {
     /// Reports `--fault-fields` where no columns of points can be written.
     void requireColumns() const {
         if (output == "-" || keepsColumns(*meshFormatOf(output))) return;
-        throw Failure(
-            ExitCode::Usage,
-            fmt::format("--fault-fields -o {}: this format cannot hold numbers of points; "
-                        "choose {}",
-                        output,
-                        listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns)));
+        throw Failure(ExitCode::Usage,
+                      "--fault-fields -o {}: this format cannot hold numbers of points; choose {}",
+                      output, listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
     }
 
     /// Reports `--with-lists` where no neighbor lists can be written.
     void requireLists() const {
         if (output != "-" && !keepsColumns(*meshFormatOf(output))) {
-            throw Failure(
-                ExitCode::Usage,
-                fmt::format("--with-lists -o {}: this format cannot hold neighbor lists; "
-                            "choose {}",
-                            output,
-                            listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns)));
+            throw Failure(ExitCode::Usage,
+                          "--with-lists -o {}: this format cannot hold neighbor lists; choose {}",
+                          output,
+                          listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
         }
         if (usedPoints)
             throw Failure(ExitCode::Usage,
@@ -279,11 +267,10 @@ struct RunArguments {
             throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
         if (output != "-" && cannotHoldNormals(*meshFormatOf(output)))
             throw Failure(ExitCode::Usage,
-                          fmt::format("--normals -o {}: this format cannot hold normals of "
-                                      "points; {} can",
-                                      output,
-                                      listText(meshFormats(), &MeshFormat::extension, "and",
-                                               &MeshFormat::bytesWithNormals)));
+                          "--normals -o {}: this format cannot hold normals of points; {} can",
+                          output,
+                          listText(meshFormats(), &MeshFormat::extension, "and",
+                                   &MeshFormat::bytesWithNormals));
     }
 };
 
@@ -333,8 +320,7 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
 void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh,
                    const WriteOptions& options) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
-    const Status status = se::writeMesh(path, file, mesh, options);
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    require(writeMesh(path, file, mesh, options), ExitCode::Internal);
 }
 
 /// Writes the mesh to the destination of -o, and records the path and the offset.
@@ -422,9 +408,9 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.quiet) printNote(shiftText(outcome));
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
-                      fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
-                                  "far is not a surface. See docs/robust.md",
-                                  outcome.input, counted(outcome.state.mesh().size(), "triangle")));
+                      "{}: stopped at {}, more than a surface can have; the mesh so far is not a "
+                      "surface. See docs/robust.md",
+                      outcome.input, counted(outcome.state.mesh().size(), "triangle"));
     }
     const std::string faults = faultSentence(outcome);
     const bool none = outcome.mesh.triangles == 0;

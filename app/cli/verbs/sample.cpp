@@ -77,9 +77,9 @@ struct SampleArguments {
 
     void validate() const {
         if (input.empty())
-            throw Failure(ExitCode::Usage,
-                          "name a shape or a volume; `spiraling-edge sample --list` lists the "
-                          "shapes");
+            throw Failure(
+                ExitCode::Usage,
+                "name a shape or a volume; `spiraling-edge sample --list` lists the shapes");
         if (sampler.count == 0 && !(sampler.spacing > 0.0))
             throw Failure(ExitCode::Usage,
                           "give the number of points: -n N, or --spacing S above 0");
@@ -89,10 +89,8 @@ struct SampleArguments {
         // Points are made to be read again.
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
         if (output != "-" && (format == nullptr || !isReadable(*format)))
-            throw Failure(
-                ExitCode::Usage,
-                fmt::format("-o {}: points can be written as {}", output,
-                            listText(meshFormats(), &MeshFormat::extension, "or", isReadable)));
+            throw Failure(ExitCode::Usage, "-o {}: points can be written as {}", output,
+                          listText(meshFormats(), &MeshFormat::extension, "or", isReadable));
         const bool volume = isVolumePath(input);
         force.require({{"", volume ? input : ""},
                        {"the data file", volume ? dataFileOf(input).string() : ""}},
@@ -125,16 +123,13 @@ std::string shapesJson() {
 void addNeighbors(std::size_t k, PointFile& file) {
     PrepareOptions options;
     options.neighbors.reach = KNearest{k};
-    Result<Prepared> prepared = prepare(file, options);
-    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
-    file.neighbors = std::move(prepared.value().points.neighbors);
+    file.neighbors = require(prepare(file, options), ExitCode::Internal).points.neighbors;
 }
 
 void writePoints(const std::string& path, const PointFile& file) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, {}));
-    const Status status =
-        writeMesh(path, file, {}, {.normals = true});  // The lists are half the result.
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    // The lists are half the result.
+    require(writeMesh(path, file, {}, {.normals = true}), ExitCode::Internal);
 }
 
 std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,

@@ -100,8 +100,7 @@ struct TableArguments {
              {std::pair{"--volumes", &volumes}, std::pair{"--save", &save}}) {
             std::error_code ignored;
             if (!folder->empty() && !std::filesystem::is_directory(*folder, ignored))
-                throw Failure(ExitCode::Usage,
-                              fmt::format("{} {}: no such folder", option, *folder));
+                throw Failure(ExitCode::Usage, "{} {}: no such folder", option, *folder);
         }
         NamedFiles inputs;
         NamedFiles outputs;
@@ -157,9 +156,8 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
 
 /// With the requested neighbor lists.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
-    Result<Prepared> prepared = prepare(file, prepareOptionsFrom(arguments.spec(), params, file));
-    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
-    return std::move(prepared.value().points);
+    const PrepareOptions options = prepareOptionsFrom(arguments.spec(), params, file);
+    return require(prepare(file, options), ExitCode::Internal).points;
 }
 
 /// "neighbors within 1.6 spacings".

@@ -114,10 +114,10 @@ std::array<Index, 3> pointsFrom(const std::string& option, const std::string& te
         ++at;
     }
     if (found == count && at == end) return points;
-    throw Failure(ExitCode::Usage, fmt::format("{} {}: expected {}", option, text,
-                                               count == 1   ? "a point number, such as 812"
-                                               : count == 2 ? "two points, such as 812,640"
-                                                            : "three points, such as 812,640,77"));
+    throw Failure(ExitCode::Usage, "{} {}: expected {}", option, text,
+                  count == 1   ? "a point number, such as 812"
+                  : count == 2 ? "two points, such as 812,640"
+                               : "three points, such as 812,640,77");
 }
 
 std::string wordList() {
@@ -316,12 +316,12 @@ ExitCode whyVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     // Mistakes in the query are reported before the long work.
-    const auto query = DecisionQuery::parse(arguments.query);
+    const auto parsed = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
     if (arguments.prove && !arguments.failures)
         throw Failure(ExitCode::Usage, "--prove: needs --failures");
-    if (!query) throw Failure(ExitCode::Usage, "--find: " + query.error().message);
+    const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");
     const bool asksFailure = !arguments.failure.empty();
     const auto choice =
         asksFailure ? std::optional(failureChoiceFrom(arguments.failure)) : std::nullopt;
@@ -329,11 +329,8 @@ ExitCode whyVerb(const Arguments& words) {
         !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
     if (asksSubject) (void)arguments.subject();
     std::optional<RingAddress> ring;
-    if (!arguments.ring.empty()) {
-        const auto place = ringAddressFromString(arguments.ring);
-        if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
-        ring = place.value();
-    }
+    if (!arguments.ring.empty())
+        ring = require(ringAddressFromString(arguments.ring), ExitCode::Usage, "--ring ");
     ProgressLine line(!arguments.quiet);
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);
@@ -345,14 +342,13 @@ ExitCode whyVerb(const Arguments& words) {
     }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);
-    const std::string answer = arguments.failures ? askFailures(arguments, run, line)
-                               : choice           ? askFailure(arguments, *choice, run, line)
-                               : asksSubject      ? askWhy(arguments, run, line)
-                               : ring             ? askRing(arguments, *ring, run, line)
-                               : arguments.charts ? askCharts(arguments, run, line)
-                               : arguments.closest > 0
-                                   ? askClosest(arguments, run, line)
-                                   : askQuery(arguments, query.value(), run, line);
+    const std::string answer = arguments.failures      ? askFailures(arguments, run, line)
+                               : choice                ? askFailure(arguments, *choice, run, line)
+                               : asksSubject           ? askWhy(arguments, run, line)
+                               : ring                  ? askRing(arguments, *ring, run, line)
+                               : arguments.charts      ? askCharts(arguments, run, line)
+                               : arguments.closest > 0 ? askClosest(arguments, run, line)
+                                                       : askQuery(arguments, query, run, line);
     printText(answer);
     return ExitCode::Good;
 }
