@@ -11,6 +11,7 @@
 #include "spiraling_edge/base/freed_memory.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "teach/find_named.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -43,13 +44,6 @@ constexpr std::array kVerbs{
     Verb{"render", "write a picture without opening a window", renderVerb},
     Verb{"export", "write frames as pictures, an animation or a page", exportVerb},
 };
-
-const Verb* findVerb(std::string_view name) {
-    for (const Verb& verb : kVerbs) {
-        if (verb.name == name) return &verb;
-    }
-    return nullptr;
-}
 
 std::string helpText() {
     std::string text =
@@ -92,7 +86,7 @@ ExitCode dispatch(const Arguments& arguments) {
         return ExitCode::Usage;
     }
     const std::string& word = arguments.front();
-    const Verb* second = arguments.size() > 1 ? findVerb(arguments[1]) : nullptr;
+    const Verb* second = arguments.size() > 1 ? teach::findNamed(kVerbs, arguments[1]) : nullptr;
     if (word == "help" && second != nullptr) return second->run({"--help"});
     if (word == "-h" || word == "--help" || word == "help") {
         printText(helpText());
@@ -102,7 +96,7 @@ ExitCode dispatch(const Arguments& arguments) {
         printText(fmt::format("spiraling-edge {}\n", SPIRALING_EDGE_VERSION));
         return ExitCode::Good;
     }
-    if (const Verb* verb = findVerb(word))
+    if (const Verb* verb = teach::findNamed(kVerbs, word))
         return verb->run(Arguments(arguments.begin() + 1, arguments.end()));
     return runWithoutVerb(arguments);
 }

@@ -1,5 +1,7 @@
 #include "options/spec_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace se {
@@ -50,14 +52,9 @@ void addByteLimit(CLI::App& app, ByteLimit& limit) {
 
 std::string rulesHelp() {
     std::string help = "\nRules (docs/choices.md):";
-    for (const RuleSetting& rule : ruleSettings()) {
-        std::string name(rule.name);
-        name.resize(std::max<std::size_t>(name.size(), 12), ' ');
-        std::string section(rule.section);
-        section.resize(std::max<std::size_t>(section.size(), 4), ' ');
-        help.append("\n  ").append(name).append(" ").append(section).append(" ");
-        help.append(rule.summary).append(": ").append(valuesText(rule));
-    }
+    for (const RuleSetting& rule : ruleSettings())
+        help += fmt::format("\n  {:<12} {:<4} {}: {}", rule.name, rule.section, rule.summary,
+                            valuesText(rule));
     return help;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "spiraling_edge/base/text_scan.h"
 
@@ -102,6 +103,56 @@ std::string jsonSyntaxFault(std::string_view text, std::size_t byte) {
     const std::string_view rest = text.substr(offset);
     return placeOf(text, offset, 1) + ": expected JSON, found " +
            (rest.empty() ? "the end" : inQuotes(rest.substr(0, rest.find('\n'))));
+}
+
+void JsonEntry::fail(std::string_view expected) const {
+    throw JsonFault{file_ + (path_.empty() ? "" : ": " + path_) + ": expected " +
+                    std::string(expected) + ", got " + jsonExcerpt(json_)};
+}
+
+bool JsonEntry::has(const std::string& key) const {
+    return json_.is_object() && json_.contains(key);
+}
+
+JsonEntry JsonEntry::at(const std::string& key) const {
+    static const nlohmann::json kMissing;
+    if (!json_.is_object()) fail("an object");
+    return {has(key) ? json_[key] : kMissing, file_, (path_.empty() ? "" : path_ + ".") + key};
+}
+
+std::vector<JsonEntry> JsonEntry::items(std::string_view expected) const {
+    if (!json_.is_array()) fail(expected);
+    std::vector<JsonEntry> all;
+    for (std::size_t i = 0; i < json_.size(); ++i)
+        all.emplace_back(json_[i], file_, path_ + "[" + std::to_string(i) + "]");
+    return all;
+}
+
+std::string JsonEntry::text() const {
+    if (!json_.is_string()) fail("a text");
+    return json_.get<std::string>();
+}
+
+double JsonEntry::number() const {
+    const double number = json_.is_number() ? json_.get<double>() : -1.0;
+    if (!(number >= 0.0) || !std::isfinite(number)) fail("a number from 0 on");
+    return number;
+}
+
+std::size_t JsonEntry::count() const {
+    if (!json_.is_number_unsigned()) fail("a whole number from 0 on");
+    return json_.get<std::size_t>();
+}
+
+bool JsonEntry::truth() const {
+    if (!json_.is_boolean()) fail("true or false");
+    return json_.get<bool>();
+}
+
+std::vector<std::string> JsonEntry::texts() const {
+    std::vector<std::string> texts;
+    for (const JsonEntry& each : items("a list of texts")) texts.push_back(each.text());
+    return texts;
 }
 
 }  // namespace se::teach

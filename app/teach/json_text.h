@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/result.h"
@@ -45,5 +46,42 @@ template <typename Json>
 std::string jsonExcerpt(const Json& value) {
     return excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
+
+/// Thrown where a value of a file is not what was expected; caught by the reader of the whole file.
+struct JsonFault {
+    std::string text;
+};
+
+/// A value of a JSON file. Its functions throw JsonFault if it is of another type than theirs.
+class JsonEntry {
+  public:
+    /// `file` begins messages; `path` leads to the value in it: "rings[1][3]".
+    JsonEntry(const nlohmann::json& json, std::string file, std::string path = {})
+        : json_(json), file_(std::move(file)), path_(std::move(path)) {}
+
+    /// Throws JsonFault: file, path, what was expected and what is there.
+    [[noreturn]] void fail(std::string_view expected) const;
+    const nlohmann::json& json() const { return json_; }
+
+    /// True if an object has that key.
+    bool has(const std::string& key) const;
+    /// The value of an object at a key; null if it is missing.
+    JsonEntry at(const std::string& key) const;
+    /// The values of a list.
+    std::vector<JsonEntry> items(std::string_view expected) const;
+
+    std::string text() const;
+    /// A finite number from 0 on.
+    double number() const;
+    /// A whole number from 0 on.
+    std::size_t count() const;
+    bool truth() const;
+    std::vector<std::string> texts() const;
+
+  private:
+    const nlohmann::json& json_;
+    std::string file_;
+    std::string path_;
+};
 
 }  // namespace se::teach

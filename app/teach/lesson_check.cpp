@@ -6,13 +6,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include "lesson_keys.h"
+#include "find_named.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/decision_query.h"
@@ -70,9 +70,8 @@ constexpr std::array kMeshNumbers{
 std::optional<double> meshNumber(const std::string& subject, const ClaimedRun& run,
                                  const ClaimedRuns& runs) {
     const auto counted = [](auto count) { return static_cast<double>(count); };
-    for (const MeshNumber& each : kMeshNumbers) {
-        if (each.name == subject) return counted(reportMesh(run.points, run.mesh).*each.number);
-    }
+    if (const MeshNumber* row = findNamed(kMeshNumbers, subject))
+        return counted(reportMesh(run.points, run.mesh).*row->number);
     if (const FailureClass* kind = findFailureClass(subject)) {
         const std::ptrdiff_t row = kind - failureClasses().data();
         const MeshInspection inspected = inspectWithTotals(run.points, run.mesh);
@@ -94,8 +93,7 @@ std::optional<double> meshNumber(const std::string& subject, const ClaimedRun& r
 Result<double> angleOf(const std::string& words, const ClaimedRuns& runs) {
     const std::vector<Vec3>& all = runs.a.points.position;
     std::vector<Vec3> at;
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;) {
+    for (const std::string& word : io::wordsIn(words)) {
         const Index point = pointOf(word, runs.names);
         if (point >= all.size()) return Error{word + ": no such point"};
         at.push_back(all[point]);
@@ -152,8 +150,7 @@ Result<double> wantedBy(const Claim& claim, const ClaimedRuns& runs) {
 /// The words of a text, with one blank between them.
 std::string singleBlanks(const std::string& text) {
     std::string words;
-    std::istringstream stream(text);
-    for (std::string word; stream >> word;) words += (words.empty() ? "" : " ") + word;
+    for (const std::string& word : io::wordsIn(text)) words += (words.empty() ? "" : " ") + word;
     return words;
 }
 

@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "find_named.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 
 namespace se::teach {
 namespace {
@@ -193,13 +194,7 @@ bool readFacts(const toml::node& node, LessonStep& step) {
 bool readCompare(const toml::node& node, LessonStep& step) {
     if (!areWords(node, step.compare)) return false;
     if (node.is_array()) return !step.compare.empty();
-    std::string line = std::move(step.compare.front());
-    step.compare.clear();
-    for (std::size_t at = 0; at < line.size();) {
-        const std::size_t blank = std::min(line.find(' ', at), line.size());
-        if (blank > at) step.compare.push_back(line.substr(at, blank - at));
-        at = blank + 1;
-    }
+    step.compare = io::wordsIn(step.compare.front());
     return !step.compare.empty();
 }
 
@@ -318,29 +313,6 @@ bool readOptions(const toml::node& node, Lesson& lesson) {
     return true;
 }
 
-/// Number of letters to add, remove or change to make one word of the other.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, change});
-        }
-    }
-    return row.back();
-}
-
-template <typename Target>
-std::string_view nearestKey(std::span<const KeyRow<Target>> rows, std::string_view word) {
-    std::vector<std::string_view> names;
-    for (const KeyRow<Target>& row : rows) names.push_back(row.name);
-    return nearestWord(names, word);
-}
-
 /// Parses a block and reads each of its keys by its row.
 template <typename Target>
 void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, Target& target,
@@ -360,13 +332,10 @@ void readBlock(const LessonBlock& block, std::span<const KeyRow<Target>> rows, T
     for (const auto& [key, value] : parsed.table()) {
         const std::string name(key.str());
         const std::size_t line = block.line + key.source().begin.line;
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const KeyRow<Target>& each) {
-            return each.name == name;
-        });
-        if (row == rows.end()) {
-            faults.push_back(
-                {FaultSort::Malformed, line, excerpt(name),
-                 "no such key; the nearest is " + std::string(nearestKey(rows, name))});
+        const KeyRow<Target>* row = findNamed(rows, name);
+        if (row == nullptr) {
+            faults.push_back({FaultSort::Malformed, line, excerpt(name),
+                              "no such key; the nearest is " + nearestName(rows, name)});
             continue;
         }
         target.lines.keys.emplace_back(name, line);
@@ -395,15 +364,6 @@ void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<Lesso
 
 void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults) {
     readBlock<Question>(block, kAskKeys, question, faults);
-}
-
-std::string_view nearestWord(std::span<const std::string_view> list, std::string_view word) {
-    assert(!list.empty());
-    constexpr std::size_t kLongestWord = 64;
-    const std::string_view cut = word.substr(0, kLongestWord);
-    return *std::min_element(list.begin(), list.end(), [&](std::string_view a, std::string_view b) {
-        return editDistance(a, cut) < editDistance(b, cut);
-    });
 }
 
 std::vector<LessonKey> lessonKeys() {

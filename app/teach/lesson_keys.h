@@ -2,7 +2,6 @@
 /// row here.
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,9 +19,6 @@ struct LessonBlock {
 void readLessonBlock(const LessonBlock& block, Lesson& lesson, std::vector<LessonFault>& faults);
 void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<LessonFault>& faults);
 void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults);
-
-/// The word of a list that is nearest to one that was typed. Requires a list that is not empty.
-std::string_view nearestWord(std::span<const std::string_view> list, std::string_view word);
 
 /// A key, for help.
 struct LessonKey {

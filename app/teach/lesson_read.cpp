@@ -2,15 +2,13 @@
 // between them, so that it stays Markdown.
 #include "lesson_read.h"
 
-#include <cmark.h>
-
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "file_bytes.h"
 #include "lesson_keys.h"
 #include "lesson_syntax.h"
+#include "markdown_tree.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -20,7 +18,6 @@ namespace {
 
 /// The folder of a lesson; nothing for one that is not a file.
 using Folder = std::optional<std::filesystem::path>;
-using MarkdownTree = std::unique_ptr<cmark_node, decltype(&cmark_node_free)>;
 
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;
@@ -36,19 +33,8 @@ std::vector<std::string_view> linesOf(std::string_view text) {
 
 std::string plainText(cmark_node* heading) {
     std::string text;
-    cmark_iter* iterator = cmark_iter_new(heading);
-    while (cmark_iter_next(iterator) != CMARK_EVENT_DONE) {
-        cmark_node* node = cmark_iter_get_node(iterator);
-        const char* literal = cmark_node_get_literal(node);
-        if (literal != nullptr) text += literal;
-    }
-    cmark_iter_free(iterator);
+    visitNodes(heading, [&](cmark_node* node, cmark_event_type) { text += literalOf(node); });
     return text;
-}
-
-std::string_view urlOf(cmark_node* node) {
-    const char* url = cmark_node_get_url(node);
-    return url == nullptr ? std::string_view{} : url;
 }
 
 constexpr std::string_view kOutside = " is not in the folder of the lesson";
@@ -170,21 +156,17 @@ class LessonReader {
 
     /// Links to decisions, and images, which must not leave the folder.
     void takeLinks(cmark_node* block, std::size_t line) {
-        cmark_iter* iterator = cmark_iter_new(block);
-        for (cmark_event_type event = cmark_iter_next(iterator); event != CMARK_EVENT_DONE;
-             event = cmark_iter_next(iterator)) {
-            if (event != CMARK_EVENT_ENTER) continue;
-            cmark_node* node = cmark_iter_get_node(iterator);
+        visitNodes(block, [&](cmark_node* node, cmark_event_type event) {
+            if (event != CMARK_EVENT_ENTER) return;
             const cmark_node_type type = cmark_node_get_type(node);
-            if (type == CMARK_NODE_LINK && urlOf(node).starts_with("se:") && !lesson_.steps.empty())
-                lesson_.steps.back().links.push_back({line, std::string(urlOf(node).substr(3))});
-            if (type != CMARK_NODE_IMAGE) continue;
-            const bool isAddress = urlOf(node).find(':') != std::string_view::npos;
-            const std::string_view refusal = isAddress ? kOutside : refusalOf(urlOf(node), folder_);
-            if (!refusal.empty())
-                add(line, "", "the image " + excerpt(urlOf(node)) + std::string(refusal));
-        }
-        cmark_iter_free(iterator);
+            const std::string_view url = urlOf(node);
+            if (type == CMARK_NODE_LINK && url.starts_with("se:") && !lesson_.steps.empty())
+                lesson_.steps.back().links.push_back({line, std::string(url.substr(3))});
+            if (type != CMARK_NODE_IMAGE) return;
+            const bool isAddress = url.find(':') != std::string_view::npos;
+            const std::string_view refusal = isAddress ? kOutside : refusalOf(url, folder_);
+            if (!refusal.empty()) add(line, "", "the image " + excerpt(url) + std::string(refusal));
+        });
     }
 
     void requireInside(const std::string& input, std::size_t line) {
@@ -246,8 +228,7 @@ LessonReading parsedLesson(std::string_view text, const std::string& name, const
         const auto lines = std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n');
         return refused(name, static_cast<std::size_t>(lines) + 1, "a zero byte; expected text");
     }
-    const MarkdownTree tree(cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT),
-                            &cmark_node_free);
+    const MarkdownTree tree = markdownTree(text);
     return LessonReader(text, name, folder).read(tree.get());
 }
 

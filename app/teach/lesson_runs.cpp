@@ -9,6 +9,7 @@
 
 #include "lesson_read.h"
 #include "practice.h"
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/read_points.h"
@@ -44,8 +45,7 @@ std::string absenceText(RunCursor& cursor, const Address& address) {
     }
     const std::size_t count = countOf(address.stage, cursor.pivot().events);
     if (count == 0) return pivot + " has no decision of " + stage;
-    return pivot + " has " + std::to_string(count) +
-           (count == 1 ? " decision of " : " decisions of ") + stage + ", not " +
+    return pivot + " has " + counted(count, "decision") + " of " + stage + ", not " +
            std::to_string(address.n);
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "find_named.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/scenes/figures.h"
 
@@ -74,9 +75,7 @@ StepSetting settingOf(const Lesson& lesson, std::size_t step) {
 }
 
 std::optional<Vec3> viewDirection(const StepSetting& setting) {
-    for (const LessonView& each : lessonViews()) {
-        if (each.name == setting.view) return each.toEye;
-    }
+    if (const LessonView* view = findNamed(lessonViews(), setting.view)) return view->toEye;
     const Figure* figure = figureOf(setting.input);
     return figure != nullptr ? std::optional(figure->view) : std::nullopt;
 }
@@ -96,9 +95,7 @@ std::vector<PointName> pointNames(const std::vector<NamedPoint>& names) {
 }
 
 Index pointOf(std::string_view word, const std::vector<NamedPoint>& names) {
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&](const NamedPoint& each) { return each.name == word; });
-    if (found != names.end()) return found->point;
+    if (const NamedPoint* found = findNamed(names, word)) return found->point;
     return numberIn<Index>(word).value_or(kNone);
 }
 

@@ -9,6 +9,7 @@
 #include "question.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::teach {
@@ -31,10 +32,7 @@ class BlockFaults {
     template <typename Names>
     void oneOf(std::string_view key, std::string_view value, const Names& names) {
         if (value.empty() || std::find(names.begin(), names.end(), value) != names.end()) return;
-        std::string list;
-        for (const std::string_view name : names)
-            list += (list.empty() ? "" : ", ") + std::string(name);
-        add(key, "expected one of " + list);
+        add(key, "expected one of " + wordList(names, ""));
     }
     void view(std::string_view value) {
         std::vector<std::string_view> names;

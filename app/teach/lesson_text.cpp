@@ -1,23 +1,9 @@
 #include "lesson_text.h"
 
-#include <cmark.h>
-
-#include <memory>
+#include "markdown_tree.h"
 
 namespace se::teach {
 namespace {
-
-using TextTree = std::unique_ptr<cmark_node, decltype(&cmark_node_free)>;
-
-std::string_view literalOf(cmark_node* node) {
-    const char* literal = cmark_node_get_literal(node);
-    return literal == nullptr ? std::string_view{} : literal;
-}
-
-std::string_view linkOf(cmark_node* node) {
-    const char* url = cmark_node_get_url(node);
-    return url == nullptr ? std::string_view{} : url;
-}
 
 TextBlockKind kindOf(cmark_node* node) {
     cmark_node* parent = cmark_node_parent(node);
@@ -49,12 +35,12 @@ class BlockCollector {
         const bool enters = event == CMARK_EVENT_ENTER;
         if (type == CMARK_NODE_EMPH) style_.emphasized = enters;
         if (type == CMARK_NODE_STRONG) style_.strong = enters;
-        if (type == CMARK_NODE_LINK) style_.link = enters ? linkOf(node) : "";
+        if (type == CMARK_NODE_LINK) style_.link = enters ? urlOf(node) : "";
         if (!enters) return;
         if (type == CMARK_NODE_PARAGRAPH || type == CMARK_NODE_HEADING) {
             blocks_.push_back({kindOf(node), {}, numberOf(node), {}});
         } else if (type == CMARK_NODE_IMAGE) {
-            blocks_.push_back({TextBlockKind::Image, {}, 0, std::string(linkOf(node))});
+            blocks_.push_back({TextBlockKind::Image, {}, 0, std::string(urlOf(node))});
         } else if (type == CMARK_NODE_CODE_BLOCK || type == CMARK_NODE_HTML_BLOCK) {
             blocks_.push_back({TextBlockKind::Code, {}, 0, {}});
             add(literalOf(node));
@@ -88,14 +74,10 @@ class BlockCollector {
 }  // namespace
 
 std::vector<TextBlock> textBlocks(std::string_view markdown) {
-    const TextTree tree(cmark_parse_document(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT),
-                        &cmark_node_free);
+    const MarkdownTree tree = markdownTree(markdown);
     BlockCollector collector;
-    cmark_iter* iterator = cmark_iter_new(tree.get());
-    for (cmark_event_type event = cmark_iter_next(iterator); event != CMARK_EVENT_DONE;
-         event = cmark_iter_next(iterator))
-        collector.visit(cmark_iter_get_node(iterator), event);
-    cmark_iter_free(iterator);
+    visitNodes(tree.get(),
+               [&](cmark_node* node, cmark_event_type event) { collector.visit(node, event); });
     return collector.take();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "find_named.h"
 #include "lesson_setting.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/event_text.h"
@@ -160,9 +161,8 @@ std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names)
 Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoint>& names) {
     io::Fields fields(text, ',');
     const std::string_view name = fields.next();
-    const auto row = std::find_if(kMoveTable.begin(), kMoveTable.end(),
-                                  [&](const MoveRow& each) { return each.name == name; });
-    if (row == kMoveTable.end()) {
+    const MoveRow* row = findNamed(kMoveTable, name);
+    if (row == nullptr) {
         return Error{inQuotes(name) +
                      ": expected start, end, keep, remove, fan or next, "
                      "then points"};

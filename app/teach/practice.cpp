@@ -14,7 +14,7 @@
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
-#include "spiraling_edge/stepper/stepper.h"
+#include "trace/trace_run.h"
 
 namespace se::teach {
 namespace {
@@ -133,13 +133,6 @@ constexpr PracticeSort kSorts[] = {
     {kUnevenSample, [](const PracticeTask& task) { return hasVerdict(task, Verdict::Outside); }},
 };
 
-std::vector<Index> pointsOfRing(const EdgeRings& rings, Index ring, Index entry) {
-    std::vector<Index> points;
-    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry))
-        points.push_back(rings.point(entry));
-    return points;
-}
-
 bool hasOpenStep(const EdgeRings& rings) {
     for (const Index entry : rings.entriesOf(rings.active())) {
         if (rings.open(entry)) return true;
@@ -150,9 +143,8 @@ bool hasOpenStep(const EdgeRings& rings) {
 /// Records the rings and the DONE points before a pivot.
 void recordBefore(const State& state, PracticeTask& task) {
     const EdgeRings& rings = state.rings;
-    task.ring = pointsOfRing(rings, rings.active(), state.pivot.pivot);
-    for (const Index ring : rings.stack())
-        task.stack.push_back(pointsOfRing(rings, ring, rings.head(ring)));
+    task.ring = ringFrom(rings, state.pivot.pivot);
+    for (const Index ring : rings.stack()) task.stack.push_back(ringFrom(rings, rings.head(ring)));
     task.done = state.done;
     std::sort(task.done.begin(), task.done.end());
 }

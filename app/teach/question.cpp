@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "find_named.h"
 #include "lesson_setting.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -40,15 +41,16 @@ Result<Answer> readPoint(const Words& words, const QuestionContext& context) {
 }
 
 Result<Answer> pointsOfRun(const RunValue& value, const QuestionContext&) {
-    Answer answer;
-    answer.points = sortedSet(value.points);
-    return answer;
+    return Answer{.points = sortedSet(value.points)};
 }
 
 Result<Answer> pointOfRun(const RunValue& value, const QuestionContext& context) {
     if (value.points.size() != 1) return Error{"the run names no point there"};
     return pointsOfRun(value, context);
 }
+
+/// The grade of an answer that has no parts.
+Grade wholeGrade(bool right) { return {right, right ? 1.0 : 0.0, {}, {}}; }
 
 Grade gradePoints(const Answer& given, const Answer& right, const Question&) {
     const std::vector<Index> a = sortedSet(given.points);
@@ -94,17 +96,12 @@ Result<Answer> choiceOfRun(const RunValue& value, const QuestionContext& context
     if (std::count_if(verdicts.begin(), verdicts.end(), isThat) != 1)
         return Error{"the outcome is " + inQuotes(value.outcome) +
                      ", which is not one of the options"};
-    Answer answer;
     const auto found = std::find_if(verdicts.begin(), verdicts.end(), isThat);
-    answer.choice = static_cast<std::size_t>(found - verdicts.begin());
-    return answer;
+    return Answer{.choice = static_cast<std::size_t>(found - verdicts.begin())};
 }
 
 Grade gradeChoice(const Answer& given, const Answer& right, const Question&) {
-    Grade grade;
-    grade.right = given.choice.has_value() && given.choice == right.choice;
-    grade.score = grade.right ? 1.0 : 0.0;
-    return grade;
+    return wholeGrade(given.choice.has_value() && given.choice == right.choice);
 }
 
 std::string textOfChoice(const Answer& answer, const QuestionContext& context) {
@@ -125,17 +122,12 @@ Result<Answer> readNumberAnswer(const Words& words, const QuestionContext&) {
 
 Result<Answer> numberOfRun(const RunValue& value, const QuestionContext&) {
     if (!value.number) return Error{"the run has no number there"};
-    Answer answer;
-    answer.number = value.number;
-    return answer;
+    return Answer{.number = value.number};
 }
 
 Grade gradeNumber(const Answer& given, const Answer& right, const Question& question) {
-    Grade grade;
-    grade.right =
-        given.number && right.number && std::abs(*given.number - *right.number) <= question.within;
-    grade.score = grade.right ? 1.0 : 0.0;
-    return grade;
+    return wholeGrade(given.number && right.number &&
+                      std::abs(*given.number - *right.number) <= question.within);
 }
 
 std::string textOfNumber(const Answer& answer, const QuestionContext&) {
@@ -162,9 +154,7 @@ Result<Answer> playOfRun(const RunValue& value, const QuestionContext&) {
             "no pivot is played there; `at` has to be where an interior pivot begins, "
             "such as 9.pivot.1"};
     }
-    Answer answer;
-    answer.moves = value.moves;
-    return answer;
+    return Answer{.moves = value.moves};
 }
 
 Grade gradePlay(const Answer& given, const Answer& right, const Question&) {
@@ -209,23 +199,12 @@ constexpr std::array kQuestionKinds{
                  textOfPlay},
 };
 
-/// Words of an option of a question that is no choice: "8, 9" names two points.
-Words optionWords(const std::string& option) {
-    Words words;
-    io::Fields fields(option, ',');
-    for (std::string_view word = fields.next(); !word.empty(); word = fields.next())
-        words.emplace_back(word);
-    return words;
-}
-
 }  // namespace
 
 std::span<const QuestionKind> questionKinds() { return kQuestionKinds; }
 
 const QuestionKind* findQuestionKind(std::string_view name) {
-    const auto found = std::find_if(kQuestionKinds.begin(), kQuestionKinds.end(),
-                                    [&](const QuestionKind& each) { return each.name == name; });
-    return found == kQuestionKinds.end() ? nullptr : &*found;
+    return findNamed(kQuestionKinds, name);
 }
 
 Grade gradeAnswer(const Question& question, const Answer& given, const Answer& right) {
@@ -240,7 +219,9 @@ std::optional<std::size_t> rightOption(const QuestionContext& context, const Ans
     if (right.choice) return right.choice;
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < context.question.options.size(); ++i) {
-        const Result<Answer> option = kind->read(optionWords(context.question.options[i]), context);
+        // "8, 9" names two points.
+        const Words words = io::wordsIn(context.question.options[i], ',');
+        const Result<Answer> option = kind->read(words, context);
         if (!option || !kind->grade(option.value(), right, context.question).right) continue;
         if (found) return std::nullopt;
         found = i;

@@ -17,10 +17,10 @@ namespace se::teach {
 
 /// An answer, given or right: the member of its kind.
 struct Answer {
-    std::vector<Index> points;          ///< Of `points`, in any order; of `point`, one.
-    std::optional<std::size_t> choice;  ///< From 0, A.
-    std::optional<double> number;
-    std::vector<PlayMove> moves;  ///< Of `play`, in order.
+    std::vector<Index> points = {};          ///< Of `points`, in any order; of `point`, one.
+    std::optional<std::size_t> choice = {};  ///< From 0, A.
+    std::optional<double> number = {};
+    std::vector<PlayMove> moves = {};  ///< Of `play`, in order.
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 

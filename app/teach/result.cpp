@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 #include "json_text.h"
@@ -84,105 +83,37 @@ Json jsonOfAnswer(const GivenAnswer& each) {
     return answer;
 }
 
-/// Reads the fields of an object; remembers the first that is not as expected.
-class FieldReader {
-  public:
-    FieldReader(const Json& object, std::string name) : object_(object), name_(std::move(name)) {}
-
-    void text(const char* field, std::string& out) {
-        if (const Json* value = find(field, "a text", &Json::is_string))
-            out = value->get<std::string>();
-    }
-    void number(const char* field, double& out) {
-        if (const Json* value = find(field, "a number", &Json::is_number))
-            out = value->get<double>();
-        if (!(out >= 0.0) || !std::isfinite(out)) complain(field, "a number from 0 on");
-    }
-    void count(const char* field, std::size_t& out) {
-        const Json* value = find(field, "a whole number from 0 on", &Json::is_number_unsigned);
-        if (value != nullptr) out = value->get<std::size_t>();
-    }
-    void truth(const char* field, bool& out) {
-        if (const Json* value = find(field, "true or false", &Json::is_boolean))
-            out = value->get<bool>();
-    }
-    void texts(const char* field, std::vector<std::string>& out) {
-        readList(field, "a list of texts", &Json::is_string, out);
-    }
-    void counts(const char* field, std::vector<std::size_t>& out) {
-        readList(field, "a list of whole numbers from 0 on", &Json::is_number_unsigned, out);
-    }
-    void complain(const char* field, const std::string& expected) {
-        if (problem_.empty()) problem_ = name_ + ": \"" + field + "\": expected " + expected;
-    }
-    const std::string& problem() const { return problem_; }
-
-  private:
-    using Test = bool (Json::*)() const noexcept;
-
-    const Json* find(const char* field, const char* expected, Test test) {
-        const auto found = object_.find(field);
-        if (found != object_.end() && ((*found).*test)()) return &*found;
-        complain(field, expected);
-        return nullptr;
-    }
-    template <typename Value>
-    void readList(const char* field, const char* expected, Test test, std::vector<Value>& out) {
-        const Json* list = find(field, expected, &Json::is_array);
-        if (list == nullptr) return;
-        for (const Json& each : *list) {
-            if (!(each.*test)()) return complain(field, expected);
-            out.push_back(each.get<Value>());
-        }
-    }
-
-    const Json& object_;
-    std::string name_;
-    std::string problem_;
-};
-
 /// Reads what a room answered.
-void readRoom(FieldReader& fields, GivenAnswer& answer) {
-    std::string letter;
-    fields.counts("counts", answer.counts);
-    fields.text("right_option", letter);
-    const std::size_t option = letter.size() == 1 ? static_cast<std::size_t>(letter[0] - 'A') : 99;
-    if (answer.counts.empty() || answer.counts.size() > 4)
-        fields.complain("counts", "two to four numbers");
-    if (option >= answer.counts.size()) fields.complain("right_option", "the letter of an option");
-    answer.rightOption = std::min(option, std::max<std::size_t>(answer.counts.size(), 1) - 1);
-}
-
-/// Reads the first try. Returns the problem; empty if there is none.
-std::string readFirstTry(const Json& object, const std::string& name, GivenAnswer& answer) {
-    if (!object.is_object()) return name + ": \"first\": expected given and mistakes";
-    FieldReader fields(object, name + ": \"first\"");
-    answer.first.emplace();
-    fields.texts("given", answer.first->given);
-    fields.texts("mistakes", answer.first->mistakes);
-    return fields.problem();
-}
-
-/// Reads one answer. Returns the problem; empty if there is none.
-std::string readGivenAnswer(const Json& object, const std::string& name, GivenAnswer& answer) {
-    if (!object.is_object()) return name + ": \"answers\": expected objects";
-    FieldReader fields(object, name);
-    fields.count("step", answer.step);
-    fields.text("title", answer.title);
-    fields.text("kind", answer.kind);
-    fields.truth("right", answer.right);
-    fields.number("score", answer.score);
-    fields.number("seconds", answer.seconds);
-    answer.tries = 0;
-    if (object.contains("tries")) fields.count("tries", answer.tries);
-    if (object.contains("counts")) {
-        readRoom(fields, answer);
-    } else {
-        fields.texts("given", answer.given);
-        fields.texts("wrong", answer.wrong);
+void readRoom(const JsonEntry& entry, GivenAnswer& answer) {
+    const JsonEntry counts = entry.at("counts");
+    for (const JsonEntry& each : counts.items("a list of whole numbers from 0 on"))
+        answer.counts.push_back(each.count());
+    if (answer.counts.empty() || answer.counts.size() > 4) counts.fail("two to four numbers");
+    const JsonEntry right = entry.at("right_option");
+    while (optionLetter(answer.rightOption) != right.text()) {
+        if (++answer.rightOption == answer.counts.size()) right.fail("the letter of an option");
     }
-    if (!fields.problem().empty() || !object.contains("first")) return fields.problem();
-    return readFirstTry(object["first"], name, answer);
+}
+
+GivenAnswer givenAnswer(const JsonEntry& entry) {
+    GivenAnswer answer;
+    answer.step = entry.at("step").count();
+    answer.title = entry.at("title").text();
+    answer.kind = entry.at("kind").text();
+    answer.right = entry.at("right").truth();
+    answer.score = entry.at("score").number();
+    answer.seconds = entry.at("seconds").number();
+    answer.tries = entry.has("tries") ? entry.at("tries").count() : 0;
+    if (entry.has("counts")) {
+        readRoom(entry, answer);
+    } else {
+        answer.given = entry.at("given").texts();
+        answer.wrong = entry.at("wrong").texts();
+    }
+    if (!entry.has("first")) return answer;
+    const JsonEntry first = entry.at("first");
+    answer.first = FirstTry{first.at("given").texts(), first.at("mistakes").texts()};
+    return answer;
 }
 
 }  // namespace
@@ -232,26 +163,24 @@ std::string resultJson(const LessonResult& result) {
 }
 
 Result<LessonResult> resultFromJson(std::string_view text, const std::string& name) {
-    const Result<Json> parsed = jsonFromText<Json>(text, name);
+    const Result<nlohmann::json> parsed = jsonFromText<nlohmann::json>(text, name);
     if (!parsed) return parsed.error();
-    const Json& root = parsed.value();
-    if (!root.is_object() || root.value("format", Json()) != kResultFormat)
-        return Error{name + ": no result of a lesson: \"format\": \"" + std::string(kResultFormat) +
-                     "\" is missing"};
-    if (root.value("version", Json()) != 1) return Error{name + ": \"version\": expected 1"};
-    LessonResult result;
-    FieldReader fields(root, name);
-    fields.text("lesson", result.lesson);
-    fields.text("hash", result.hash);
-    if (root.contains("person")) fields.text("person", result.person);
-    if (!root.contains("answers") || !root["answers"].is_array())
-        fields.complain("answers", "a list");
-    if (!fields.problem().empty()) return Error{fields.problem()};
-    for (const Json& each : root["answers"]) {
-        const std::string problem = readGivenAnswer(each, name, result.answers.emplace_back());
-        if (!problem.empty()) return Error{problem};
+    const JsonEntry root(parsed.value(), name);
+    try {
+        if (!root.has("format") || root.at("format").json() != kResultFormat)
+            return Error{name + ": no result of a lesson: \"format\": \"" +
+                         std::string(kResultFormat) + "\" is missing"};
+        if (root.at("version").json() != 1) root.at("version").fail("1");
+        LessonResult result;
+        result.lesson = root.at("lesson").text();
+        result.hash = root.at("hash").text();
+        if (root.has("person")) result.person = root.at("person").text();
+        for (const JsonEntry& each : root.at("answers").items("a list"))
+            result.answers.push_back(givenAnswer(each));
+        return result;
+    } catch (const JsonFault& fault) {
+        return Error{fault.text};
     }
-    return result;
 }
 
 }  // namespace se::teach

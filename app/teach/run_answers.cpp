@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "find_named.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/why/figure_check.h"
 
@@ -33,9 +34,7 @@ RunValue refusedPoints(const RunRange& range) {
 }
 
 RunValue keptPoints(const RunRange& range) {
-    RunValue value;
-    value.points = candidatesIn(range.after, CandidateState::Kept);
-    return value;
+    return {.points = candidatesIn(range.after, CandidateState::Kept)};
 }
 
 RunValue fanPoints(const RunRange& range) {
@@ -44,65 +43,43 @@ RunValue fanPoints(const RunRange& range) {
     return value;
 }
 
-RunValue nextPivot(const RunRange& range) {
-    RunValue value;
-    for (const Event& event : range.events) {
-        if (const auto* advance = as<AdvanceEvidence>(event); advance && advance->to != kNone) {
-            value.points = {advance->to};
-            break;
-        }
-    }
-    return value;
-}
-
 RunValue onePoint(Index point) {
-    RunValue value;
-    if (point != kNone) value.points = {point};
-    return value;
+    if (point == kNone) return {};
+    return {.points = {point}};
+}
+RunValue nextPivot(const RunRange& range) {
+    for (const Event& event : range.events) {
+        if (const auto* advance = as<AdvanceEvidence>(event); advance && advance->to != kNone)
+            return onePoint(advance->to);
+    }
+    return {};
 }
 RunValue startPoint(const RunRange& range) { return onePoint(range.after.start); }
 RunValue endPoint(const RunRange& range) { return onePoint(range.after.end); }
 
 RunValue verdictThere(const RunRange& range) {
-    RunValue value;
-    if (!range.events.empty()) value.outcome = outcomeText(range.events.back());
-    return value;
+    if (range.events.empty()) return {};
+    return {.outcome = outcomeText(range.events.back())};
 }
 
 RunValue playedMoves(const RunRange& range) {
-    RunValue value;
     // Within a pivot its first decisions are known already.
-    if (range.before.candidates.empty() || range.before.complete)
-        value.moves = movesOf(movesOfRun(range.events));
-    return value;
+    if (!range.before.candidates.empty() && !range.before.complete) return {};
+    return {.moves = movesOf(movesOfRun(range.events))};
 }
 
-RunValue numberOf(std::size_t count) {
-    RunValue value;
-    value.number = static_cast<double>(count);
-    return value;
-}
-
-template <typename Condition>
-RunValue countEvents(const RunRange& range, const Condition& condition) {
-    return numberOf(static_cast<std::size_t>(
-        std::count_if(range.events.begin(), range.events.end(), condition)));
-}
+RunValue numberOf(std::size_t count) { return {.number = static_cast<double>(count)}; }
 
 RunValue triangleCount(const RunRange& range) {
     return numberOf(range.trianglesAfter - std::min(range.trianglesBefore, range.trianglesAfter));
 }
-RunValue enteringCount(const RunRange& range) {
-    return countEvents(range, [](const Event& event) {
-        const auto* ring = as<RingEvidence>(event);
-        return ring != nullptr && ring->inserted;
-    });
-}
-RunValue leavingCount(const RunRange& range) {
-    return countEvents(range, [](const Event& event) {
-        const auto* ring = as<RingEvidence>(event);
-        return ring != nullptr && !ring->inserted;
-    });
+template <bool kInserted>
+RunValue ringChanges(const RunRange& range) {
+    return numberOf(static_cast<std::size_t>(
+        std::count_if(range.events.begin(), range.events.end(), [](const Event& event) {
+            const auto* ring = as<RingEvidence>(event);
+            return ring != nullptr && ring->inserted == kInserted;
+        })));
 }
 RunValue refusedCount(const RunRange& range) {
     return numberOf(refusedPoints(range).points.size());
@@ -135,8 +112,8 @@ constexpr std::array kRunAnswers{
     RunAnswer{"moves", "play", "the moves of the pivot that begins at `at`", playedMoves},
     RunAnswer{"count:triangles", "number", "the triangles made after `at`, up to `until`",
               triangleCount},
-    RunAnswer{"count:enter", "number", "the points that enter the edge ring", enteringCount},
-    RunAnswer{"count:leave", "number", "the points that leave the edge ring", leavingCount},
+    RunAnswer{"count:enter", "number", "the points that enter the edge ring", ringChanges<true>},
+    RunAnswer{"count:leave", "number", "the points that leave the edge ring", ringChanges<false>},
     RunAnswer{"count:refused", "number", "how many are refused", refusedCount},
     RunAnswer{"count:kept", "number", "how many neighbors are left at `until`", keptCount},
     RunAnswer{"count:ring", "number", "the entries of the active edge ring at `until`",
@@ -167,10 +144,6 @@ bool isPossibleOutcome(std::string_view words) {
 
 std::span<const RunAnswer> runAnswers() { return kRunAnswers; }
 
-const RunAnswer* findRunAnswer(std::string_view name) {
-    const auto found = std::find_if(kRunAnswers.begin(), kRunAnswers.end(),
-                                    [&](const RunAnswer& each) { return each.name == name; });
-    return found == kRunAnswers.end() ? nullptr : &*found;
-}
+const RunAnswer* findRunAnswer(std::string_view name) { return findNamed(kRunAnswers, name); }
 
 }  // namespace se::teach

@@ -23,10 +23,10 @@ struct RunRange {
 
 /// The answer of a run: one of the members, by the kind of the question.
 struct RunValue {
-    std::vector<Index> points;  ///< Ascending; of the fan, in its order.
-    std::optional<double> number;
-    std::vector<PlayMove> moves;  ///< Of the pivot, if the range begins with it.
-    std::string outcome;          ///< Words of outcomeText() in why/figure_check.h.
+    std::vector<Index> points = {};  ///< Ascending; of the fan, in its order.
+    std::optional<double> number = {};
+    std::vector<PlayMove> moves = {};  ///< Of the pivot, if the range begins with it.
+    std::string outcome = {};          ///< Words of outcomeText() in why/figure_check.h.
 };
 
 /// True if `words` are an outcome, or its first words: "splits" of "splits into 19 and 13".

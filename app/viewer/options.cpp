@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 #include "commands/commands.h"
@@ -282,9 +280,7 @@ void chooseBenchScene(Options& o) {
 
 Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base) {
     if (!text.starts_with('-')) return CompareWith::otherFile(text);
-    std::istringstream parts(text);
-    const std::vector<std::string> words{std::istream_iterator<std::string>(parts), {}};
-    const Result<RunSpec> other = comparedInput(base, words);
+    const Result<RunSpec> other = comparedInput(base, io::wordsIn(text));
     return other ? Result<CompareWith>(CompareWith::otherRun(other.value()))
                  : Error{other.error().message + "."};
 }

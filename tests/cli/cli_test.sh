@@ -127,9 +127,12 @@ wrong_values_are_wrong_usage() {
     expect 2 run scene:sphere --rule closetwo
     says err "closetwo=on"
     expect 2 run scene:sphere --rule unknown=on
-    says err "There is no rule"
+    says err "--rule unknown=on: there is no rule \"unknown\"; the nearest is "
+    says err "; spiraling-edge run --help lists all"
+    expect 2 run scene:sphere --rule sphre=off
+    says err "the nearest is sphere;"
     expect 2 run scene:sphere --rule maxgap=200
-    says err "a number from 90 to 180"
+    says err "--rule maxgap=200: write maxgap=VALUE with a number from 90 to 180"
     expect 2 run scene:sphere --rule tie=middle
     says err "tie=nearest, tie=farthest or tie=both"
     expect 2 run scene:sphere --what-if "5.sphere hold 3"
@@ -1623,6 +1626,13 @@ compare_checks_its_arguments() {
     expect 2 compare scene:torus --mesh torus.ply --with --rules robust
     expect 2 compare scene:torus --with --rules dragons
     expect 2 compare scene:torus --with --goto 1
+    local nothing
+    for nothing in "--with" "--json --with --most 3" "--with -q"; do
+        expect 2 compare scene:torus $nothing
+        says err "--with: nothing follows it"
+    done
+    expect 2 compare scene:torus --with " "
+    says err "--with: nothing follows it"
     expect 3 compare scene:torus --mesh absent.ply
     icosahedron >points.xyz
     expect 3 compare points.xyz --mesh points.xyz
@@ -1767,7 +1777,7 @@ compare_reads_standard_input() {
     is "$code" 1 "compare - ($(cat err))"
     says out "triangles in both"
     code=0
-    "$program" compare - --with <torus.ply >out 2>err || code=$?
+    "$program" compare - --with --rules paper <torus.ply >out 2>err || code=$?
     is "$code" 0 "compare - with the same ($(cat err))"
     expect 3 compare - --with --rules robust
     says err "standard input: is empty"

@@ -1,7 +1,6 @@
 // spiraling-edge compare: two runs on the same points, or a run and the mesh of another program.
 #include <fmt/format.h>
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 #include "failure_choice.h"
@@ -12,6 +11,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/event_text.h"
@@ -214,13 +214,6 @@ std::size_t wordsForBothRuns(const Arguments& words, std::size_t i) {
     return word == "--most" ? std::min<std::size_t>(2, words.size() - i) : 0;
 }
 
-Arguments splitAtBlanks(const std::string& text) {
-    Arguments words;
-    std::istringstream parts(text);
-    for (std::string part; parts >> part;) words.push_back(part);
-    return words;
-}
-
 ComparedWords splitAtWith(const Arguments& words) {
     ComparedWords split;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -237,7 +230,7 @@ ComparedWords splitAtWith(const Arguments& words) {
         split.with.push_back(words[i]);
     }
     // A word among others is one value, spaces included, such as the value of --what-if.
-    if (split.with.size() == 1) split.with = splitAtBlanks(split.with.front());
+    if (split.with.size() == 1) split.with = io::wordsIn(split.with.front());
     return split;
 }
 
@@ -350,6 +343,11 @@ ExitCode compareVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, split.a)) return *code;
     if (split.hasWith == !arguments.mesh.empty())
         throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
+    if (split.hasWith && split.with.empty())
+        throw Failure(
+            ExitCode::Usage,
+            "--with: nothing follows it; give the options in which B differs from A, such "
+            "as --rules robust");
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.

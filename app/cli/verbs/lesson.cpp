@@ -10,10 +10,12 @@
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
+#include "output/sentences.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "teach/embedded_lessons.h"
+#include "teach/find_named.h"
 #include "teach/json_text.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
@@ -26,7 +28,11 @@
 namespace se::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using teach::Lesson;
+using teach::LessonFault;
+using teach::LessonReading;
+using teach::LessonRuns;
 using teach::LessonStep;
 using teach::Question;
 using teach::RightAnswer;
@@ -56,6 +62,11 @@ std::string minutesText(double minutes) {
     return fmt::format("{} {}", minutes, minutes == 1.0 ? "minute" : "minutes");
 }
 
+/// "5 steps, 1 question".
+std::string contentText(const Lesson& lesson) {
+    return counted(lesson.steps.size(), "step") + ", " + counted(lesson.questions(), "question");
+}
+
 std::string placeLine(const Lesson& lesson, std::size_t number) {
     const teach::StepSetting setting = teach::settingOf(lesson, number);
     const LessonStep& step = lesson.steps[number];
@@ -74,7 +85,7 @@ std::string questionText(const Question& question) {
     return text;
 }
 
-std::string answerText(const RightAnswer& right) {
+std::string rightAnswerText(const RightAnswer& right) {
     std::string text = wrappedLines("Answer: " + right.text, "   ");
     if (!right.reason.empty()) text += wrappedLines(right.reason, "     ");
     return text;
@@ -91,9 +102,8 @@ std::string stepText(const Lesson& lesson, std::size_t number) {
 }
 
 std::string headText(const Lesson& lesson) {
-    const std::size_t questions = lesson.questions();
-    return fmt::format("{}\n{}, {} steps, {} {}\n", lesson.title, minutesText(lesson.minutes()),
-                       lesson.steps.size(), questions, questions == 1 ? "question" : "questions") +
+    return fmt::format("{}\n{}, {}\n", lesson.title, minutesText(lesson.minutes()),
+                       contentText(lesson)) +
            wrappedLines(teach::plainTextOf(teach::textBlocks(lesson.text)), "");
 }
 
@@ -116,16 +126,10 @@ Result<std::string> lessonPageWithAnswers(const Lesson& lesson, teach::LessonRun
             return Error{fmt::format("{}:{}: {}", lesson.name, question->lines.block,
                                      right.error().message)};
         }
-        page += answerText(right.value());
+        page += rightAnswerText(right.value());
     }
     return page;
 }
-
-namespace fs = std::filesystem;
-using teach::Lesson;
-using teach::LessonFault;
-using teach::LessonReading;
-using teach::LessonRuns;
 
 struct LessonArguments {
     std::string action;
@@ -223,8 +227,8 @@ ExitCode checkLessons(const LessonArguments& arguments) {
         if (!faults.empty() && code == ExitCode::Good) code = ExitCode::CheckFailed;
         if (!faults.empty()) continue;
         const Lesson& lesson = opened.reading.lesson;
-        text += fmt::format("{}: good: {} steps, {} questions, {} minutes\n", printable(name),
-                            lesson.steps.size(), lesson.questions(), lesson.minutes());
+        text += fmt::format("{}: good: {}, {}\n", printable(name), contentText(lesson),
+                            minutesText(lesson.minutes()));
     }
     printText(arguments.json ? teach::jsonText(list) : text);
     return code;
@@ -307,10 +311,8 @@ ExitCode lessonVerb(const Arguments& words) {
         "spiraling-edge lesson");
     addLessonOptions(app, arguments);
     if (const auto code = parseArguments(app, words)) return *code;
-    const auto action =
-        std::find_if(kLessonActions.begin(), kLessonActions.end(),
-                     [&](const LessonAction& each) { return each.name == arguments.action; });
-    if (action == kLessonActions.end()) {
+    const LessonAction* action = teach::findNamed(kLessonActions, arguments.action);
+    if (action == nullptr) {
         throw Failure(
             ExitCode::Usage,
             "{}: expected list, show, check, new or results; see spiraling-edge lesson --help",

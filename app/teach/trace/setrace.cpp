@@ -8,6 +8,7 @@
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "teach/file_bytes.h"
+#include "teach/find_named.h"
 #include "teach/json_text.h"
 
 namespace se::teach {
@@ -208,10 +209,8 @@ const TraceStageRow& rowOf(TraceStage stage) {
 }
 
 std::optional<TraceStage> traceStageFromName(std::string_view name) {
-    for (const TraceStageRow& row : kTraceStages) {
-        if (row.name == name) return row.id;
-    }
-    return std::nullopt;
+    const TraceStageRow* row = findNamed(kTraceStages, name);
+    return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 
 std::string pointsHash(const PointSet& points) {

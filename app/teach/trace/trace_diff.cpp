@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
 
@@ -359,10 +360,6 @@ std::string whereText(const TraceReason& reason) {
            (section.empty() ? std::string() : " (" + std::string(section) + ")");
 }
 
-std::string countedPivots(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " pivot" : " pivots");
-}
-
 /// The end of a trace that is alike so far, at our next pivot or in it.
 TraceDifference earlyEnd(std::optional<TracePivot> trace, TracePivot ours, TracedRun& run,
                          std::size_t alike) {
@@ -451,12 +448,12 @@ std::string earlyEndText(const TraceComparison& comparison) {
         return "yours has no pivots, ours has " + std::to_string(found.runPivots) +
                ": nothing is compared";
     }
-    std::string text = "alike as far as yours goes, " + countedPivots(comparison.alike);
+    std::string text = "alike as far as yours goes, " + counted(comparison.alike, "pivot");
     if (reached) {
         text += " and pivot " + std::to_string(found.pivot) + " up to " +
                 std::string(rowOf(*reached).name);
     }
-    return text + "; ours goes on to " + countedPivots(found.runPivots) +
+    return text + "; ours goes on to " + counted(found.runPivots, "pivot") +
            "\n  the last line of a trace that is meant to end early has \"ends\": true";
 }
 
@@ -476,7 +473,7 @@ std::string reasonText(const TraceReason& reason) {
 }
 
 std::string differenceText(const TraceComparison& comparison) {
-    const std::string alike = countedPivots(comparison.alike) + " alike";
+    const std::string alike = counted(comparison.alike, "pivot") + " alike";
     if (!comparison.difference) return "all " + alike + "\n";
     const TraceDifference& found = *comparison.difference;
     if (found.runPivots > 0) return earlyEndText(comparison) + "\n";

@@ -14,17 +14,6 @@ std::vector<Index> candidatePoints(const State& state) {
     return points;
 }
 
-/// The points of a ring from an entry on.
-std::vector<Index> ringFrom(const EdgeRings& rings, Index entry) {
-    std::vector<Index> points;
-    const Index length = rings.length(rings.ringOf(entry));
-    points.reserve(length);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        points.push_back(rings.point(entry));
-    }
-    return points;
-}
-
 void addOpenSteps(const EdgeRings& rings, Index ring, std::vector<RingStep>& open) {
     for (const Index entry : rings.entriesOf(ring)) {
         if (rings.open(entry)) open.push_back({rings.point(entry), rings.point(rings.next(entry))});
@@ -90,6 +79,16 @@ TracePivot beginningOf(const State& state) {
 }
 
 }  // namespace
+
+std::vector<Index> ringFrom(const EdgeRings& rings, Index entry) {
+    std::vector<Index> points;
+    const Index length = rings.length(rings.ringOf(entry));
+    points.reserve(length);
+    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+        points.push_back(rings.point(entry));
+    }
+    return points;
+}
 
 TraceStep stepTraced(Stepper& stepper, TraceDetail detail) {
     assert(isBetweenPivots(stepper.state().phase));

@@ -8,6 +8,9 @@
 
 namespace se::teach {
 
+/// The points of a ring from an entry on.
+std::vector<Index> ringFrom(const EdgeRings& rings, Index entry);
+
 /// Content of a recorded pivot.
 enum class TraceDetail : std::uint8_t {
     Fans,    ///< Pivot, first, last and fan.

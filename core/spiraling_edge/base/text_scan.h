@@ -94,6 +94,15 @@ class Fields {
     char other_;
 };
 
+/// The words of a text: what is between blanks, tabs, line ends, and one more character if given.
+inline std::vector<std::string> wordsIn(std::string_view text, char extraSeparator = ' ') {
+    std::vector<std::string> words;
+    Fields fields(text, '\n', extraSeparator);
+    for (std::string_view word = fields.next(); !word.empty(); word = fields.next())
+        words.emplace_back(word);
+    return words;
+}
+
 /// A number without its leading '+'; empty if a second sign follows.
 inline std::string_view withoutPlus(std::string_view field) {
     if (field.empty() || field.front() != '+') return field;

@@ -9,6 +9,7 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/doctor/doctor.h"
 
 namespace se {
@@ -96,12 +97,8 @@ Status addFix(RunSpec& spec, std::string_view text) {
 // ---- rules ----
 
 Status setRules(RunSpec& spec, std::string_view text) {
-    if (!paramsByName(text)) {
-        std::string names;
-        for (const std::string_view each : paramSetNames())
-            names.append(names.empty() ? "" : ", ").append(each);
-        return Error{"no such set; the sets are " + names};
-    }
+    if (!paramsByName(text))
+        return Error{"no such set; the sets are " + wordList(paramSetNames(), "")};
     spec.rules = text;
     return success();
 }
@@ -524,15 +521,12 @@ Result<SpecChange> changeFromWords(std::span<const std::string> words) {
             return Error{excerpt(words[i]) +
                          ": no such option of a run; spiraling-edge run --help lists them"};
         }
-        std::string text(field->flag);
-        if (field->value.empty() || equals != std::string::npos) {
-            if (equals != std::string::npos) text = words[i].substr(equals + 1);
-        } else if (++i < words.size()) {
-            text = words[i];
-        } else {
+        const bool takesNext = !field->value.empty() && equals == std::string::npos;
+        if (takesNext && i + 1 == words.size())
             return Error{std::string(name) + ": its value is missing"};
-        }
-        change.push_back({field, std::move(text)});
+        change.push_back({field, takesNext                     ? words[++i]
+                                 : equals != std::string::npos ? words[i].substr(equals + 1)
+                                                               : std::string(field->flag)});
     }
     std::stable_sort(change.begin(), change.end(),
                      [](const FieldValue& a, const FieldValue& b) { return a.field < b.field; });

@@ -17,11 +17,8 @@ std::string numberText(double value) {
 }
 
 std::string noSuchRule(std::string_view name) {
-    std::string known;
-    for (const RuleSetting& each : ruleSettings()) {
-        known += (known.empty() ? "" : ", ") + std::string(each.name);
-    }
-    return "There is no rule " + inQuotes(name) + "; there are " + known + ".";
+    return "there is no rule " + inQuotes(name) + "; the nearest is " +
+           nearestName(ruleSettings(), name) + "; spiraling-edge run --help lists all";
 }
 
 }  // namespace
@@ -64,8 +61,7 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     if (setting.options.empty()) {
         double value = 0.0;
         if (io::parseDouble(text, value) && isValue(setting, value)) return value;
-        return Error{"Write " + std::string(setting.name) + "=VALUE with " + valuesText(setting) +
-                     "."};
+        return Error{"write " + std::string(setting.name) + "=VALUE with " + valuesText(setting)};
     }
     std::vector<std::string> ways;
     for (const std::string_view each : setting.options) {
@@ -73,7 +69,7 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     }
     // "on or off" is the usual order.
     if (setting.kind == SettingKind::Switch) std::reverse(ways.begin(), ways.end());
-    return Error{"Write " + wordList(ways, "or") + "."};
+    return Error{"write " + wordList(ways, "or")};
 }
 
 Result<RuleValue> ruleValueFromText(std::string_view text) {
@@ -96,7 +92,7 @@ Status applyRuleValues(std::span<const RuleValue> values, Params& params) {
         const RuleSetting* setting = findRuleSetting(each.name);
         if (setting == nullptr) return Error{noSuchRule(each.name)};
         if (!isValue(*setting, each.value)) {
-            return Error{each.name + ": expected " + valuesText(*setting) + "."};
+            return Error{each.name + ": expected " + valuesText(*setting)};
         }
         setting->set(params, each.value);
     }

@@ -74,7 +74,7 @@ TEST_CASE("spec fields: a value that is not valid is an error that says what was
     CHECK(faultOf("neighbors", "1.5") == "expected a whole number from 1 to 1000000");
     CHECK(faultOf("rules", "sturdy") ==
           "no such set; the sets are paper, printed, corrected, robust");
-    CHECK(faultOf("switches", "sturdy=on").starts_with("There is no rule \"sturdy\""));
+    CHECK(faultOf("switches", "sturdy=on").starts_with("there is no rule \"sturdy\""));
     CHECK(faultOf("box", "0,0,0,1,1,0").starts_with("expected auto, or six numbers"));
     CHECK(faultOf("crop", "0,3,0,4,-1,0") ==
           "expected the lower corner first; Y0 = 3 is above Y1 = -1");
