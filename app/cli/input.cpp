@@ -94,16 +94,13 @@ void InputArguments::addTo(CLI::App& app, std::initializer_list<SpecGroup> group
     options_.addTo(app, groups);
 }
 
-RunSpec InputArguments::spec() const {
-    RunSpec spec = specOf(given());
+const RunSpec& InputArguments::spec() const {
+    if (spec_) return *spec_;
+    RunSpec spec = specOf(options_.given());
     spec.source = input_;
-    if (startFile_.empty()) return spec;
-    spec.start = require(teach::readStartFile(startFile_), ExitCode::Input);
-    return spec;
-}
-
-PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
-    return prepareOptionsFrom(spec(), params(), file);
+    if (!startFile_.empty())
+        spec.start = require(teach::readStartFile(startFile_), ExitCode::Input);
+    return spec_.emplace(std::move(spec));
 }
 
 void InputArguments::requireStartFits(const PointSet& points, const GivenStart& start) const {

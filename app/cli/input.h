@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "options.h"
@@ -59,13 +60,12 @@ class InputArguments {
     /// All files that are read, for ForceOption::require().
     NamedFiles files() const { return {{"", input_}, {"--start", startFile_}}; }
     ByteLimit limit() const { return ByteLimit{spec().maxBytes}; }
-    SpecChange given() const { return options_.given(); }
-    /// What is to be run. Throws Failure where an option, or the file of --start, is malformed.
-    RunSpec spec() const;
-
-    /// The parts of spec().
-    Params params() const { return paramsFrom(spec()); }
-    PrepareOptions prepareOptions(const PointFile& file) const;
+    /// What is to be run, evaluated at the first call. Throws Failure where an option, or the file
+    /// of --start, is malformed.
+    const RunSpec& spec() const;
+    PrepareOptions prepareOptions(const PointFile& file) const {
+        return prepareOptionsFrom(spec(), paramsFrom(spec()), file);
+    }
     /// Throws Failure(Input) if a run on `points` cannot begin with `start`; Failure(Usage) if a
     /// piece was chosen, whose points have other numbers.
     void requireStartFits(const PointSet& points, const GivenStart& start) const;
@@ -84,6 +84,7 @@ class InputArguments {
     std::string input_;
     std::string startFile_;
     SpecOptions options_;
+    mutable std::optional<RunSpec> spec_;
 };
 
 }  // namespace se::cli

@@ -205,7 +205,7 @@ ExitCode doctorVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const RunSpec spec = arguments.input.spec();
+    const RunSpec& spec = arguments.input.spec();
     ProgressLine line(!arguments.quiet);
     const InputPiece read = readPiece(spec);
     const PointFile& file = read.file;

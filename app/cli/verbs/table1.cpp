@@ -13,6 +13,7 @@
 #include "input.h"
 #include "options.h"
 #include "output/output.h"
+#include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -60,6 +61,8 @@ struct TableArguments {
     bool quiet = false;
     ForceOption force;
     SpecOptions run;  ///< Rules and lists.
+    /// The run of each set of points; lists as of particles that repel each other.
+    RunSpec spec;
 
     void addTo(CLI::App& app) {
         app.add_option(
@@ -69,6 +72,11 @@ struct TableArguments {
             ->type_name("DIR");
         run.addTo(app, {SpecGroup::Rules});
         for (const char* key : {"neighbors", "reach"}) run.addTo(app, *findSpecField(key));
+        app.final_callback([this] {
+            RunSpec base;
+            base.neighbors.reach = WithinSpacings{};
+            spec = specOf(run.given(), std::move(base));
+        });
         app.footer(rulesHelp());
         app.add_option("--seed", seed, "Seed of the particles")
             ->type_name("S")
@@ -82,13 +90,6 @@ struct TableArguments {
         addByteLimit(app, limit);
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
-    }
-
-    /// The run of each set of points; lists as of particles that repel each other.
-    RunSpec spec() const {
-        RunSpec spec;
-        spec.neighbors.reach = WithinSpacings{};
-        return specOf(run.given(), std::move(spec));
     }
 
     std::filesystem::path savedPath(const Row& row) const {
@@ -156,15 +157,15 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
 
 /// With the requested neighbor lists.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
-    const PrepareOptions options = prepareOptionsFrom(arguments.spec(), params, file);
+    const PrepareOptions options = prepareOptionsFrom(arguments.spec, params, file);
     return require(prepare(file, options), ExitCode::Internal).points;
 }
 
 /// "neighbors within 1.6 spacings".
 std::string reachText(const TableArguments& arguments) {
-    const auto& reach = arguments.spec().neighbors.reach;
+    const auto& reach = arguments.spec.neighbors.reach;
     if (const auto* nearest = std::get_if<KNearest>(&reach))
-        return fmt::format("{} nearest neighbors", nearest->k);
+        return counted(nearest->k, "nearest neighbor");
     return fmt::format("neighbors within {:g} spacings", std::get<WithinSpacings>(reach).spacings);
 }
 
@@ -198,7 +199,7 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
     std::string text = fmt::format(
         "Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
         "alone, the best of the runs within a second\n\n",
-        arguments.spec().rules, reachText(arguments), arguments.seed, arguments.curvature);
+        arguments.spec.rules, reachText(arguments), arguments.seed, arguments.curvature);
     text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
         "{:>5}\n",
@@ -232,7 +233,7 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
 
 std::string tableJson(const std::vector<Made>& all, const TableArguments& arguments) {
     nlohmann::ordered_json json;
-    const RunSpec spec = arguments.spec();
+    const RunSpec& spec = arguments.spec;
     const auto* nearest = std::get_if<KNearest>(&spec.neighbors.reach);
     const auto* within = std::get_if<WithinSpacings>(&spec.neighbors.reach);
     json["rules"] = spec.rules;
@@ -277,7 +278,7 @@ ExitCode table1Verb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const Params params = paramsFrom(arguments.spec());
+    const Params params = paramsFrom(arguments.spec);
     ProgressLine line(!arguments.quiet);
     std::vector<Made> all;
     all.reserve(kRows.size());
