@@ -1442,10 +1442,10 @@ check_says_what_is_wrong_with_a_mesh() {
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
     # Without normals a border is no hole.
     expect 0 check one.obj
-    says out "1 openings, no fault"
+    says out "1 opening, no fault"
     printf 'NOFF\n5 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n9 9 0 0 0 1\n3 0 1 2\n3 0 2 3\n' >lost.off
     expect 1 check lost.off
-    says out "1 isolated_points"
+    says out "1 isolated_point"
     says out "lost.off: 2 triangles, 1 place: 1 of isolated points; 1 point lost"
     expect 0 check lost.off --allow isolated_points
     says out "lost.off: 2 triangles, 1 place: 1 of isolated points; 1 point lost, allowed"

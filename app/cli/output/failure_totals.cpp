@@ -8,6 +8,14 @@
 
 namespace se::cli {
 
+std::string classText(const FailureClass& kind, const ClassTotal& total) {
+    const bool isOne = total.all() && total.total == 1;
+    std::string name = isOne ? nounFor(kind, 1) : std::string(kind.name);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+    return fmt::format("{:>7} {}", amountText(total), name);
+}
+
 std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
                        std::size_t limit) {
     std::string text;

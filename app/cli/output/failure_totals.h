@@ -10,6 +10,8 @@
 
 namespace se::cli {
 
+/// "     12 folded_edges", "      1 folded_edge": the number of a class in a column.
+std::string classText(const FailureClass& kind, const ClassTotal& total);
 /// The first `limit` places, one line each; empty if there are none.
 std::string placesText(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
                        std::size_t limit);

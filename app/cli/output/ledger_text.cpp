@@ -7,7 +7,6 @@
 #include "failure_totals.h"
 #include "sentences.h"
 #include "spiraling_edge/run/event_text.h"
-#include "teach/json_text.h"
 #include "verdict_text.h"
 
 namespace se::cli {
@@ -28,7 +27,28 @@ std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) 
     return text;
 }
 
-std::string dumped(const Json& json) { return teach::jsonText(json); }
+void addLines(const std::vector<LedgerLine>& lines, Json& json) {
+    json["lines"] = Json::array();
+    for (const LedgerLine& line : lines) json["lines"].push_back(lineJson(line));
+}
+
+/// Adds the answer of a ledger or of a ring's history, with the decisive line and all lines.
+template <typename Answer>
+void addAnswer(const Answer& answer, Json& json) {
+    json["answer"] = answer.answer;
+    json["cause"] = toString(answer.lines[answer.cause].event.address);
+    addLines(answer.lines, json);
+}
+
+/// The moments of a failure: their names in text, their keys.
+struct MomentRow {
+    const char* name;
+    const char* key;
+    LedgerLine FailureMoments::*line;
+};
+constexpr MomentRow kMoments[] = {{"created", "created", &FailureMoments::created},
+                                  {"unavoidable", "unavoidable", &FailureMoments::unavoidable},
+                                  {"first touched", "first_touched", &FailureMoments::touched}};
 
 }  // namespace
 
@@ -54,40 +74,30 @@ Json lineJson(const LedgerLine& line) {
     return json;
 }
 
-std::string ledgerText(const Ledger& ledger) {
+std::string answerText(const Ledger& ledger) {
     return ledger.answer + "\n\n" + linesText(ledger.lines, ledger.cause);
 }
 
-std::string ledgerJson(const std::string& input, const Ledger& ledger) {
+Json answerJson(const Ledger& ledger) {
     Json json;
-    json["input"] = input;
     json["subject"] =
         std::vector<Index>(ledger.subject.points().begin(), ledger.subject.points().end());
     json["present"] = ledger.present;
-    json["answer"] = ledger.answer;
-    json["cause"] = toString(ledger.lines[ledger.cause].event.address);
-    json["lines"] = Json::array();
-    for (const LedgerLine& line : ledger.lines) json["lines"].push_back(lineJson(line));
-    return dumped(json);
+    addAnswer(ledger, json);
+    return json;
 }
 
-std::string historyText(const RingHistory& history) {
+std::string answerText(const RingHistory& history) {
     return history.answer + "\n\n" + linesText(history.lines, history.cause);
 }
 
-std::string historyJson(const std::string& input, const RingHistory& history) {
-    Json json;
-    json["input"] = input;
-    json["ring"] = nameOf(history.ring);
-    json["length"] = history.length;
-    json["answer"] = history.answer;
-    json["cause"] = toString(history.lines[history.cause].event.address);
-    json["lines"] = Json::array();
-    for (const LedgerLine& line : history.lines) json["lines"].push_back(lineJson(line));
-    return dumped(json);
+Json answerJson(const RingHistory& history) {
+    Json json{{"ring", nameOf(history.ring)}, {"length", history.length}};
+    addAnswer(history, json);
+    return json;
 }
 
-std::string chartsText(const std::vector<RunChart>& charts) {
+std::string answerText(const std::vector<RunChart>& charts) {
     constexpr std::size_t kWidest = 30;
     std::string text;
     for (const RunChart& chart : charts) {
@@ -104,10 +114,8 @@ std::string chartsText(const std::vector<RunChart>& charts) {
     return text;
 }
 
-std::string chartsJson(const std::string& input, const std::vector<RunChart>& charts) {
-    Json json;
-    json["input"] = input;
-    json["charts"] = Json::array();
+Json answerJson(const std::vector<RunChart>& charts) {
+    Json json{{"charts", Json::array()}};
     for (const RunChart& chart : charts) {
         Json row{{"name", chart.name}, {"unit", chart.unit}, {"bars", Json::array()}};
         for (const ChartBar& bar : chart.bars)
@@ -115,10 +123,10 @@ std::string chartsJson(const std::string& input, const std::vector<RunChart>& ch
                 {{"label", bar.label}, {"count", bar.count}, {"find", bar.query}});
         json["charts"].push_back(row);
     }
-    return dumped(json);
+    return json;
 }
 
-std::string nearestText(const NearestDecisions& decisions) {
+std::string answerText(const NearestDecisions& decisions) {
     std::string text;
     for (const NearestDecision& decision : decisions.decisions) {
         const Vec3& by = decision.move.by;
@@ -129,10 +137,8 @@ std::string nearestText(const NearestDecisions& decisions) {
     return text;
 }
 
-std::string nearestJson(const std::string& input, const NearestDecisions& decisions) {
-    Json json;
-    json["input"] = input;
-    json["closest"] = Json::array();
+Json answerJson(const NearestDecisions& decisions) {
+    Json json{{"closest", Json::array()}};
     for (const NearestDecision& decision : decisions.decisions) {
         Json row = lineJson({decision.event, decision.pivot, LineRole::Fact, decision.reading});
         row["role"] = roleName(outcomeOf(decision.event) == Outcome::Taken ? LineRole::Taken
@@ -141,10 +147,10 @@ std::string nearestJson(const std::string& input, const NearestDecisions& decisi
         row["nudge"] = {{"point", decision.move.point}, {"by", {by.x, by.y, by.z}}};
         json["closest"].push_back(row);
     }
-    return dumped(json);
+    return json;
 }
 
-std::string foundText(const FoundDecisions& found) {
+std::string answerText(const FoundDecisions& found) {
     const std::string more = found.total > found.lines.size()
                                  ? fmt::format(", the first {} of them:", found.lines.size())
                                  : "";
@@ -152,41 +158,33 @@ std::string foundText(const FoundDecisions& found) {
            linesText(found.lines, found.lines.size());
 }
 
-std::string foundJson(const std::string& input, const FoundDecisions& found) {
-    Json json;
-    json["input"] = input;
-    json["total"] = found.total;
-    json["lines"] = Json::array();
-    for (const LedgerLine& each : found.lines) json["lines"].push_back(lineJson(each));
-    return dumped(json);
-}
-
-std::string momentsText(const RunFailure& failure) {
-    const auto row = [](const char* name, const LedgerLine& line) {
-        std::string text = fmt::format("  {:<16} {:<18} {}\n", name, toString(line.event.address),
-                                       describe(line.event));
-        if (line.reading) text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
-        return text;
-    };
-    const FailureMoments& moments = failure.moments;
-    return describe(failure.failure) + "\n" + row("created", moments.created) +
-           row("unavoidable", moments.unavoidable) + row("first touched", moments.touched);
-}
-
-namespace {
-
-Json failureJson(const RunFailure& failure) {
-    Json json;
-    json["class"] = failure.failure.kind->name;
-    json["points"] = failure.failure.points;
-    json["triangles"] = failure.failure.triangles;
-    json["created"] = lineJson(failure.moments.created);
-    json["unavoidable"] = lineJson(failure.moments.unavoidable);
-    json["first_touched"] = lineJson(failure.moments.touched);
+Json answerJson(const FoundDecisions& found) {
+    Json json{{"total", found.total}};
+    addLines(found.lines, json);
     return json;
 }
 
-Json remediesJson(const Remedies& remedies) {
+std::string answerText(const RunFailure& failure) {
+    std::string text = describe(failure.failure) + "\n";
+    for (const MomentRow& moment : kMoments) {
+        const LedgerLine& line = failure.moments.*moment.line;
+        text += fmt::format("  {:<16} {:<18} {}\n", moment.name, toString(line.event.address),
+                            describe(line.event));
+        if (line.reading) text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
+    }
+    return text;
+}
+
+Json answerJson(const RunFailure& failure) {
+    Json json{{"class", failure.failure.kind->name},
+              {"points", failure.failure.points},
+              {"triangles", failure.failure.triangles}};
+    for (const MomentRow& moment : kMoments)
+        json[moment.key] = lineJson(failure.moments.*moment.line);
+    return json;
+}
+
+Json answerJson(const Remedies& remedies) {
     Json json{{"of_class", remedies.ofClass}, {"all", remedies.all}, {"tried", Json::array()}};
     for (const Remedy& each : remedies.tried) {
         json["tried"].push_back({{each.rule != nullptr ? "rule" : "rules", nameOf(each)},
@@ -198,22 +196,12 @@ Json remediesJson(const Remedies& remedies) {
     return json;
 }
 
-}  // namespace
-
-std::string momentsJson(const std::string& input, const RunFailure& failure,
-                        const Remedies* remedies) {
-    Json json{{"input", input}};
-    json.update(failureJson(failure));
-    if (remedies != nullptr) json["remedies"] = remediesJson(*remedies);
-    return dumped(json);
-}
-
 /// "prevents", "stays", or "unknown" if too many failures are left to decide.
-std::string_view effectOf(const Remedy& remedy) {
+static std::string_view effectOf(const Remedy& remedy) {
     return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
 }
 
-std::string remediesText(const Remedies& remedies) {
+std::string answerText(const Remedies& remedies) {
     std::string text = fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
                                    remedies.ofClass, remedies.all);
     const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
@@ -235,24 +223,24 @@ std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
     for (std::size_t i = 0; i < totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
         if (totals[i].total == 0) continue;
-        text += fmt::format("{:>7} {}\n", amountText(totals[i]), kind.name);
+        text += classText(kind, totals[i]) + "\n";
         std::size_t shown = 0;
         for (const RunFailure& each : found.failures) {
-            if (each.failure.kind == &kind && shown++ < limit) text += momentsText(each);
+            if (each.failure.kind == &kind && shown++ < limit) text += answerText(each);
         }
     }
     return text;
 }
 
-std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
-    Json json{{"input", input}, {"verdict", verdictJson(found.verdict)}};
+Json answerJson(const RunFailureSearch& found) {
+    Json json{{"verdict", verdictJson(found.verdict)}};
     addTotals(found.verdict.totals, failureClasses(), json);
     std::vector<std::optional<std::size_t>> rowOf(found.all.size());
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
     addPlaces(found.places, found.all, rowOf, found.places.size(), json);
     json["failures"] = Json::array();
-    for (const RunFailure& each : found.failures) json["failures"].push_back(failureJson(each));
-    return dumped(json);
+    for (const RunFailure& each : found.failures) json["failures"].push_back(answerJson(each));
+    return json;
 }
 
 }  // namespace se::cli

@@ -1,4 +1,4 @@
-/// Answers of `why`, as text and as JSON.
+/// Answers of `why`: of each kind its text, and its fields in JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -19,25 +19,25 @@ std::string readingText(const Reading& reading);
 /// A line of a ledger with all its data.
 nlohmann::ordered_json lineJson(const LedgerLine& line);
 
-std::string ledgerText(const Ledger& ledger);
-std::string ledgerJson(const std::string& input, const Ledger& ledger);
-std::string historyText(const RingHistory& history);
-std::string historyJson(const std::string& input, const RingHistory& history);
-std::string chartsText(const std::vector<RunChart>& charts);
-std::string chartsJson(const std::string& input, const std::vector<RunChart>& charts);
-std::string nearestText(const NearestDecisions& decisions);
-std::string nearestJson(const std::string& input, const NearestDecisions& decisions);
-std::string foundText(const FoundDecisions& found);
-std::string foundJson(const std::string& input, const FoundDecisions& found);
-std::string momentsText(const RunFailure& failure);
-/// With the rules that would have prevented it, if they were requested.
-std::string momentsJson(const std::string& input, const RunFailure& failure,
-                        const Remedies* remedies = nullptr);
-std::string remediesText(const Remedies& remedies);
-/// All failures of a run, by class; of each class the first `most` with their moments.
+std::string answerText(const Ledger& ledger);
+std::string answerText(const RingHistory& history);
+std::string answerText(const std::vector<RunChart>& charts);
+std::string answerText(const NearestDecisions& decisions);
+std::string answerText(const FoundDecisions& found);
+/// A failure with its moments.
+std::string answerText(const RunFailure& failure);
+/// The rules that would have prevented a failure.
+std::string answerText(const Remedies& remedies);
+/// All failures of a run, by class; of each class the first `limit` with their moments.
 std::string failuresText(const RunFailureSearch& found, std::size_t limit);
-std::string failuresJson(const std::string& input, const RunFailureSearch& found);
-std::string momentsJson(const std::string& input, const MeshFailure& failure,
-                        const FailureMoments& moments);
+
+nlohmann::ordered_json answerJson(const Ledger& ledger);
+nlohmann::ordered_json answerJson(const RingHistory& history);
+nlohmann::ordered_json answerJson(const std::vector<RunChart>& charts);
+nlohmann::ordered_json answerJson(const NearestDecisions& decisions);
+nlohmann::ordered_json answerJson(const FoundDecisions& found);
+nlohmann::ordered_json answerJson(const RunFailure& failure);
+nlohmann::ordered_json answerJson(const Remedies& remedies);
+nlohmann::ordered_json answerJson(const RunFailureSearch& found);
 
 }  // namespace se::cli

@@ -2,11 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <unordered_map>
 
 #include "input.h"
 #include "options.h"
@@ -17,6 +14,7 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "teach/json_text.h"
@@ -31,6 +29,7 @@ struct CheckArguments {
     std::string mesh;
     std::string cloud;
     SpecOptions run;  ///< Those of the run, which prepare the points.
+    RunSpec spec;     ///< The points, prepared as in the run.
     ByteLimit limit;
     std::vector<std::string> allowed;
     bool json = false;
@@ -52,6 +51,11 @@ struct CheckArguments {
         for (const char* key : {"crop", "thin", "rules", "switches"})
             run.addTo(app, *findSpecField(key));
         run.addTo(app, {SpecGroup::Lists, SpecGroup::Derived});
+        app.final_callback([this] {
+            spec = specOf(run.given());
+            spec.source = cloud;
+            spec.maxBytes = limit.bytes;
+        });
         addByteLimit(app, limit);
         app.add_option("--allow", allowed, "A class that is no fault here; may be repeated")
             ->type_name("CLASS")
@@ -72,13 +76,6 @@ struct CheckArguments {
 
     /// True if an option of the run was given.
     bool prepares() const { return !run.given().empty(); }
-    /// The points, prepared as in the run. Throws Failure(Usage).
-    RunSpec spec() const {
-        RunSpec spec = specOf(run.given());
-        spec.source = cloud;
-        spec.maxBytes = limit.bytes;
-        return spec;
-    }
     void validate() const {
         if (mesh == kStandardInput && cloud == kStandardInput)
             throw Failure(ExitCode::Usage,
@@ -102,9 +99,8 @@ struct CheckArguments {
 PointSet judgedPoints(const PointFile& file, const CheckArguments& arguments) {
     const auto judgeOf = [&]() -> Result<std::shared_ptr<const MeshJudge>> {
         if (!arguments.prepares()) return judgeFor(file);
-        const RunSpec spec = arguments.spec();
-        const Params params = paramsFrom(spec);
-        const PrepareOptions options = prepareOptionsFrom(spec, params, file);
+        const Params params = paramsFrom(arguments.spec);
+        const PrepareOptions options = prepareOptionsFrom(arguments.spec, params, file);
         const Result<Prepared> prepared = prepare(file, options);
         if (!prepared) return prepared.error();
         const auto made = judgeFor(file, options, prepared.value().points);
@@ -126,42 +122,17 @@ PointSet ownPoints(const PointFile& mesh) {
     return points;
 }
 
-/// A position as both files have it, though one may have written floats.
-struct PlaceHash {
-    std::size_t operator()(const std::array<float, 3>& place) const {
-        std::size_t hash = 0;
-        for (const float x : place) hash = hash * 1000003U ^ std::hash<float>{}(x);
-        return hash;
-    }
-};
-std::array<float, 3> placeOf(const Vec3& x) {
-    // Adding 0 makes -0 the same as 0.
-    return {static_cast<float>(x.x) + 0.0F, static_cast<float>(x.y) + 0.0F,
-            static_cast<float>(x.z) + 0.0F};
-}
-
 /// The triangles in the numbering of the cloud's points. Throws Failure if a corner is not one
 /// of them.
 std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
                                   const CheckArguments& names) {
-    std::unordered_map<std::array<float, 3>, Index, PlaceHash> at;
-    for (std::size_t i = 0; i < cloud.position.size(); ++i)
-        at.emplace(placeOf(cloud.position[i]), static_cast<Index>(i));
-    const bool sameCount = cloud.position.size() == mesh.position.size();
-    const auto find = [&](Index corner) {
-        const Vec3& x = mesh.position[corner];
-        if (sameCount && placeOf(cloud.position[corner]) == placeOf(x)) return corner;
-        const auto found = at.find(placeOf(x));
-        if (found != at.end()) return found->second;
-        throw Failure(ExitCode::Input,
-                      "{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; omit --points, "
-                      "or give the points that the mesh was made of",
-                      names.mesh, corner, x.x, x.y, x.z, names.cloud);
-    };
-    std::vector<Triangle> triangles;
-    triangles.reserve(mesh.faces.size());
-    for (const Triangle& t : mesh.faces) triangles.push_back({find(t.a), find(t.b), find(t.c)});
-    return triangles;
+    MatchedMesh matched = matchMesh(cloud.position, mesh);
+    if (matched.unmatchedNumbers.empty()) return std::move(matched.triangles);
+    const Vec3& x = matched.unmatchedVertices.front();
+    throw Failure(ExitCode::Input,
+                  "{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; omit --points, or "
+                  "give the points that the mesh was made of",
+                  names.mesh, matched.unmatchedNumbers.front(), x.x, x.y, x.z, names.cloud);
 }
 
 /// True if the mesh is sound but for the allowed classes; one without a triangle never is.
@@ -192,17 +163,16 @@ std::string reportText(const CheckArguments& arguments, const std::string& judge
     if (!judgedBy.empty()) text += fmt::format("judged {}\n", judgedBy);
     text += placesText(judged.places, found.failures, kShown);
     for (std::size_t i = 0; i < meshClasses().size(); ++i) {
-        const std::string_view name = meshClasses()[i].name;
+        const FailureClass& kind = meshClasses()[i];
         const ClassTotal& total = found.totals[i];
         if (total.total == 0) continue;
-        const std::string_view remark =
-            !meshClasses()[i].fault ? ", no fault" : (arguments.allows(name) ? ", allowed" : "");
-        text += fmt::format("{:>7} {}{}\n", amountText(total), name, remark);
+        const char* const allowance = arguments.allows(kind.name) ? ", allowed\n" : "\n";
+        text += classText(kind, total) + (kind.fault ? allowance : ", no fault\n");
         std::size_t shown = 0;
         for (const MeshFailure& failure : found.failures) {
-            if (failure.kind->name != name) continue;
+            if (failure.kind != &kind) continue;
             if (shown++ == kShown) break;
-            text += "          " + describe(failure).substr(name.size() + 2) + "\n";
+            text += "          " + describe(failure).substr(kind.name.size() + 2) + "\n";
         }
         if (total.total > kShown)
             text += total.all()
@@ -237,8 +207,7 @@ void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         for (const Index p : {t.a, t.b, t.c}) {
-            const Vec3& x = file.position[p];
-            if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z)) continue;
+            if (isFinite(file.position[p])) continue;
             throw Failure(ExitCode::Input, "{}: triangle {} has corner {}, which is not finite",
                           name, i, p);
         }
@@ -254,7 +223,6 @@ ExitCode checkVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
-    const RunSpec spec = arguments.spec();
     const PointFile mesh = readInput(arguments.mesh, arguments.limit);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
@@ -264,7 +232,7 @@ ExitCode checkVerb(const Arguments& words) {
             "one, spiraling-edge why {1} --failures explains what goes wrong in the run",
             arguments.mesh, shellPath(arguments.mesh));
     const bool alone = arguments.cloud.empty();
-    const PointFile cloud = alone ? PointFile{} : readPiece(spec).file;
+    const PointFile cloud = alone ? PointFile{} : readPiece(arguments.spec).file;
     const PointFile& file = alone ? mesh : cloud;
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);

@@ -22,6 +22,8 @@
 namespace se::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// A failure with the result of its inverted decision, and its number within its class, from 1.
 struct InvertedFailure {
     const RunFailure* failure;
@@ -75,27 +77,27 @@ std::string inversionsText(const std::vector<InvertedFailure>& inverted) {
 }
 
 /// All results.
-std::string inversionsJson(const std::string& input, const std::vector<InvertedFailure>& inverted) {
-    nlohmann::ordered_json json{{"input", input}};
+Json inversionsJson(const std::vector<InvertedFailure>& inverted) {
+    Json json;
     for (const FailureClass& kind : failureClasses()) {
         if (countOf(inverted, kind) == 0) continue;
         auto& row = json["proved"][std::string(kind.name)];
         for (const Inversion inversion : kInversions)
             row[std::string(inversionName(inversion))] = countOf(inverted, kind, inversion);
     }
-    json["proofs"] = nlohmann::ordered_json::array();
+    json["proofs"] = Json::array();
     for (const InvertedFailure& each : inverted) {
-        nlohmann::ordered_json row{{"class", each.failure->failure.kind->name},
-                                   {"number", each.number},
-                                   {"points", each.failure->failure.points},
-                                   {"unavoidable", lineJson(each.failure->moments.unavoidable)},
-                                   {"proof", inversionName(each.inversion.outcome)}};
+        Json row{{"class", each.failure->failure.kind->name},
+                 {"number", each.number},
+                 {"points", each.failure->failure.points},
+                 {"unavoidable", lineJson(each.failure->moments.unavoidable)},
+                 {"proof", inversionName(each.inversion.outcome)}};
         for (const WhatIf& inverse : each.inversion.inverses)
             row["what_if"].push_back(lineOf(inverse));
         if (!each.inversion.reason.empty()) row["reason"] = each.inversion.reason;
         json["proofs"].push_back(row);
     }
-    return teach::jsonText(json);
+    return json;
 }
 
 /// Point numbers from "812,640". Throws Failure unless there are `count` of them.
@@ -196,6 +198,8 @@ struct WhyArguments {
                    "shows it.\nThe line marked > is the decisive one.");
     }
 
+    bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
+    /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().
     Subject subject() const {
         if (!point.empty()) return Subject::point(pointsFrom("--point", point, 1)[0]);
         if (!edge.empty()) {
@@ -207,54 +211,50 @@ struct WhyArguments {
     }
 };
 
-/// Answer about one subject.
-std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const Ledger ledger = runWithProgress("asking", input, line, [&](const Progress& progress) {
-        return why(run.points, run.params, arguments.subject(), progress);
-    });
-    return arguments.json ? ledgerJson(input, ledger) : ledgerText(ledger);
+/// The JSON of an answer.
+std::string documentOf(const WhyArguments& arguments, const Json& fields) {
+    Json json{{"input", arguments.input.input()}};
+    json.update(fields);
+    return teach::jsonText(json);
 }
 
-std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
-                     const PreparedInput& run, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const FoundDecisions found =
-        runWithProgress("asking", input, line, [&](const Progress& progress) {
-            return findDecisions(run.points, run.params, query, arguments.limit, progress);
-        });
-    return arguments.json ? foundJson(input, found) : foundText(found);
+/// Runs a search with the line of progress. Throws Failure if it fails.
+template <typename Search>
+auto searched(const WhyArguments& arguments, const char* what, ProgressLine& line,
+              const Search& search) {
+    return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer about all failures of the run.
-RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& run,
-                            ProgressLine& line) {
-    return runWithProgress("asking", arguments.input.input(), line, [&](const Progress& progress) {
-        return searchFailures(run.points, run.params, progress);
-    });
+/// Answer by a search whose result has answerText() and answerJson().
+template <typename Search>
+std::string ask(const WhyArguments& arguments, ProgressLine& line, const Search& search) {
+    const auto found = searched(arguments, "asking", line, search);
+    return arguments.json ? documentOf(arguments, answerJson(found)) : answerText(found);
 }
 
-/// Answer about the three moments of a failure.
+/// Answer about the failure of a choice: its three moments, and what would have prevented it.
 std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
-                       const PreparedInput& run, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const RunFailureSearch found = failuresIn(arguments, run, line);
-    const RunFailure failure = pickFailure(found, choice, input);
-    if (!arguments.remedy)
-        return arguments.json ? momentsJson(input, failure) : momentsText(failure);
-    const Remedies remedies = runWithProgress("trying", input, line, [&](const Progress& progress) {
-        return findRemedies(run.points, run.params, failure.failure, progress);
-    });
-    return arguments.json ? momentsJson(input, failure, &remedies)
-                          : momentsText(failure) + remediesText(remedies);
+                       const RunFailureSearch& found, const PreparedInput& run,
+                       ProgressLine& line) {
+    const RunFailure failure = pickFailure(found, choice, arguments.input.input());
+    std::string text = answerText(failure);
+    Json json = answerJson(failure);
+    if (arguments.remedy) {
+        const Remedies remedies =
+            searched(arguments, "trying", line, [&](const Progress& progress) {
+                return findRemedies(run.points, run.params, failure.failure, progress);
+            });
+        text += answerText(remedies);
+        json["remedies"] = answerJson(remedies);
+    }
+    return arguments.json ? documentOf(arguments, json) : text;
 }
 
 /// Answer about whether the decisions are the causes. Of large classes a sample is tried.
 std::string askInversions(const WhyArguments& arguments, const PreparedInput& run,
                           const std::vector<RunFailure>& all, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
     const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.limit);
-    const auto inversions = runWithProgress("turning", input, line, [&](const Progress& progress) {
+    const auto inversions = searched(arguments, "turning", line, [&](const Progress& progress) {
         return invertCauses(run.points, run.params, all, chosen, progress);
     });
     std::vector<InvertedFailure> inverted;
@@ -266,42 +266,44 @@ std::string askInversions(const WhyArguments& arguments, const PreparedInput& ru
         });
         inverted.push_back({&*at, static_cast<std::size_t>(before) + 1, inversions[i]});
     }
-    return arguments.json ? inversionsJson(input, inverted) : inversionsText(inverted);
+    return arguments.json ? documentOf(arguments, inversionsJson(inverted))
+                          : inversionsText(inverted);
 }
 
-std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
-                        ProgressLine& line) {
-    const RunFailureSearch found = failuresIn(arguments, run, line);
+/// Answer about what went wrong in a run: all of it, or the failure of a choice.
+std::string askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
+                        const PreparedInput& run, ProgressLine& line) {
+    const RunFailureSearch found = searched(
+        arguments, "asking", line,
+        [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
+    if (choice) return askFailure(arguments, *choice, found, run, line);
     if (arguments.prove) return askInversions(arguments, run, found.failures, line);
-    return arguments.json ? failuresJson(arguments.input.input(), found)
+    return arguments.json ? documentOf(arguments, answerJson(found))
                           : failuresText(found, arguments.limit);
 }
 
-std::string askRing(const WhyArguments& arguments, const RingAddress& ring,
-                    const PreparedInput& run, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const RingHistory history = runWithProgress(
-        "asking", input, line,
-        [&](const Progress& progress) { return whyRing(run.points, run.params, ring, progress); });
-    return arguments.json ? historyJson(input, history) : historyText(history);
-}
-
-std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const auto charts = runWithProgress("asking", input, line, [&](const Progress& progress) {
-        return runCharts(run.points, run.params, progress);
-    });
-    return arguments.json ? chartsJson(input, charts) : chartsText(charts);
-}
-
-std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
-                       ProgressLine& line) {
-    const std::string& input = arguments.input.input();
-    const NearestDecisions decisions =
-        runWithProgress("asking", input, line, [&](const Progress& progress) {
+/// Answer about the subject, the ring, the charts, the closest decisions or those of a query.
+std::string askRun(const WhyArguments& arguments, const std::optional<RingAddress>& ring,
+                   const DecisionQuery& query, const PreparedInput& run, ProgressLine& line) {
+    if (arguments.asksSubject())
+        return ask(arguments, line, [&](const Progress& progress) {
+            return why(run.points, run.params, arguments.subject(), progress);
+        });
+    if (ring)
+        return ask(arguments, line, [&](const Progress& progress) {
+            return whyRing(run.points, run.params, *ring, progress);
+        });
+    if (arguments.charts)
+        return ask(arguments, line, [&](const Progress& progress) {
+            return runCharts(run.points, run.params, progress);
+        });
+    if (arguments.closest > 0)
+        return ask(arguments, line, [&](const Progress& progress) {
             return nearestDecisions(run.points, run.params, arguments.closest, progress);
         });
-    return arguments.json ? nearestJson(input, decisions) : nearestText(decisions);
+    return ask(arguments, line, [&](const Progress& progress) {
+        return findDecisions(run.points, run.params, query, arguments.limit, progress);
+    });
 }
 
 }  // namespace
@@ -322,34 +324,26 @@ ExitCode whyVerb(const Arguments& words) {
     if (arguments.prove && !arguments.failures)
         throw Failure(ExitCode::Usage, "--prove: needs --failures");
     const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");
-    const bool asksFailure = !arguments.failure.empty();
-    const auto choice =
-        asksFailure ? std::optional(failureChoiceFrom(arguments.failure)) : std::nullopt;
-    const bool asksSubject =
-        !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
-    if (asksSubject) (void)arguments.subject();
+    std::optional<FailureChoice> choice;
+    if (!arguments.failure.empty()) choice = failureChoiceFrom(arguments.failure);
+    if (arguments.asksSubject()) (void)arguments.subject();
     std::optional<RingAddress> ring;
     if (!arguments.ring.empty())
         ring = require(ringAddressFromString(arguments.ring), ExitCode::Usage, "--ring ");
     ProgressLine line(!arguments.quiet);
     const PointFile file = arguments.input.read(line);
     PreparedInput run = arguments.input.prepare(file, line);
-    if (arguments.failures || choice) {
-        run.points.judge = runWithProgress(
-            "preparing", arguments.input.input(), line, [&](const Progress& progress) {
-                return judgeFor(file, arguments.input.prepareOptions(file), run.points, progress);
-            });
+    const bool asksFailures = arguments.failures || choice;
+    if (asksFailures) {
+        run.points.judge = searched(arguments, "preparing", line, [&](const Progress& progress) {
+            return judgeFor(file, arguments.input.prepareOptions(file), run.points, progress);
+        });
     }
     const std::string missing = missingPointIn(arguments.query, run.points.size());
-    if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);
-    const std::string answer = arguments.failures      ? askFailures(arguments, run, line)
-                               : choice                ? askFailure(arguments, *choice, run, line)
-                               : asksSubject           ? askWhy(arguments, run, line)
-                               : ring                  ? askRing(arguments, *ring, run, line)
-                               : arguments.charts      ? askCharts(arguments, run, line)
-                               : arguments.closest > 0 ? askClosest(arguments, run, line)
-                                                       : askQuery(arguments, query, run, line);
-    printText(answer);
+    if (!missing.empty())
+        throw Failure(ExitCode::Input, "{}: {}", arguments.input.input(), missing);
+    printText(asksFailures ? askFailures(arguments, choice, run, line)
+                           : askRun(arguments, ring, query, run, line));
     return ExitCode::Good;
 }
 
