@@ -67,14 +67,12 @@ Json trialsJson(const Trials& trials) {
     return {{"chosen", trials.best}, {"tried", tried}};
 }
 
-nlohmann::ordered_json ruleJson(const RuleSetting& rule, double value) {
+Json ruleJson(const RuleSetting& rule, double value) {
     if (rule.kind == SettingKind::Switch) return value != 0.0;
     if (rule.kind == SettingKind::Option) return valueText(rule, value);
     if (rule.kind == SettingKind::Whole) return static_cast<std::int64_t>(value);
     return value;
 }
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxAlerts = 100;
 constexpr std::size_t kMaxFaults = 100;
@@ -130,11 +128,8 @@ void addMesh(const MeshReport& mesh, Json& json) {
         mesh.boundaryLoops == 0
             ? Json()
             : Json({{"width", mesh.widestLoopWidth}, {"edges", mesh.widestLoopEdges}});
-    json["non_manifold_edges"] = mesh.nonManifoldEdges;
-    json["non_manifold_vertices"] = mesh.nonManifoldVertices;
-    json["inconsistent_edges"] = mesh.inconsistentEdges;
-    json["degenerate_triangles"] = mesh.degenerateTriangles;
-    json["flipped_triangles"] = mesh.flippedTriangles;
+    for (const MeshDefect& defect : meshDefects())
+        json[std::string(defect.key)] = mesh.*defect.count;
     json["points_in_no_triangle"] = mesh.unusedPoints;
     json["euler_characteristic"] = mesh.eulerCharacteristic;
     json["closed_manifold"] = mesh.closedManifold();
@@ -289,8 +284,8 @@ std::string endingSentence(const RunOutcome& outcome) {
                 "docs/robust.md",
                 outcome.params.maxTrianglesPerPoint);
         case Ending::MaxPivots:
-            return fmt::format("stopped after {} pivots, as requested",
-                               outcome.state.counters.pivots);
+            return "stopped after " + counted(outcome.state.counters.pivots, "pivot") +
+                   ", as requested";
     }
     return "";
 }

@@ -2,14 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "spiraling_edge/base/number_text.h"
 
 namespace se::cli {
+namespace {
 
-std::string counted(std::size_t count, const std::string& noun, const std::string& plural) {
-    if (count == 1) return "1 " + noun;
-    return fmt::format("{} {}", count, plural.empty() ? noun + "s" : plural);
-}
+constexpr std::array kMeshDefects{
+    MeshDefect{"non_manifold_edges", "non-manifold edge", &MeshReport::nonManifoldEdges},
+    MeshDefect{"non_manifold_vertices", "non-manifold point", &MeshReport::nonManifoldVertices},
+    MeshDefect{"inconsistent_edges", "inconsistent edge", &MeshReport::inconsistentEdges},
+    MeshDefect{"degenerate_triangles", "degenerate triangle", &MeshReport::degenerateTriangles},
+    MeshDefect{"flipped_triangles", "flipped triangle", &MeshReport::flippedTriangles},
+};
+
+}  // namespace
+
+std::span<const MeshDefect> meshDefects() { return kMeshDefects; }
 
 void appendPart(std::string& list, const std::string& part) {
     if (!list.empty()) list += ", ";
@@ -36,14 +46,10 @@ std::string openSentence(const MeshReport& mesh) {
 
 std::string defectSentence(const MeshReport& mesh) {
     std::string text;
-    const auto add = [&](std::size_t count, const char* noun, const char* plural) {
-        if (count > 0) appendPart(text, counted(count, noun, plural));
-    };
-    add(mesh.nonManifoldEdges, "non-manifold edge", "non-manifold edges");
-    add(mesh.nonManifoldVertices, "non-manifold point", "non-manifold points");
-    add(mesh.inconsistentEdges, "inconsistent edge", "inconsistent edges");
-    add(mesh.degenerateTriangles, "degenerate triangle", "degenerate triangles");
-    add(mesh.flippedTriangles, "flipped triangle", "flipped triangles");
+    for (const MeshDefect& defect : kMeshDefects) {
+        const std::size_t count = mesh.*defect.count;
+        if (count > 0) appendPart(text, counted(count, defect.noun));
+    }
     return text;
 }
 

@@ -1,8 +1,11 @@
 /// Sentences about meshes and points that `run` and `info` share.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -12,14 +15,19 @@ namespace se::cli {
 std::string meshSentence(const MeshReport& mesh);
 /// "4 loops, the widest 0.12 across (42 edges)": what stays open; empty if nothing does.
 std::string openSentence(const MeshReport& mesh);
+/// A defect that a mesh can have: its key in JSON, its noun, its count.
+struct MeshDefect {
+    std::string_view key;
+    std::string_view noun;
+    std::size_t MeshReport::*count;
+};
+std::span<const MeshDefect> meshDefects();
 /// "2 non-manifold edges, 1 flipped triangle"; empty if there is none.
 std::string defectSentence(const MeshReport& mesh);
 /// "15 not finite, 50 duplicates"; empty if nothing was set aside.
 std::string setAsideSentence(const PrepareReport& report);
 /// "x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)".
 std::string columnsSentence(const ColumnReading& columns);
-/// "1 edge", "2 edges".
-std::string counted(std::size_t count, const std::string& noun, const std::string& plural = "");
 /// Appends `part` to `list` after a comma.
 void appendPart(std::string& list, const std::string& part);
 

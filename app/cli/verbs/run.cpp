@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <optional>
 #include <span>
@@ -32,20 +31,28 @@
 namespace se::cli {
 namespace {
 
-/// A format of traces: a new one is two functions and a row in trace.cpp.
-struct TraceFormat;
+/// True if the extension is that of traces with a line per pivot.
+bool isPivotTrace(const std::string& path) {
+    return lowerExtension(path) == teach::kTraceExtension;
+}
 
-/// A trace that is written during the run, since it may be larger than memory. The file gets its
-/// name only by commit(): a run that ends early leaves none.
+/// A trace that is written during the run, since it may be larger than memory: a line per pivot,
+/// or else a sentence per event. The file gets its name only by commit(): a run that ends early
+/// leaves none.
 class TraceWriter {
   public:
     /// `path` empty: writes nothing; `-`: to standard output. Throws Failure(Internal) if the file
     /// cannot be created.
-    TraceWriter(const std::string& path, teach::TraceDetail detail);
+    TraceWriter(const std::string& path, teach::TraceDetail detail)
+        : active_(!path.empty()), perPivot_(isPivotTrace(path)), detail_(detail) {
+        if (active_ && path != "-") file_ = require(AtomicFile::create(path), ExitCode::Internal);
+    }
 
-    bool active() const { return format_ != nullptr; }
+    bool active() const { return active_; }
     /// Writes what stands before the first pivot. Requires active().
-    void begin(const PointSet& points);
+    void begin(const PointSet& points) {
+        if (perPivot_) buffer_ += teach::traceHeader(points);
+    }
     /// Runs `stepper` to the end of its next pivot, as Stepper::stepPivot(), and appends the lines
     /// of that pivot. Requires active(). Throws Failure(Internal).
     bool step(Stepper& stepper);
@@ -53,89 +60,46 @@ class TraceWriter {
     void commit();
 
   private:
+    bool stepWithPivotLine(Stepper& stepper);
+    bool stepWithSentences(Stepper& stepper);
     void flush();
 
-    const TraceFormat* format_ = nullptr;
+    bool active_;
+    bool perPivot_;
     teach::TraceDetail detail_;
     EventLog log_;
     std::optional<AtomicFile> file_;  ///< Empty: standard output.
     std::string buffer_;
 };
 
-struct TraceFormat {
-    std::string_view extension;  ///< Empty: any other.
-    std::string (*header)(const PointSet&);
-    /// Runs the stepper to the end of its next pivot, and appends the lines of that pivot.
-    bool (*step)(Stepper&, EventLog&, teach::TraceDetail, std::string&);
-};
-
-std::string noHeader(const PointSet&) { return {}; }
-
-/// One line per event.
-bool stepWithSentences(Stepper& stepper, EventLog& log, teach::TraceDetail, std::string& out) {
-    stepper.setLog(&log);
+bool TraceWriter::stepWithSentences(Stepper& stepper) {
+    stepper.setLog(&log_);
     const bool ran = stepper.stepPivot();
-    for (const Event& event : log.events()) {
-        out += toString(event.address);
-        out += '\t';
-        out += describe(event);
-        out += '\n';
-    }
-    log.clear();
+    for (const Event& event : log_.events())
+        buffer_ += toString(event.address) + '\t' + describe(event) + '\n';
+    log_.clear();
     return ran;
 }
 
-/// One line per pivot.
-bool stepWithPivotLine(Stepper& stepper, EventLog&, teach::TraceDetail detail, std::string& out) {
-    const teach::TraceStep step = teach::stepTraced(stepper, detail);
-    if (step.pivot) out += teach::traceLine(*step.pivot);
+bool TraceWriter::stepWithPivotLine(Stepper& stepper) {
+    const teach::TraceStep step = teach::stepTraced(stepper, detail_);
+    if (step.pivot) buffer_ += teach::traceLine(*step.pivot);
     return step.ran;
-}
-
-constexpr std::array kTraceFormats{
-    TraceFormat{teach::kTraceExtension, teach::traceHeader, stepWithPivotLine},
-    TraceFormat{"", noHeader, stepWithSentences},
-};
-
-const TraceFormat* traceFormatOf(const std::string& path) {
-    const std::string extension = lowerExtension(path);
-    for (const TraceFormat& each : kTraceFormats) {
-        if (each.extension == extension || each.extension.empty()) return &each;
-    }
-    return nullptr;
-}
-
-/// True if the extension is that of traces with a line per pivot.
-bool isPivotTrace(const std::string& path) {
-    return lowerExtension(path) == teach::kTraceExtension;
-}
-
-TraceWriter::TraceWriter(const std::string& path, teach::TraceDetail detail) : detail_(detail) {
-    if (path.empty()) return;
-    format_ = traceFormatOf(path);
-    if (path == "-") return;
-    file_ = require(AtomicFile::create(path), ExitCode::Internal);
-}
-
-void TraceWriter::begin(const PointSet& points) {
-    assert(active());
-    buffer_ += format_->header(points);
 }
 
 bool TraceWriter::step(Stepper& stepper) {
     assert(active());
     constexpr std::size_t kBlock = 1U << 16U;
-    const bool ran = format_->step(stepper, log_, detail_, buffer_);
+    const bool ran = perPivot_ ? stepWithPivotLine(stepper) : stepWithSentences(stepper);
     if (buffer_.size() >= kBlock) flush();
     return ran;
 }
 
 void TraceWriter::flush() {
-    if (file_) {
+    if (file_)
         require(file_->write(buffer_), ExitCode::Internal);
-    } else {
+    else
         writeOutput("-", buffer_);
-    }
     buffer_.clear();
 }
 
@@ -229,8 +193,11 @@ struct RunArguments {
             throw Failure(ExitCode::Usage, "-o {}: only {} can be written", output,
                           listText(meshFormats(), &MeshFormat::extension, "and"));
         if (writing.normals) requireNormals();
-        if (faultFields) requireColumns();
-        if (lists) requireLists();
+        if (faultFields) requireColumns("--fault-fields", "numbers of points");
+        if (lists) requireColumns("--with-lists", "neighbor lists");
+        if (lists && usedPoints)
+            throw Failure(ExitCode::Usage,
+                          "--with-lists: the lists name all points; leave out --used-points");
         if (stages && !isPivotTrace(trace)) {
             throw Failure(ExitCode::Usage,
                           "--trace-stages: {} has a line per decision already; name a file "
@@ -240,25 +207,12 @@ struct RunArguments {
         force.require(input.files(), {{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
-    /// Reports `--fault-fields` where no columns of points can be written.
-    void requireColumns() const {
+    /// Reports an option whose numbers of each point cannot be written.
+    void requireColumns(std::string_view option, std::string_view what) const {
         if (output == "-" || keepsColumns(*meshFormatOf(output))) return;
-        throw Failure(ExitCode::Usage,
-                      "--fault-fields -o {}: this format cannot hold numbers of points; choose {}",
-                      output, listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
-    }
-
-    /// Reports `--with-lists` where no neighbor lists can be written.
-    void requireLists() const {
-        if (output != "-" && !keepsColumns(*meshFormatOf(output))) {
-            throw Failure(ExitCode::Usage,
-                          "--with-lists -o {}: this format cannot hold neighbor lists; choose {}",
-                          output,
-                          listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
-        }
-        if (usedPoints)
-            throw Failure(ExitCode::Usage,
-                          "--with-lists: the lists name all points; leave out --used-points");
+        throw Failure(ExitCode::Usage, "{} -o {}: this format cannot hold {}; choose {}", option,
+                      output, what,
+                      listText(meshFormats(), &MeshFormat::extension, "or", keepsColumns));
     }
 
     /// Reports `--normals` where no normals can be written.
@@ -416,13 +370,13 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     const bool none = outcome.mesh.triangles == 0;
     const std::string emptiness = none || arguments.check ? emptinessSentence(outcome) : "";
     if (!emptiness.empty() && (arguments.check || arguments.best))
-        throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
-    if (!emptiness.empty() && !arguments.quiet)
-        printNote(fmt::format("{}: {}\n", printable(outcome.input), emptiness));
+        throw Failure(ExitCode::CheckFailed, "{}: {}", outcome.input, emptiness);
     if (arguments.check && !faults.empty())
-        throw Failure(ExitCode::CheckFailed, outcome.input + ": " + faults);
-    if (!faults.empty() && !arguments.quiet)
-        printNote(fmt::format("{}: {}\n", printable(outcome.input), faults));
+        throw Failure(ExitCode::CheckFailed, "{}: {}", outcome.input, faults);
+    for (const std::string& sentence : {emptiness, faults}) {
+        if (!sentence.empty() && !arguments.quiet)
+            printNote(fmt::format("{}: {}\n", printable(outcome.input), sentence));
+    }
     return ExitCode::Good;
 }
 
@@ -437,7 +391,7 @@ ExitCode runVerb(const Arguments& words) {
     RunOutcome outcome;
     outcome.input = arguments.input.input();
     // What is wrong with the options is reported before the input is read.
-    const RunSpec named = arguments.input.spec();
+    const RunSpec& named = arguments.input.spec();
 
     ProgressLine line(!arguments.quiet);
     TraceWriter trace(arguments.trace,
