@@ -60,23 +60,31 @@ inline bool parseCount(std::string_view field, std::uint64_t& count,
     return true;
 }
 
-/// The common part of readers that go through a file line by line: the current line, and the first
-/// problem. A member that returns false has set it.
-class LineByLine {
+/// The problem of a file. A member of a reader that returns false has set it.
+class FirstProblem {
   public:
-    LineByLine(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+    explicit FirstProblem(const std::string& name) : name_(name) {}
 
   protected:
     bool failAt(const std::string& place, const std::string& what) {
         problem_ = errorAt(name_, place, what);
         return false;
     }
+
+    const std::string& name_;
+    Error problem_;
+};
+
+/// The common part of readers that go through a file line by line.
+class LineByLine : protected FirstProblem {
+  public:
+    LineByLine(std::string_view text, const std::string& name) : FirstProblem(name), lines_(text) {}
+
+  protected:
     bool failIn(std::size_t line, const std::string& what) { return failAt(lineText(line), what); }
     bool fail(const std::string& what) { return failIn(lines_.number(), what); }
 
     LineReader lines_;
-    const std::string& name_;
-    Error problem_;
 };
 
 // ---- writers ------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/scalars.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se::io {
 namespace {
@@ -255,24 +256,16 @@ namespace {
 
 Vec3 asFloats(const Vec3& v) { return {asFloat(v.x), asFloat(v.y), asFloat(v.z)}; }
 
-struct Bounds {
-    Vec3 low{std::numeric_limits<double>::infinity()};
-    Vec3 high{-std::numeric_limits<double>::infinity()};
-    void add(const Vec3& x) {
-        low = glm::min(low, x);
-        high = glm::max(high, x);
-    }
-    /// The center as floats, which every program preserves; as doubles where floats are too coarse
-    /// to be near the points.
-    Vec3 middle() const {
-        const Vec3 exact = 0.5 * (low + high);
-        const Vec3 size = high - low;
-        const Vec3 coarse = asFloats(exact);
-        const Vec3 off = glm::abs(coarse - exact);
-        const bool near = std::max({off.x, off.y, off.z}) <= std::max({size.x, size.y, size.z});
-        return near ? coarse : exact;
-    }
-};
+/// The center of a box as floats, which every program preserves; as doubles where floats are too
+/// coarse to be near the points.
+Vec3 middleOf(const WallBox& box) {
+    const Vec3 exact = 0.5 * (box.low + box.high);
+    const Vec3 size = box.high - box.low;
+    const Vec3 coarse = asFloats(exact);
+    const Vec3 off = glm::abs(coarse - exact);
+    const bool near = std::max({off.x, off.y, off.z}) <= std::max({size.x, size.y, size.z});
+    return near ? coarse : exact;
+}
 
 /// "[x,y,z]" with digits that read back exactly.
 std::string jsonOf(const Vec3& v) {
@@ -335,19 +328,17 @@ class GlbParts {
     }
 
     void addPositions() {
-        Bounds whole;
-        for (const Vec3& x : points_.position) {
-            if (isFinite(x)) whole.add(x);
-        }
-        if (whole.low.x <= whole.high.x) middle_ = whole.middle();
-        Bounds moved;
+        middle_ = middleOf(boxAround(points_.position));
+        Vec3 low{std::numeric_limits<double>::infinity()};
+        Vec3 high{-std::numeric_limits<double>::infinity()};
         for (const Vec3& x : points_.position) {
             const Vec3 place = isFinite(x) ? asFloats(x - middle_) : Vec3(0.0);
-            moved.add(place);
+            low = glm::min(low, place);
+            high = glm::max(high, place);
             append(binary_, place);
         }
         describe(0, kVertices, kFloat, points_.position.size(), "VEC3",
-                 ",\"min\":" + jsonOf(moved.low) + ",\"max\":" + jsonOf(moved.high));
+                 ",\"min\":" + jsonOf(low) + ",\"max\":" + jsonOf(high));
     }
     void addNormals() {
         const std::size_t begin = binary_.size();

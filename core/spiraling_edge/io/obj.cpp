@@ -14,8 +14,7 @@ class ObjReader : LineByLine {
     using LineByLine::LineByLine;
 
     Result<PointFile> read() {
-        file_.positionType = ScalarType::Double;
-        file_.normalType = ScalarType::Double;
+        file_.positionType = file_.normalType = ScalarType::Double;
         while (lines_.nextContent('#')) {
             Fields fields(lines_.line());
             if (!readStatement(fields.next(), fields)) return problem_;

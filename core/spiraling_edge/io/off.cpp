@@ -20,8 +20,7 @@ class OffReader : LineByLine {
     using LineByLine::LineByLine;
 
     Result<PointFile> read() {
-        file_.positionType = ScalarType::Double;
-        file_.normalType = ScalarType::Double;
+        file_.positionType = file_.normalType = ScalarType::Double;
         if (!readHeader() || !readPoints() || !readFaces()) return problem_;
         if (lines_.nextContent('#')) {
             fail("the file goes on after the " + std::to_string(points_) + " points and " +
