@@ -253,17 +253,11 @@ void putFilling(RepairState& m, const HoleRing& ring, const Filling& filling) {
     // The new side from one place of the ring to another, to find the twin of each.
     std::vector<HalfEdge> sides(count * count, kNone);
     for (std::size_t i = 0; i < filling.size(); ++i) {
-        const auto place =
-            i < ring.gone.size() ? ring.gone[i] : static_cast<Index>(m.triangles.size());
-        if (place == m.triangles.size()) {
-            m.triangles.push_back({});
-            m.twin.resize(m.twin.size() + 3, kNone);
-        }
         const RingTriangle& t = filling[i];
-        m.triangles.set(place, {ring.points[t[0]], ring.points[t[1]], ring.points[t[2]]});
+        const HalfEdge first =
+            putTriangle(m, ring.gone, i, {ring.points[t[0]], ring.points[t[1]], ring.points[t[2]]});
         for (Index k = 0; k < 3; ++k) {
-            const HalfEdge h = 3 * place + k;
-            m.twin.set(h, kNone);
+            const HalfEdge h = first + k;
             sides[t[k] * count + t[(k + 1) % 3]] = h;
             m.sideOf.set(ring.points[t[k]], h);
             m.queue.push_back(h);

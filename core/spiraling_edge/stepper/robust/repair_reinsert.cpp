@@ -3,13 +3,20 @@
 /// border, which it divides or is joined to. Of all places the one with the best angles is taken. A
 /// point farther than three local spacings from the mesh stays out.
 /// After Bowyer and Watson (1981), with faults instead of circumspheres as the test.
+/// At the end, a point that fits nowhere without a fault takes the place where the new triangles
+/// have at most one fault more than those they replace, since the point itself, in no triangle, is
+/// one. Of several places the one with the fewest faults is taken, then the one with the best
+/// angles. A new triangle is never flipped.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/stepper/robust/near_triangles.h"
 #include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
@@ -20,9 +27,8 @@ constexpr double kReach = 3.0;
 /// Largest number of triangles that make room for a point.
 constexpr std::size_t kMaxGone = 8;
 constexpr std::size_t kMaxMade = kMaxGone + 2;
-/// Largest number of times that both triangles of a conflict are tried as the one to avoid, for one
-/// place.
-constexpr std::size_t kMaxChoices = 4;
+
+// ---- places -------------------------------------------------------------------------------------
 
 /// The new triangles of a place, around the point, and the old ones that they replace.
 class Change {
@@ -36,73 +42,70 @@ class Change {
     }
     /// Adds a triangle on the outer side of a border.
     void join(HalfEdge border) {
-        made_[0] = {cornerOf(*m_, following(border)), cornerOf(*m_, border), x_};
-        outer_[0] = border;
-        number_[0] = kNone;
+        made_[0] = {{cornerOf(*m_, following(border)), cornerOf(*m_, border), x_}, border};
         count_ = 1;
     }
     /// Avoids the new triangle `i`: the old one across its side goes as well; at a border, the
     /// point divides the side. False if neither is possible.
     bool avoid(std::size_t i) {
         if (goneCount_ == 0) return false;
-        return outer_[i] == kNone ? divideBorder(i) : widen(i);
+        return across(i) == kNone ? divideBorder(i) : widen(i);
+    }
+    /// Replaces the old triangle across the side of new triangle `i` as well. False at a border,
+    /// and where its third point is pinched or in the place already.
+    bool widen(std::size_t i) {
+        const HalfEdge other = across(i);
+        if (other == kNone || goneCount_ == kMaxGone) return false;
+        const Index tip = cornerOf(*m_, preceding(other));
+        if (m_->pinched[tip] || hasCorner(tip)) return false;
+        gone_[goneCount_++] = other / 3;
+        for (std::size_t k = count_++; k > i + 1; --k) made_[k] = made_[k - 1];
+        put(i, following(other));
+        put(i + 1, preceding(other));
+        return true;
     }
 
     std::size_t size() const { return count_; }
-    const Triangle& operator[](std::size_t i) const { return made_[i]; }
+    const Triangle& operator[](std::size_t i) const { return made_[i].triangle; }
     /// Number of triangle `i` in a list of the caller; kNone until the caller sets it.
-    Index& number(std::size_t i) { return number_[i]; }
+    Index& number(std::size_t i) { return made_[i].number; }
     /// The side across the old edge of triangle `i`, kNone at a border.
-    HalfEdge across(std::size_t i) const { return outer_[i]; }
+    HalfEdge across(std::size_t i) const { return made_[i].outer; }
+    /// The old triangles that go.
+    std::span<const Index> gone() const { return std::span(gone_).first(goneCount_); }
     bool removes(Index t) const {
-        const auto end = gone_.begin() + static_cast<std::ptrdiff_t>(goneCount_);
-        return std::find(gone_.begin(), end, t) != end;
+        return std::find(gone().begin(), gone().end(), t) != gone().end();
     }
     void apply(RepairState& m) const;
 
   private:
+    struct Made {
+        Triangle triangle;
+        HalfEdge outer = kNone;
+        Index number = kNone;
+    };
+
     /// Makes triangle `i` that of an old side.
     void put(std::size_t i, HalfEdge side) {
-        made_[i] = {cornerOf(*m_, side), cornerOf(*m_, following(side)), x_};
-        outer_[i] = m_->twin[side];
-        number_[i] = kNone;
+        made_[i] = {{cornerOf(*m_, side), cornerOf(*m_, following(side)), x_}, m_->twin[side]};
     }
     bool hasCorner(Index p) const {
         const auto end = made_.begin() + static_cast<std::ptrdiff_t>(count_);
-        return std::any_of(made_.begin(), end,
-                           [&](const Triangle& t) { return t.a == p || t.b == p; });
-    }
-    bool widen(std::size_t i) {
-        const HalfEdge other = outer_[i];
-        const Index tip = cornerOf(*m_, preceding(other));
-        if (goneCount_ == kMaxGone || m_->pinched[tip] || hasCorner(tip)) return false;
-        gone_[goneCount_++] = other / 3;
-        for (std::size_t k = count_++; k > i + 1; --k) {
-            made_[k] = made_[k - 1];
-            outer_[k] = outer_[k - 1];
-            number_[k] = number_[k - 1];
-        }
-        put(i, following(other));
-        put(i + 1, preceding(other));
-        return true;
+        return std::any_of(made_.begin(), end, [&](const Made& made) {
+            return made.triangle.a == p || made.triangle.b == p;
+        });
     }
     bool divideBorder(std::size_t i) {
         if (dividesBorder_ || count_ < 3) return false;
         dividesBorder_ = true;
         --count_;
-        for (std::size_t k = i; k < count_; ++k) {
-            made_[k] = made_[k + 1];
-            outer_[k] = outer_[k + 1];
-            number_[k] = number_[k + 1];
-        }
+        for (std::size_t k = i; k < count_; ++k) made_[k] = made_[k + 1];
         return true;
     }
 
     const RepairState* m_;
     Index x_;
-    std::array<Triangle, kMaxMade> made_{};
-    std::array<HalfEdge, kMaxMade> outer_{};
-    std::array<Index, kMaxMade> number_{};
+    std::array<Made, kMaxMade> made_{};
     std::size_t count_ = 0;
     std::array<Index, kMaxGone> gone_{};
     std::size_t goneCount_ = 0;
@@ -112,32 +115,59 @@ class Change {
 /// Stores the new triangles in the places of the old ones and at the end of the list.
 void Change::apply(RepairState& m) const {
     std::array<HalfEdge, kMaxMade> base{};
+    for (std::size_t i = 0; i < count_; ++i) base[i] = putTriangle(m, gone(), i, (*this)[i]);
     for (std::size_t i = 0; i < count_; ++i) {
-        const bool reuse = i < goneCount_;
-        const auto t = reuse ? gone_[i] : static_cast<Index>(m.triangles.size());
-        if (!reuse) {
-            m.triangles.push_back({});
-            m.twin.resize(m.twin.size() + 3, kNone);
-        }
-        base[i] = 3 * t;
-        m.triangles.set(t, made_[i]);
-    }
-    for (std::size_t i = 0; i < count_; ++i) {
-        for (const HalfEdge side : {base[i], base[i] + 1, base[i] + 2}) m.twin.set(side, kNone);
-    }
-    for (std::size_t i = 0; i < count_; ++i) {
-        pair(m, base[i], outer_[i]);
-        m.sideOf.set(made_[i].a, base[i]);
-        m.sideOf.set(made_[i].b, base[i] + 1);
+        const Triangle& t = (*this)[i];
+        pair(m, base[i], across(i));
+        m.sideOf.set(t.a, base[i]);
+        m.sideOf.set(t.b, base[i] + 1);
         for (std::size_t j = 0; j < count_; ++j) {
             // The side b -> x of one lies on the side x -> a of the next.
-            if (made_[j].a == made_[i].b) pair(m, base[i] + 1, base[j] + 2);
+            if ((*this)[j].a == t.b) pair(m, base[i] + 1, base[j] + 2);
         }
         m.queue.push_back(base[i]);
         m.queue.push_back(base[i] + 1);
     }
     m.sideOf.set(x_, base[0] + 2);
 }
+
+/// The triangles at the points that x lists, each once, in the order in which they are found, but
+/// those with a pinched point.
+std::vector<Index> trianglesListed(const PointSet& points, const RepairState& m, Index x) {
+    std::vector<Index> found;
+    for (const Index p : points.neighbors[x]) {
+        forEachSideOf(m, p, [&](HalfEdge side) {
+            const Triangle& t = m.triangles[side / 3];
+            const bool pinched = m.pinched[t.a] || m.pinched[t.b] || m.pinched[t.c];
+            if (!pinched && std::find(found.begin(), found.end(), side / 3) == found.end())
+                found.push_back(side / 3);
+        });
+    }
+    return found;
+}
+
+/// Whether a new triangle is folded onto the old one across its side, as last asked: the side of
+/// the same triangle differs from place to place.
+class FoldAcross {
+  public:
+    bool isFolded(const PointSet& points, const RepairState& m, const Triangle& made,
+                  HalfEdge outer) {
+        if (outer == kNone) return false;
+        if (std::exchange(outer_, outer) != outer)
+            folded_ = folded(points, made, m.triangles[outer / 3]);
+        return folded_;
+    }
+
+  private:
+    HalfEdge outer_ = kNone;
+    bool folded_ = false;
+};
+
+// ---- without a fault ----------------------------------------------------------------------------
+
+/// Largest number of times that both triangles of a conflict are tried as the one to avoid, for one
+/// place.
+constexpr std::size_t kMaxChoices = 4;
 
 /// A place for a point, and the quality of its triangles.
 struct Insertion {
@@ -185,30 +215,18 @@ struct NewTriangle {
     std::size_t tested = 0;              ///< Number of near triangles tested, from the first on,
     std::vector<std::size_t> conflicts;  ///< and the positions of those in conflict with it.
     std::vector<Answer> withOthers;      ///< Conflicts with other new triangles, by number,
-    std::vector<std::pair<Index, bool>> withFar;  ///< and with old ones that are not near.
-    HalfEdge outer = kNone;                       ///< The side that `foldedAt` is known for.
-    bool foldedAt = false;                        ///< It is folded onto the triangle of that side.
+    std::vector<std::pair<Index, bool>> withOld;  ///< and with old ones across a side.
+    FoldAcross across;
 };
 
 /// Finds the best place for one point.
 class PlaceSearch {
   public:
-    PlaceSearch(const PointSet& points, RepairState& m, Index x) : points_(points), m_(m), x_(x) {}
+    PlaceSearch(const PointSet& points, RepairState& m, Index x)
+        : points_(points), m_(m), x_(x), near_(nearestFirst(points, m, x)) {}
 
     std::optional<Change> find() {
-        near_ = nearestFirst(points_, m_, x_);
-        for (const NearTriangle& each : near_)
-            nearIndex_.emplace_back(each.index, static_cast<Index>(nearIndex_.size()));
-        std::sort(nearIndex_.begin(), nearIndex_.end());
-        std::vector<Index> begins;
-        for (const Index p : points_.neighbors[x_])
-            forEachSideOf(m_, p, [&](HalfEdge side) {
-                if (std::find(begins.begin(), begins.end(), side / 3) == begins.end())
-                    begins.push_back(side / 3);
-            });
-        for (const Index t : begins) {
-            const Triangle& old = m_.triangles[t];
-            if (m_.pinched[old.a] || m_.pinched[old.b] || m_.pinched[old.c]) continue;
+        for (const Index t : trianglesListed(points_, m_, x_)) {
             Change inside(m_, x_);
             inside.replace(t);
             choices_ = 0;
@@ -267,41 +285,25 @@ class PlaceSearch {
         const Triangle& t = change[i];
         const auto [found, isNew] =
             numbers_.try_emplace(std::uint64_t{t.a} << 32U | t.b, static_cast<Index>(made_.size()));
-        if (isNew) {
-            made_.emplace_back(points_, t);
-            withNear_.resize(made_.size() * near_.size(), Answer::Unknown);
-        }
+        if (isNew) made_.emplace_back(points_, t);
         return number = found->second;
     }
     /// The reference holds until the next call.
     NewTriangle& made(Change& change, std::size_t i) { return made_[numberOf(change, i)]; }
-    /// True if new triangle number `i` is in conflict with the near one at this position.
-    bool inConflictWithNear(Index i, std::size_t place) {
-        Answer& answer = withNear_[i * near_.size() + place];
-        if (answer == Answer::Unknown)
-            answer =
-                conflict(points_, made_[i].shaped, near_[place].shaped) ? Answer::Yes : Answer::No;
-        return answer == Answer::Yes;
-    }
     /// Tests the next near triangle; true if it is in conflict with new triangle number `i`.
     bool testNext(Index i) {
         const std::size_t place = made_[i].tested++;
-        if (!inConflictWithNear(i, place)) return false;
+        if (!conflict(points_, made_[i].shaped, near_[place].shaped)) return false;
         made_[i].conflicts.push_back(place);
         return true;
     }
     bool inConflict(Index i, Index old) {
-        const auto found = std::lower_bound(
-            nearIndex_.begin(), nearIndex_.end(), old,
-            [](const std::pair<Index, Index>& each, Index t) { return each.first < t; });
-        if (found != nearIndex_.end() && found->first == old)
-            return inConflictWithNear(i, found->second);
         NewTriangle& t = made_[i];
-        for (const auto& [triangle, answer] : t.withFar) {
+        for (const auto& [triangle, answer] : t.withOld) {
             if (triangle == old) return answer;
         }
         const bool answer = conflict(points_, t.shaped, m_.triangles[old]);
-        t.withFar.emplace_back(old, answer);
+        t.withOld.emplace_back(old, answer);
         return answer;
     }
     /// True if new triangle number `i` is in conflict with number `k`.
@@ -337,28 +339,18 @@ class PlaceSearch {
 
     bool isFaulty(Change& change, std::size_t i) {
         const Index mine = numberOf(change, i);
-        const NewTriangle& t = made_[mine];
+        NewTriangle& t = made_[mine];
         // In the last rounds a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
         if (t.faults > (m_.round < kSettlingRound ? 0 : 1) || t.cosine >= kThin) return true;
         // What is known already comes first.
         const auto stays = [&](std::size_t place) { return !change.removes(near_[place].index); };
         if (std::any_of(t.conflicts.begin(), t.conflicts.end(), stays)) return true;
-        if (isFolded(mine, change.across(i))) return true;
+        if (t.across.isFolded(points_, m_, change[i], change.across(i))) return true;
         while (t.tested < near_.size()) {
             if (testNext(mine) && stays(t.conflicts.back())) return true;
         }
         return false;
-    }
-
-    bool isFolded(Index i, HalfEdge outer) {
-        if (outer == kNone) return false;
-        NewTriangle& t = made_[i];
-        if (t.outer != outer) {
-            t.outer = outer;
-            t.foldedAt = folded(points_, t.shaped.triangle, m_.triangles[outer / 3]);
-        }
-        return t.foldedAt;
     }
 
     const PointSet& points_;
@@ -366,15 +358,209 @@ class PlaceSearch {
     Index x_;
     /// No new triangle may be in conflict with any of these.
     std::vector<NearTriangle> near_;
-    /// Their indices, ascending, each with its position in `near_`.
-    std::vector<std::pair<Index, Index>> nearIndex_;
     std::vector<NewTriangle> made_;
-    /// Conflicts of each new triangle, by number, with each near one.
-    std::vector<Answer> withNear_;
     std::unordered_map<std::uint64_t, Index> numbers_;  ///< Their numbers, by their old edges.
     std::size_t choices_ = 0;
     Insertion best_;
 };
+
+// ---- with the fewest faults ---------------------------------------------------------------------
+
+/// Largest number of triangles that make room for a point.
+constexpr std::size_t kMaxCheapGone = 3;
+/// The most faults that a place may add: those of a point in no triangle.
+constexpr int kMaxAdded = 1;
+/// A new triangle with this many faults is not counted to the end.
+constexpr int kTooMany = 8;
+
+/// The faults of a pair of triangles, by the classes of mesh/faults.h.
+int faultsOfPair(const PointSet& points, const ShapedTriangle& a, const ShapedTriangle& b) {
+    if (!conflict(points, a, b)) return 0;
+    const bool meet =
+        a.box.meets(b.box) && trianglesShareMore(points.position, a.triangle, b.triangle);
+    const bool layer = isSecondLayer(points, a.triangle, a.shape, b.triangle, b.shape);
+    return (meet ? 1 : 0) + (layer ? 1 : 0);
+}
+
+/// A triangle with its faults, as far as they were counted.
+struct Counted {
+    std::size_t number = 0;  ///< Among those tested in NearTriangles.
+    int own = 0;             ///< Of its shape.
+    /// With others of the mesh: their indices and the number of faults.
+    std::vector<std::pair<Index, int>> pairs{};
+    int inPairs = 0;         ///< The sum of those.
+    std::size_t tested = 0;  ///< Number of triangles of NearTriangles that were tested.
+    FoldAcross across{};
+};
+
+/// The triangles near a point, ascending: what is counted depends on their order.
+std::vector<Index> nearAscending(const PointSet& points, RepairState& m, Index x) {
+    std::vector<Index> list = trianglesNear(points, m, std::array{x});
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
+/// Finds the place for one point that adds the fewest faults.
+class CheapestSearch {
+  public:
+    CheapestSearch(const PointSet& points, RepairState& m, Index x)
+        : points_(points), m_(m), x_(x), near_(points, m, nearAscending(points, m, x)) {}
+
+    std::optional<Change> find() {
+        std::vector<Index> begins = trianglesListed(points_, m_, x_);
+        std::sort(begins.begin(), begins.end());
+        for (const Index t : begins) {
+            Change inside(m_, x_);
+            inside.replace(t);
+            consider(inside);
+            for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+                if (m_.twin[h] != kNone) continue;
+                Change outside(m_, x_);
+                outside.join(h);
+                consider(outside);
+            }
+        }
+        return best_;
+    }
+
+  private:
+    /// Counts the faults with the next triangle near that has some; false if there is none.
+    bool countNext(Counted& t, Index itself) {
+        while (t.tested < near_.size()) {
+            const std::size_t i = near_.nextDoubtful(t.number, t.tested);
+            t.tested = i + 1;
+            if (i == near_.size() || near_.index(i) == itself) continue;
+            const int faults = faultsOfPair(points_, near_.tested(t.number), near_.shaped(i));
+            if (faults == 0) continue;
+            t.pairs.emplace_back(near_.index(i), faults);
+            t.inPairs += faults;
+            return true;
+        }
+        return false;
+    }
+    const ShapedTriangle& shapedOf(const Counted& t) const { return near_.tested(t.number); }
+    /// A new triangle; the reference stays valid.
+    Counted& made(const Triangle& t) {
+        const auto [found, isNew] = made_.try_emplace(std::uint64_t{t.a} << 32U | t.b);
+        Counted& counted = found->second;
+        if (!isNew) return counted;
+        counted.number = near_.addTested(t);
+        const bool isBad =
+            shapeFaults(points_, t) >= kFlippedFault || leastAngleCosine(points_, t) >= kThin;
+        counted.own = isBad ? kTooMany : 0;
+        return counted;
+    }
+    const Counted& old(Index t) {
+        const Triangle& corners = m_.triangles[t];
+        const auto [found, isNew] = old_.try_emplace(t);
+        Counted& counted = found->second;
+        if (!isNew) return counted;
+        counted.number = near_.addTested(corners);
+        counted.own = shapeFaults(points_, corners) >= kFlippedFault ? 1 : 0;
+        while (counted.own + counted.inPairs < kTooMany && countNext(counted, t)) continue;
+        return counted;
+    }
+
+    /// The faults of the triangles that a place replaces.
+    int faultsOfGone(const Change& place) {
+        int sum = 0;
+        for (const Index t : place.gone()) {
+            const Counted& each = old(t);
+            sum += each.own;
+            for (const auto& [other, faults] : each.pairs) {
+                if (other > t || !place.removes(other)) sum += faults;
+            }
+        }
+        return sum;
+    }
+    /// The faults of a new triangle with those that stay, counted until they are more than `most`.
+    int faultsWithOld(const Change& place, std::size_t i, int most) {
+        Counted& t = made(place[i]);
+        int faults = t.own;
+        if (t.across.isFolded(points_, m_, place[i], place.across(i))) ++faults;
+        for (const auto& [other, count] : t.pairs) {
+            if (!place.removes(other)) faults += count;
+        }
+        while (faults <= most && countNext(t, kNone)) {
+            if (!place.removes(t.pairs.back().first)) faults += t.pairs.back().second;
+            // With so many it stays out, whatever goes.
+            if (t.inPairs < kTooMany) continue;
+            t.own = kTooMany;
+            return kTooMany;
+        }
+        return faults;
+    }
+    int faultsAmongNew(const Change& place) {
+        int sum = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const ShapedTriangle a = shapedOf(made(place[i]));
+            for (std::size_t k = i + 1; k < place.size(); ++k) {
+                const ShapedTriangle& b = shapedOf(made(place[k]));
+                sum += faultsOfPair(points_, a, b);
+                const bool share = k == i + 1 || (i == 0 && k + 1 == place.size());
+                sum += share && folded(points_, a.triangle, b.triangle) ? 1 : 0;
+            }
+        }
+        return sum;
+    }
+    double worstAngle(const Change& place) const {
+        double worst = -1.0;
+        for (std::size_t i = 0; i < place.size(); ++i)
+            worst = std::max(worst, leastAngleCosine(points_, place[i]));
+        return worst;
+    }
+
+    /// Counts a place, and those that are wider by one triangle across a side with a fault.
+    void consider(const Change& place) {
+        const std::size_t replaced = place.gone().size();
+        if (replaced > 0 && !isNew({place.gone().begin(), place.gone().end()})) return;
+        const int gone = faultsOfGone(place);
+        const int most = std::min(kMaxAdded + gone, kTooMany - 1);
+        const bool mayWiden = replaced > 0 && replaced < kMaxCheapGone;
+        std::array<bool, kMaxMade> isFaulty{};
+        int sum = 0;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            // Of a place with too many faults it matters only which triangles have some.
+            if (sum > most && !mayWiden) return;
+            const int faults = faultsWithOld(place, i, std::max(most - sum, 0));
+            isFaulty[i] = faults > 0;
+            sum += faults;
+        }
+        if (sum <= most) compare(place, sum + faultsAmongNew(place) - gone);
+        if (!mayWiden) return;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            Change wider = place;
+            if (isFaulty[i] && wider.widen(i)) consider(wider);
+        }
+    }
+    /// True when these triangles, in any order, come up for the first time.
+    bool isNew(std::vector<Index> gone) {
+        std::sort(gone.begin(), gone.end());
+        return considered_.insert(std::move(gone)).second;
+    }
+    /// Keeps the place if it is the best so far.
+    void compare(const Change& place, int added) {
+        if (added > kMaxAdded) return;
+        const double angle = worstAngle(place);
+        if (added > leastAdded_ || (added == leastAdded_ && angle >= bestAngle_)) return;
+        leastAdded_ = added;
+        bestAngle_ = angle;
+        best_ = place;
+    }
+
+    const PointSet& points_;
+    RepairState& m_;
+    Index x_;
+    NearTriangles near_;
+    std::unordered_map<std::uint64_t, Counted> made_;  ///< By their old edges.
+    std::unordered_map<Index, Counted> old_;
+    std::set<std::vector<Index>> considered_;  ///< The triangles that places replace, ascending.
+    std::optional<Change> best_;
+    int leastAdded_ = std::numeric_limits<int>::max();
+    double bestAngle_ = 2.0;  ///< The cosine of its least angle.
+};
+
+// ---- reinsert -----------------------------------------------------------------------------------
 
 /// The distance of a point to its sixth neighbor, or to its last; 0 for an empty list.
 double spacingAt(const PointSet& points, Index p) {
@@ -394,12 +580,6 @@ bool isWithinReach(const PointSet& points, const RepairState& m, Index x) {
     });
 }
 
-bool putWithoutFault(const PointSet& points, RepairState& m, Index x) {
-    const std::optional<Change> change = PlaceSearch(points, m, x).find();
-    if (change) change->apply(m);
-    return change.has_value();
-}
-
 }  // namespace
 
 std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState& m) {
@@ -410,9 +590,10 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
     for (; m.next < end; ++m.next) {
         const Index x = points.inOrder(m.next % count);
         if (m.sideOf[x] != kNone || !isWithinReach(points, m, x)) continue;
-        const bool found =
-            m.next < count ? putWithoutFault(points, m, x) : putAtLeastCost(points, m, x);
-        if (!found) continue;
+        const std::optional<Change> change =
+            m.next < count ? PlaceSearch(points, m, x).find() : CheapestSearch(points, m, x).find();
+        if (!change) continue;
+        change->apply(m);
         ++m.reinserted;
         ++m.next;
         return ReinsertEvidence{x};

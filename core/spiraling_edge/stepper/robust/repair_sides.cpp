@@ -14,6 +14,18 @@ Index reachedSides(const RepairState& m, Index p) {
     return reached;
 }
 
+HalfEdge putTriangle(RepairState& m, std::span<const Index> gone, std::size_t i,
+                     const Triangle& t) {
+    const auto place = i < gone.size() ? gone[i] : static_cast<Index>(m.triangles.size());
+    if (place == m.triangles.size()) {
+        m.triangles.push_back({});
+        m.twin.resize(m.twin.size() + 3, kNone);
+    }
+    m.triangles.set(place, t);
+    for (HalfEdge h = 3 * place; h < 3 * place + 3; ++h) m.twin.set(h, kNone);
+    return 3 * place;
+}
+
 void dropTriangle(RepairState& m, Index t) {
     const auto last = static_cast<Index>(m.triangles.size() - 1);
     m.conflictFlips.resize(m.triangles.size(), 0);

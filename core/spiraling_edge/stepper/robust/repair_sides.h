@@ -82,6 +82,10 @@ std::vector<Index> cornersOf(const RepairState& m, std::span<const Index> list);
 /// ends once `limit` are found, or up to two more. O(limit).
 std::vector<Index> patchAt(const RepairState& m, Index t, std::size_t limit);
 
+/// Stores a triangle in the place of `gone[i]`, or at the end of the list if there are fewer;
+/// returns its first side. It has no twins yet.
+HalfEdge putTriangle(RepairState& m, std::span<const Index> gone, std::size_t i, const Triangle& t);
+
 /// Removes a triangle; the last one moves to its place, so that the list has no gaps.
 void dropTriangle(RepairState& m, Index t);
 void dropTriangles(RepairState& m, std::vector<Index> list);
@@ -91,10 +95,6 @@ void dropTriangles(RepairState& m, std::vector<Index> list);
 /// points are in no list here.
 std::vector<Index> trianglesNear(const PointSet& points, RepairState& m,
                                  std::span<const Index> places);
-
-/// Puts a point in no triangle where the mesh has the fewest faults, if they are no more than
-/// before, the point counted. False if there is no such place.
-bool putAtLeastCost(const PointSet& points, RepairState& m, Index x);
 
 /// True if one of two triangles that take the place of others would be in conflict with one near
 /// the places.
