@@ -7,7 +7,6 @@
 #include "spiraling_edge/base/random.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/prepare.h"
-#include "spiraling_edge/scenes/figure_scenes.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 #include "trace_run.h"
@@ -96,7 +95,7 @@ GivenStart openBay() {
 
 /// The hole of Figure 7 without a triangle beyond its third step, which is open.
 GivenStart openHole() {
-    GivenStart start = figure7Start();
+    GivenStart start = startOfScene("figure-7");
     start.triangles.erase(start.triangles.begin());
     start.rings = {{5, 6, 7, 8}, {5, 1, 2}, {0, 2, 1}};
     start.open = {{1, 2}, {2, 1}};
@@ -105,7 +104,7 @@ GivenStart openHole() {
 
 /// Figure 6 with a new ring of two where the other patch was: its sector is a full turn.
 GivenStart ringOfTwo() {
-    GivenStart start = figure6Start();
+    GivenStart start = startOfScene("figure-6");
     start.triangles.resize(3);
     start.rings.front() = {5, 7};
     start.open = {{5, 7}, {7, 5}};
@@ -115,9 +114,12 @@ GivenStart ringOfTwo() {
 /// Inputs for rules that no figure and no sample of a surface shows.
 std::vector<ConformanceInput> rareInputs() {
     return {
-        {"open-steps", "Start and end do not move over open steps", figure4Points, openBay},
-        {"open-hole", "A ring of three with an open step is no hole", figure7Points, openHole},
-        {"ring-of-two", "The sector in a ring of two is a full turn", figure6Points, ringOfTwo},
+        {"open-steps", "Start and end do not move over open steps", findScene("figure-4")->build,
+         openBay},
+        {"open-hole", "A ring of three with an open step is no hole", findScene("figure-7")->build,
+         openHole},
+        {"ring-of-two", "The sector in a ring of two is a full turn", findScene("figure-6")->build,
+         ringOfTwo},
         {"cloud-holes", "Holes of three whose plane follows three normals",
          [] {
              return cloudPoints({2683, 15, 64, 1.0, 1.0, 8});

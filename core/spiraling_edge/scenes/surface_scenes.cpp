@@ -145,4 +145,25 @@ PointFile withNeighborLists(PointFile file, const NeighborOptions& reach) {
     return file;
 }
 
+PointFile movedToBack(PointFile file, std::ptrdiff_t count) {
+    const auto rotate = [count](auto& values) {
+        std::rotate(values.begin(), values.begin() + count, values.end());
+    };
+    rotate(file.position);
+    rotate(file.normal);
+    rotate(file.type);
+    return file;
+}
+
+PointFile smallSheet(const ImplicitSurface& sheet, std::uint64_t seed, std::size_t k) {
+    constexpr std::size_t kPerSide = 5;
+    constexpr std::ptrdiff_t kRim = 4 * (kPerSide + 1);
+    return withNeighborLists(movedToBack(sampleSheet(sheet, kPerSide, 26, seed), kRim),
+                             {KNearest{k}});
+}
+
+PointFile torusOf160(std::uint64_t seed, std::size_t k) {
+    return withNeighborLists(sampleClosed(torus(), 160, 0.3375, seed), {KNearest{k}});
+}
+
 }  // namespace se

@@ -27,4 +27,11 @@ std::uint8_t wallsAt(const Vec3& x, const Vec3& low, const Vec3& high);
 /// The file with lists of this reach, so that what it shows does not depend on options.
 PointFile withNeighborLists(PointFile file, const NeighborOptions& reach);
 
+/// The file with its first `count` points moved to the end.
+PointFile movedToBack(PointFile file, std::ptrdiff_t count);
+/// A sheet of 50 points, with lists of k, whose run begins at an interior point.
+PointFile smallSheet(const ImplicitSurface& sheet, std::uint64_t seed, std::size_t k);
+/// A torus of 160 points, with lists of k.
+PointFile torusOf160(std::uint64_t seed, std::size_t k);
+
 }  // namespace se
