@@ -17,36 +17,24 @@
 namespace se {
 namespace {
 
-/// The corners in ascending order; true if the triangle is wound against them.
-bool sortCorners(std::array<Index, 3>& corners) {
-    bool odd = false;
-    for (const auto& [x, y] : {std::pair{0U, 1U}, {1U, 2U}, {0U, 1U}}) {
-        if (corners[x] <= corners[y]) continue;
-        std::swap(corners[x], corners[y]);
-        odd = !odd;
-    }
-    return odd;
-}
+using Entry = SortedTriangle;
 
-/// A triangle by its corners in ascending order.
-struct Entry {
-    std::array<Index, 3> corners;
-    bool odd;  ///< Its winding, against that of the ascending corners.
-    Index triangle;
-};
+Entry entryOf(const Triangle& t, Index triangle) {
+    Entry entry{{t.a, t.b, t.c}, false, triangle};
+    for (const auto& [x, y] : {std::pair{0U, 1U}, {1U, 2U}, {0U, 1U}}) {
+        if (entry.corners[x] <= entry.corners[y]) continue;
+        std::swap(entry.corners[x], entry.corners[y]);
+        entry.odd = !entry.odd;
+    }
+    return entry;
+}
 
 std::vector<Entry> sortedEntries(std::span<const Triangle> triangles) {
     std::vector<Entry> entries;
     entries.reserve(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles[i];
-        Entry entry{{t.a, t.b, t.c}, false, static_cast<Index>(i)};
-        entry.odd = sortCorners(entry.corners);
-        entries.push_back(entry);
-    }
-    std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-        return std::tie(x.corners, x.odd, x.triangle) < std::tie(y.corners, y.odd, y.triangle);
-    });
+    for (const Triangle& t : triangles)
+        entries.push_back(entryOf(t, static_cast<Index>(entries.size())));
+    std::sort(entries.begin(), entries.end());
     return entries;
 }
 
@@ -230,24 +218,17 @@ MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Tri
     return found;
 }
 
-TriangleSet::Entry TriangleSet::entryOf(const Triangle& t) {
-    Entry entry{{t.a, t.b, t.c}, false};
-    entry.odd = sortCorners(entry.corners);
-    return entry;
-}
-
-TriangleSet::TriangleSet(std::span<const Triangle> mesh) {
-    entries_.reserve(mesh.size());
-    for (const Triangle& t : mesh) entries_.push_back(entryOf(t));
-    std::sort(entries_.begin(), entries_.end());
-}
+TriangleSet::TriangleSet(std::span<const Triangle> mesh) : entries_(sortedEntries(mesh)) {}
 
 Match TriangleSet::find(const Triangle& triangle) const {
-    Entry entry = entryOf(triangle);
-    if (std::binary_search(entries_.begin(), entries_.end(), entry)) return Match::Same;
-    entry.odd = !entry.odd;
-    return std::binary_search(entries_.begin(), entries_.end(), entry) ? Match::Reversed
-                                                                       : Match::Missing;
+    const Entry entry = entryOf(triangle, 0);
+    const auto isThere = [&](bool odd) {
+        const auto at =
+            std::lower_bound(entries_.begin(), entries_.end(), Entry{entry.corners, odd, 0});
+        return at != entries_.end() && at->corners == entry.corners && at->odd == odd;
+    };
+    if (isThere(entry.odd)) return Match::Same;
+    return isThere(!entry.odd) ? Match::Reversed : Match::Missing;
 }
 
 }  // namespace se

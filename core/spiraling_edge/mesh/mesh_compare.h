@@ -65,6 +65,17 @@ struct MeshDifference {
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b);
 
+/// A triangle by its corners in ascending order.
+struct SortedTriangle {
+    std::array<Index, 3> corners;
+    bool odd;        ///< Wound against them.
+    Index triangle;  ///< Its index in the mesh.
+
+    friend bool operator<(const SortedTriangle& x, const SortedTriangle& y) {
+        return std::tie(x.corners, x.odd, x.triangle) < std::tie(y.corners, y.odd, y.triangle);
+    }
+};
+
 /// The triangles of a mesh as a set, to look up the counterpart of a triangle. Repetitions do not
 /// count.
 class TriangleSet {
@@ -75,16 +86,7 @@ class TriangleSet {
     Match find(const Triangle& triangle) const;
 
   private:
-    struct Entry {
-        std::array<Index, 3> corners;  ///< Ascending.
-        bool odd;                      ///< Wound against them.
-        friend bool operator<(const Entry& x, const Entry& y) {
-            return std::tie(x.corners, x.odd) < std::tie(y.corners, y.odd);
-        }
-    };
-    static Entry entryOf(const Triangle& triangle);
-
-    std::vector<Entry> entries_;  ///< Sorted.
+    std::vector<SortedTriangle> entries_;  ///< In order.
 };
 
 }  // namespace se
