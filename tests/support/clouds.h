@@ -13,7 +13,7 @@
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
-#include "spiraling_edge/stepper/invariants.h"
+#include "support/invariant_checker.h"
 #include "support/rig.h"
 
 namespace se::test {
