@@ -22,13 +22,9 @@ Error expected(std::string_view text) {
 
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> found;
-    while (true) {
-        const std::size_t from = text.find_first_not_of(" \t,");
-        if (from == std::string_view::npos) return found;
-        const std::size_t to = std::min(text.find_first_of(" \t,", from), text.size());
-        found.push_back(text.substr(from, to - from));
-        text.remove_prefix(to);
-    }
+    io::Fields fields(text, ',');
+    for (auto word = fields.next(); !word.empty(); word = fields.next()) found.push_back(word);
+    return found;
 }
 
 bool readIndex(std::string_view word, Index& out) {
