@@ -8,6 +8,7 @@
 
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/given_normals.h"
@@ -71,9 +72,6 @@ std::optional<Layers> layersOf(const ExaminedFile& examined);
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
 
-/// "1 point", "2 points".
-std::string countText(std::size_t count, const std::string& noun);
-
 /// The indices up to `count` for which has(p) is true.
 template <typename Has>
 std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
@@ -87,7 +85,7 @@ std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
 /// A finding at these points (ascending), or nothing if there are none. Its text is their number,
 /// as "3 points", and `what`.
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
-                                 const std::string& what, const std::string& noun = "point");
+                                 const std::string& what, std::string_view noun = "point");
 
 // position_checks.cpp: single points
 std::optional<Finding> findNonFinite(const ExaminedFile& examined);

@@ -106,8 +106,6 @@ constexpr std::array kChecks{
 /// Share of the search for the nearest points in the whole work.
 constexpr double kSearchShare = 0.5;
 
-/// The default length of lists from prepare().
-constexpr std::size_t kListed = KNearest{}.k;
 constexpr std::size_t kAround = 6;
 
 /// Median of the values above zero, 0 without any.
@@ -190,11 +188,8 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
         examined.present.push_back(present);
         examined.presentCount += present ? 1U : 0U;
     }
-    NeighborOptions options;
-    options.reach = KNearest{kListed};
-    options.dropOpposingNormals = false;
     Result<NeighborLists> lists =
-        findNeighbors(file.position, {}, examined.present, options, progress);
+        nearestPoints(file.position, examined.present, KNearest{}.k, 0, progress);
     if (!lists) return lists.error();
     examined.nearest = std::move(lists.value());
     examined.spacing.resize(file.position.size(), 0.0);
@@ -216,12 +211,8 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
     return examined;
 }
 
-std::string countText(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
-                                 const std::string& what, const std::string& noun) {
+                                 const std::string& what, std::string_view noun) {
     if (points.empty()) return std::nullopt;
     const std::size_t count = points.size();
     return Finding{nullptr, severity, count, std::move(points),

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -65,16 +66,11 @@ void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
     const std::vector<Fitness> fitness = fitnessOf(judge.points.position);
     for (Index p = 0; p < used.size(); ++p) {
         if (fitness[p] != Fitness::Usable) continue;
-        const bool aside =
-            MeshJudge::isMarked(judge.noise, p) || MeshJudge::isMarked(judge.stray, p);
-        if (!used[p]) {
-            if (MeshJudge::isMarked(judge.stray, p)) {
-                ++verdict.strays;
-            } else if (MeshJudge::isMarked(judge.noise, p)) {
-                ++verdict.noise;
-            }
-        }
-        if (aside || judge.spacing.empty()) continue;
+        const bool stray = MeshJudge::isMarked(judge.stray, p);
+        const bool noise = !stray && MeshJudge::isMarked(judge.noise, p);
+        if (stray && !used[p]) ++verdict.strays;
+        if (noise && !used[p]) ++verdict.noise;
+        if (stray || noise || judge.spacing.empty()) continue;
         ++verdict.toCover;
         const bool covered = used[p] ? !besideHole[p] : distance[p] <= kCovering * judge.spacing[p];
         verdict.uncovered += covered ? 0 : 1;
@@ -183,8 +179,7 @@ std::string headlineOf(const MeshVerdict& verdict) {
     if (verdict.isSound()) return "sound";
     if (verdict.triangles == 0) return "not sound: no triangle";
     if (verdict.places == 0) return "no fault found, but the search ended early";
-    std::string text = (verdict.allPlaces ? "" : "at least ") + std::to_string(verdict.places) +
-                       (verdict.places == 1 ? " place" : " places");
+    std::string text = (verdict.allPlaces ? "" : "at least ") + countText(verdict.places, "place");
     std::vector<std::size_t> classes;
     for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
         if (verdict.placesOf[i] > 0) classes.push_back(i);
@@ -200,11 +195,8 @@ std::string headlineOf(const MeshVerdict& verdict) {
         text += (i == 0 ? ": " : ", ") + std::to_string(count) + " of " +
                 nounFor(failureClasses()[classes[i]], 2);
     }
-    if (others > 0) text += ", " + std::to_string(others) + (others == 1 ? " other" : " others");
-    if (verdict.lost > 0) {
-        text += "; " + std::to_string(verdict.lost) +
-                (verdict.lost == 1 ? " point lost" : " points lost");
-    }
+    if (others > 0) text += ", " + countText(others, "other");
+    if (verdict.lost > 0) text += "; " + countText(verdict.lost, "point") + " lost";
     return text;
 }
 

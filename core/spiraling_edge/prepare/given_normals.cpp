@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
@@ -86,9 +87,7 @@ NormalFit fitOf(const GivenNormals& given, unsigned threads) {
     std::erase_if(cosines, [](double cosine) { return cosine > 1.5; });
     fit.places = cosines.size();
     if (cosines.empty()) return fit;
-    const auto middle = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 2);
-    std::nth_element(cosines.begin(), middle, cosines.end());
-    fit.medianCosine = std::min(*middle, 1.0);
+    fit.medianCosine = std::min(medianOf(cosines), 1.0);
     fit.near = static_cast<std::size_t>(std::count_if(
         cosines.begin(), cosines.end(), [](double c) { return c >= kFitLimits.nearCosine; }));
     return fit;

@@ -15,6 +15,7 @@
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/facing.h"
 #include "spiraling_edge/prepare/given_normals.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/normals.h"
 #include "spiraling_edge/prepare/rim.h"
 #include "spiraling_edge/prepare/strays.h"
@@ -48,11 +49,8 @@ Result<Surroundings> surroundingsOf(const PointFile& file, const std::vector<boo
         const std::size_t p = around.present.size();
         around.present.push_back(fitness == Fitness::Usable && (without.empty() || !without[p]));
     }
-    NeighborOptions nearest;
-    nearest.dropOpposingNormals = false;
-    nearest.threads = threads;
     Result<NeighborLists> lists =
-        findNeighbors(file.position, {}, around.present, nearest, progress);
+        nearestPoints(file.position, around.present, KNearest{}.k, threads, progress);
     if (!lists) return lists.error();
     around.nearest = std::move(lists.value());
     return around;

@@ -31,6 +31,11 @@ inline bool normalsOppose(const Vec3& p, const Vec3& q) { return glm::dot(p, q) 
 /// A list shorter than this does not go round its point.
 inline constexpr std::size_t kGoRound = 3;
 
+/// The lists of the `count` nearest usable points, with any normals: findNeighbors().
+Result<NeighborLists> nearestPoints(std::span<const Vec3> position, const std::vector<bool>& usable,
+                                    std::size_t count, unsigned threads = 0,
+                                    const Progress& progress = {});
+
 /// Sorts the list of point p and drops repeated entries. Requires finite positions.
 void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list);
 

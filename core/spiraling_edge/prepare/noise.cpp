@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
 
 namespace se {
@@ -69,10 +70,7 @@ double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> n
         if (!list.empty()) ratios[i] = heightInSpacings(position, normal[p], list, p);
     });
     std::erase(ratios, kNoList);
-    if (ratios.empty()) return 0.0;
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    return *middle;
+    return ratios.empty() ? 0.0 : medianOf(ratios);
 }
 
 std::vector<NoisePatch> noisePatches(std::span<const Vec3> position, std::span<const Vec3> normal,

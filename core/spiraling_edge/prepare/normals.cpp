@@ -9,6 +9,7 @@
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/orientation.h"
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -197,10 +198,8 @@ Result<std::vector<Vec3>> completeNormals(const PointFile& file, const std::vect
         missing.push_back(p);
     }
     if (missing.empty()) return normal;
-    NeighborOptions nearest;
-    nearest.dropOpposingNormals = false;
-    nearest.threads = threads;
-    const Result<NeighborLists> lists = findNeighbors(file.position, {}, usable, nearest, progress);
+    const Result<NeighborLists> lists =
+        nearestPoints(file.position, usable, KNearest{}.k, threads, progress);
     if (!lists) return lists.error();
     NormalCompletion completion(file.position, lists.value(), normal);
     completion.run(missing);

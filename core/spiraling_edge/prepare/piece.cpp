@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -169,8 +170,7 @@ std::string cornerText(const Vec3& x, ScalarType type) {
 
 /// Message for a box without points, with the box of all points.
 std::string emptyBoxText(const PointFile& file, const std::string& name) {
-    const std::string count =
-        std::to_string(file.position.size()) + (file.position.size() == 1 ? " point" : " points");
+    const std::string count = countText(file.position.size(), "point");
     if (std::none_of(file.position.begin(), file.position.end(), isFinite))
         return name + ": the position of none of its " + count + " is finite";
     const WallBox bounds = boxAround(file.position);

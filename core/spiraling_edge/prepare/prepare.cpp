@@ -213,10 +213,7 @@ class Preparation {
 
     /// The `count` nearest points of each, with any normals.
     Result<NeighborLists> findNearest(std::size_t count, const Progress& progress) const {
-        NeighborOptions nearest = options_.neighbors;
-        nearest.reach = KNearest{count};
-        nearest.dropOpposingNormals = false;
-        return findNeighbors(set_.position, {}, usable_, nearest, progress);
+        return nearestPoints(set_.position, usable_, count, options_.neighbors.threads, progress);
     }
 
     /// Returns their number.
