@@ -234,7 +234,7 @@ class PairTasks {
             }
         }
     }
-    PairSearch result() && {
+    FaultSearch result() && {
         return {std::move(faults_), !isOver(), workOf(counts_, input_.limits)};
     }
 
@@ -309,9 +309,9 @@ PairLimits PairLimits::ofMesh(std::size_t triangles) {
             kMaxPairs};
 }
 
-PairSearch searchPairs(const PointSet& points, std::span<const Triangle> triangles,
-                       std::span<const std::uint8_t> usable, const PairLimits& limits,
-                       unsigned threads) {
+FaultSearch searchPairs(const PointSet& points, std::span<const Triangle> triangles,
+                        std::span<const std::uint8_t> usable, const PairLimits& limits,
+                        unsigned threads) {
     if (triangles.empty()) return {};
     const PairInput input{points, triangles, usable, limits, gridFor(points, triangles)};
     const TrianglesByBlock placed = trianglesByBlock(input);

@@ -19,17 +19,11 @@ struct PairLimits {
     std::uint64_t found;  ///< Intersections, or second layers.
 };
 
-/// The pairs found within the limits, in any order, once or twice each.
-struct PairSearch {
-    std::vector<Fault> faults;
-    bool complete = true;    ///< False: the search ended at a limit.
-    std::uint64_t work = 0;  ///< As FaultSearch::work.
-};
-
-/// Tests all pairs of usable triangles. `usable` has a 1 for each triangle with an area.
-/// `threads` 0: as many as the machine has; the result is the same for any number.
-PairSearch searchPairs(const PointSet& points, std::span<const Triangle> triangles,
-                       std::span<const std::uint8_t> usable, const PairLimits& limits,
-                       unsigned threads);
+/// Tests all pairs of usable triangles: the faults found are in any order, once or twice each.
+/// `usable` has a 1 for each triangle with an area. `threads` 0: as many as the machine has; the
+/// result is the same for any number.
+FaultSearch searchPairs(const PointSet& points, std::span<const Triangle> triangles,
+                        std::span<const std::uint8_t> usable, const PairLimits& limits,
+                        unsigned threads);
 
 }  // namespace se

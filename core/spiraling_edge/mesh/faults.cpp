@@ -49,18 +49,17 @@ class FaultFinder {
           threads_(threads),
           usable_(triangles.size(), 1) {}
 
-    FaultSearch findLocal() && {
+    FaultSearch find(bool withPairs) && {
         findShapes();
         findEdgeFaults();
-        return {std::move(faults_).sorted(), false, 0};
-    }
-    FaultSearch findAll() && {
-        findShapes();
-        findEdgeFaults();
-        const PairSearch pairs = searchPairs(points_, triangles_, usable_,
-                                             PairLimits::ofMesh(triangles_.size()), threads_);
-        faults_.add(pairs.faults);
-        return {std::move(faults_).sorted(), pairs.complete, pairs.work};
+        FaultSearch found{{}, false, 0};
+        if (withPairs) {
+            found = searchPairs(points_, triangles_, usable_, PairLimits::ofMesh(triangles_.size()),
+                                threads_);
+            faults_.add(found.faults);
+        }
+        found.faults = std::move(faults_).sorted();
+        return found;
     }
 
   private:
@@ -125,7 +124,7 @@ FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> trian
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles,
                          std::span<const TriangleSide> sides, unsigned threads) {
     assert(cornersBelow(triangles, points.size()) && haveFinitePositions(points, triangles));
-    return FaultFinder(points, triangles, sides, threads).findAll();
+    return FaultFinder(points, triangles, sides, threads).find(true);
 }
 
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
@@ -134,7 +133,7 @@ std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> 
 
 FaultSearch searchLocalFaults(const PointSet& points, std::span<const Triangle> triangles,
                               std::span<const TriangleSide> sides) {
-    return FaultFinder(points, triangles, sides, 0).findLocal();
+    return FaultFinder(points, triangles, sides, 0).find(false);
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

@@ -1,21 +1,74 @@
+/// The checks, the table of them, and the counts. Sides are sorted by edge once for all checks;
+/// small components and lost points are compared with the points near them by a grid. O(t log t).
 #include "spiraling_edge/mesh/inspection.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/loop_shape.h"
+#include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
-#include "spiraling_edge/mesh/inspection_checks.h"
+#include "spiraling_edge/mesh/boundary_loop.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/mesh_judge.h"
+#include "spiraling_edge/mesh/mesh_topology.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
+
+/// A connected part of the boundary: a closed chain of edges of one triangle each, or several
+/// through common points.
+struct BoundaryLoop {
+    std::vector<TriangleSide> sides;
+    LoopShape shape;
+    bool isOpening = false;  ///< The surface ends there; else it is a hole.
+};
+
+/// A mesh with values that several checks share. Refers to its points and triangles, which must
+/// outlive it.
+struct InspectedMesh {
+    /// All values but `search`.
+    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
+    InspectedMesh(const InspectedMesh&) = delete;
+    InspectedMesh& operator=(const InspectedMesh&) = delete;
+
+    const MeshJudge* judge = nullptr;  ///< Null: the points themselves.
+    std::optional<PointSet> filled;    ///< The points, if the input lacks normals or types: zeros.
+    const PointSet& points;            ///< With normals and types; lists may be absent.
+    std::span<const Triangle> triangles;
+    MeshTopology topology;
+    FaultSearch search;                           ///< Empty unless assigned.
+    std::vector<Index> lostPoints;                ///< Points in no triangle, neither set aside nor
+                                                  ///< unfit for any mesh; ascending.
+    std::size_t twins = 0;                        ///< Points in no triangle beside a twin in one.
+    double meanEdge = 0.0;                        ///< Length, scene units.
+    std::vector<std::size_t> componentTriangles;  ///< By the least point of a component.
+    std::vector<BoundaryLoop> loops;              ///< By least point.
+
+    /// Number of triangles of the component that a used point belongs to.
+    std::size_t trianglesAround(Index p) const { return componentTriangles[topology.component[p]]; }
+    /// A failure at these points and triangles; its place is the center of the points.
+    MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;
+};
+
 namespace {
+
+using Failures = std::vector<MeshFailure>;
+
+// ---- the shared values --------------------------------------------------------------------------
 
 /// A copy of points that lack normals or types, with zeros there; nothing if they have both.
 std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
@@ -70,6 +123,27 @@ double meanLength(const PointSet& points, std::span<const TriangleSide> sides) {
     return sides.empty() ? 0.0 : sum / static_cast<double>(sides.size());
 }
 
+bool isOutlineOfPatch(const InspectedMesh& mesh, const BoundaryLoop& loop) {
+    return loop.shape.turnsRoundPatch &&
+           mesh.trianglesAround(loop.sides.front().low) <= largestPatch(loop.shape);
+}
+
+/// InspectedMesh::loops, of a mesh that has all other values.
+std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
+    std::vector<TriangleSide> border;
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
+        if (edge.size() == 1) border.push_back(edge[0]);
+    }
+    std::vector<BoundaryLoop> loops;
+    for (std::vector<TriangleSide>& its : connectedParts(border, mesh.points.size())) {
+        const std::vector<LoopSide> chain = loopSidesOf(its);
+        BoundaryLoop loop{std::move(its), shapeOf(mesh.points, chain)};
+        loop.isOpening = isOutlineOfPatch(mesh, loop) || isOpening(mesh.points, chain, loop.shape);
+        loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
 }  // namespace
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
@@ -83,7 +157,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
         threadsFor(mesh), [&] { meanEdge = meanLength(points, topology.sides); },
         [&] {
             for (const Triangle& t : triangles) ++componentTriangles[topology.component[t.a]];
-            loops = inspect::boundaryLoops(*this);
+            loops = boundaryLoops(*this);
         },
         [&] {
             lostPoints = findLostPoints(*this, judgeOf(input));
@@ -110,14 +184,19 @@ namespace {
 
 // ---- checks of triangles ------------------------------------------------------------------------
 
-std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<Index> triangles) {
+std::vector<Index> cornersOf(const InspectedMesh& mesh, std::span<const Index> triangles) {
     std::vector<Index> points;
     for (const Index i : triangles) {
-        if (i == kNone) continue;
         const Triangle& t = mesh.triangles[i];
         points.insert(points.end(), {t.a, t.b, t.c});
     }
     return points;
+}
+
+/// A failure at these triangles and their corners.
+MeshFailure atTriangles(const InspectedMesh& mesh, std::vector<Index> triangles) {
+    std::vector<Index> corners = cornersOf(mesh, triangles);
+    return mesh.at(std::move(corners), std::move(triangles));
 }
 
 constexpr bool isOfPairs(FaultKind kind) {
@@ -126,7 +205,7 @@ constexpr bool isOfPairs(FaultKind kind) {
 
 /// Appends the faults of a kind as failures: of pairs, which may be millions, the first ones.
 template <FaultKind kind>
-void ofKind(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+void ofKind(const InspectedMesh& mesh, Failures& failures) {
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     std::size_t left = isOfPairs(kind) ? kMaxListed : kNoLimit;
     for (const Fault& fault : mesh.search.faults) {
@@ -134,8 +213,7 @@ void ofKind(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
         if (left-- == 0) return;
         std::vector<Index> triangles{fault.triangle};
         if (fault.other != kNone) triangles.push_back(fault.other);
-        failures.push_back(
-            mesh.at(cornersOf(mesh, {fault.triangle, fault.other}), std::move(triangles)));
+        failures.push_back(atTriangles(mesh, std::move(triangles)));
     }
 }
 
@@ -145,7 +223,7 @@ Index cornerOpposite(const Triangle& t, const TriangleSide& side) {
 }
 
 /// Triangles of the same points share all sides: those at the side of their two lowest points.
-void duplicates(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+void duplicates(const InspectedMesh& mesh, Failures& failures) {
     std::vector<std::pair<Index, Index>> at;  // highest corner and triangle
     forEachEdge(mesh.topology.sides, [&](std::span<const TriangleSide> edge) {
         if (edge.size() < 2) return;
@@ -166,13 +244,227 @@ void duplicates(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
     });
 }
 
-void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
+void slivers(const InspectedMesh& mesh, Failures& failures) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
         if (isDegenerate(mesh.points, t) || leastAngleCosine(mesh.points, t) <= kSliverCosine)
             continue;
-        const auto triangle = static_cast<Index>(i);
-        failures.push_back(mesh.at(cornersOf(mesh, {triangle}), {triangle}));
+        failures.push_back(atTriangles(mesh, {static_cast<Index>(i)}));
+    }
+}
+
+// ---- checks of edges and points -----------------------------------------------------------------
+
+MeshFailure atEdge(const InspectedMesh& mesh, std::span<const TriangleSide> edge) {
+    std::vector<Index> triangles;
+    for (const TriangleSide& side : edge) triangles.push_back(side.triangle);
+    return mesh.at({edge[0].low, edge[0].high}, std::move(triangles));
+}
+
+/// The points in triangles, in a grid.
+class UsedPoints {
+  public:
+    UsedPoints(const InspectedMesh& mesh, double reach) : mesh_(mesh), reach_(reach) {
+        std::vector<Vec3> position;
+        for (Index p = 0; p < mesh.points.size(); ++p) {
+            if (!mesh.topology.used[p]) continue;
+            points_.push_back(p);
+            position.push_back(mesh.points.position[p]);
+        }
+        if (position.empty() || !(reach > 0.0)) return;
+        const WallBox box = boxAround(position);
+        grid_.emplace(box.low, box.high, reach);
+        for (const Vec3& x : position) grid_->add(x);
+    }
+    /// True if one of those within reach of `x` passes a test.
+    template <typename Test>
+    bool anyNear(const Vec3& x, Test&& test) const {
+        bool found = false;
+        if (grid_) {
+            grid_->near(x, [&](Index i) {
+                const Vec3 d = mesh_.points.position[points_[i]] - x;
+                found = found || (glm::dot(d, d) <= reach_ * reach_ && test(points_[i]));
+            });
+        }
+        return found;
+    }
+
+  private:
+    const InspectedMesh& mesh_;
+    double reach_;
+    std::vector<Index> points_;
+    std::optional<CellGrid> grid_;
+};
+
+/// The lost points near a used one, or the isolated ones.
+template <bool isolated>
+void lostPoints(const InspectedMesh& mesh, Failures& failures) {
+    if (mesh.lostPoints.empty()) return;
+    const UsedPoints used(mesh, kIsolated * mesh.meanEdge);
+    for (const Index p : mesh.lostPoints) {
+        const bool near = used.anyNear(mesh.points.position[p], [](Index) { return true; });
+        if (near != isolated) failures.push_back(mesh.at({p}, {}));
+    }
+}
+
+void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
+        if (edge.size() > 2) failures.push_back(atEdge(mesh, edge));
+    }
+}
+
+void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges) {
+        if (isInconsistent(edge)) failures.push_back(atEdge(mesh, edge));
+    }
+}
+
+void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
+    std::map<Index, std::vector<Index>> trianglesAt;
+    for (const Index p : mesh.topology.nonManifoldPoints) trianglesAt[p] = {};
+    for (std::size_t i = 0; i < mesh.triangles.size() && !trianglesAt.empty(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        for (const Index p : {t.a, t.b, t.c}) {
+            const auto found = trianglesAt.find(p);
+            if (found != trianglesAt.end()) found->second.push_back(static_cast<Index>(i));
+        }
+    }
+    for (auto& [p, triangles] : trianglesAt) failures.push_back(mesh.at({p}, std::move(triangles)));
+}
+
+void smallComponents(const InspectedMesh& mesh, Failures& failures) {
+    std::map<Index, std::vector<Index>> small;  // triangles by least point
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Index component = mesh.topology.component[mesh.triangles[i].a];
+        if (mesh.componentTriangles[component] < kSmallComponent)
+            small[component].push_back(static_cast<Index>(i));
+    }
+    if (small.empty() || !(mesh.meanEdge > 0.0)) return;
+    const UsedPoints used(mesh, kNearComponent * mesh.meanEdge);
+    for (auto& [component, triangles] : small) {
+        const std::vector<Index> points = cornersOf(mesh, triangles);
+        const std::size_t size = triangles.size();
+        const bool beside = std::any_of(points.begin(), points.end(), [&](Index p) {
+            return used.anyNear(mesh.points.position[p],
+                                [&](Index q) { return mesh.trianglesAround(q) > size; });
+        });
+        if (beside) failures.push_back(atTriangles(mesh, std::move(triangles)));
+    }
+}
+
+// ---- checks of loops ----------------------------------------------------------------------------
+
+/// The loops that are openings, or those that are holes.
+template <bool openings>
+void loopsOf(const InspectedMesh& mesh, Failures& failures) {
+    for (const BoundaryLoop& loop : mesh.loops) {
+        if (loop.isOpening != openings) continue;
+        std::vector<Index> points;
+        std::vector<Index> triangles;
+        for (const TriangleSide& side : loop.sides) {
+            points.insert(points.end(), {side.low, side.high});
+            triangles.push_back(side.triangle);
+        }
+        MeshFailure failure = mesh.at(std::move(points), std::move(triangles));
+        for (const TriangleSide& side : loop.sides) failure.edges.push_back({side.low, side.high});
+        failure.length = loop.shape.perimeter;
+        failure.area = loop.shape.area;
+        failures.push_back(std::move(failure));
+    }
+}
+
+// ---- closed pieces that face in -----------------------------------------------------------------
+
+/// A closed piece: every edge is of two triangles that pass it in opposite directions.
+struct ClosedPiece {
+    std::vector<Index> triangles;
+    Box box{Vec3(0.0)};
+    double volume = 0.0;  ///< Six times; above 0 where it faces out.
+};
+
+/// The closed pieces, by their least points.
+std::map<Index, ClosedPiece> closedPieces(const InspectedMesh& mesh) {
+    std::vector<bool> open(mesh.points.size(), false);
+    for (const std::span<const TriangleSide> edge : mesh.topology.irregularEdges)
+        open[mesh.topology.component[edge.front().low]] = true;
+    std::map<Index, ClosedPiece> pieces;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        const Index name = mesh.topology.component[t.a];
+        if (open[name]) continue;
+        ClosedPiece& piece = pieces[name];
+        // Relative to a point of the piece: far from the origin little would be left.
+        const Vec3& origin = mesh.points.position[name];
+        if (piece.triangles.empty()) piece.box = Box(origin);
+        piece.triangles.push_back(static_cast<Index>(i));
+        const Vec3 a = mesh.points.position[t.a] - origin;
+        const Vec3 b = mesh.points.position[t.b] - origin;
+        const Vec3 c = mesh.points.position[t.c] - origin;
+        piece.volume += glm::dot(a, glm::cross(b, c));
+        for (const Index p : {t.a, t.b, t.c}) piece.box.add(mesh.points.position[p]);
+    }
+    return pieces;
+}
+
+/// True if `x` is within a closed piece, by the solid angle of its triangles (van Oosterom and
+/// Strackee 1983).
+bool isWithin(const InspectedMesh& mesh, const ClosedPiece& piece, const Vec3& x) {
+    double angle = 0.0;
+    for (const Index i : piece.triangles) {
+        const Triangle& t = mesh.triangles[i];
+        const Vec3 a = mesh.points.position[t.a] - x;
+        const Vec3 b = mesh.points.position[t.b] - x;
+        const Vec3 c = mesh.points.position[t.c] - x;
+        const double la = glm::length(a);
+        const double lb = glm::length(b);
+        const double lc = glm::length(c);
+        angle += std::atan2(
+            glm::dot(a, glm::cross(b, c)),
+            la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    }
+    return std::abs(angle) > std::numbers::pi;
+}
+
+bool contains(const Box& outer, const Box& inner) {
+    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
+           glm::all(glm::lessThanEqual(inner.high, outer.high));
+}
+
+void inwardPieces(const InspectedMesh& mesh, Failures& failures) {
+    const std::map<Index, ClosedPiece> pieces = closedPieces(mesh);
+    for (const auto& [name, piece] : pieces) {
+        if (!(piece.volume < 0.0)) continue;
+        const Vec3& x = mesh.points.position[name];
+        const bool nested = std::any_of(pieces.begin(), pieces.end(), [&](const auto& other) {
+            return other.first != name && contains(other.second.box, piece.box) &&
+                   isWithin(mesh, other.second, x);
+        });
+        if (nested && (mesh.judge == nullptr || mesh.judge->fit)) continue;
+        failures.push_back(atTriangles(mesh, {piece.triangles.front()}));
+    }
+}
+
+// ---- spikes -------------------------------------------------------------------------------------
+
+/// An edge longer than this many times the reach of the 12 nearest points of either end is a spike,
+/// unless it closes a hole. Reaches count, since spacings differ much where points lie in clusters.
+constexpr double kSpike = 5.0;
+
+void spikes(const InspectedMesh& mesh, Failures& failures) {
+    if (mesh.judge == nullptr || mesh.judge->reach.empty()) return;
+    const MeshJudge& judge = *mesh.judge;
+    const std::vector<bool> ends = endsOf(judge);
+    const auto isLong = [&](Index p, Index q) {
+        const double reach = std::max(judge.reach[p], judge.reach[q]);
+        return !(ends[p] && ends[q]) &&
+               glm::distance(mesh.points.position[p], mesh.points.position[q]) > kSpike * reach;
+    };
+    const auto isStray = [&](Index p) { return MeshJudge::isMarked(judge.stray, p); };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        const bool spike = isStray(t.a) || isStray(t.b) || isStray(t.c) || isLong(t.a, t.b) ||
+                           isLong(t.b, t.c) || isLong(t.c, t.a);
+        if (spike) failures.push_back(atTriangles(mesh, {static_cast<Index>(i)}));
     }
 }
 
@@ -180,12 +472,12 @@ void slivers(const InspectedMesh& mesh, std::vector<MeshFailure>& failures) {
 
 constexpr FailureClass kClasses[] = {
     {"non_manifold_edges", "non-manifold edge", "Three or more triangles meet at an edge.", true, 5,
-     inspect::nonManifoldEdges},
+     nonManifoldEdges},
     {"non_manifold_vertices", "non-manifold vertex",
-     "The triangles about a point are more than one fan.", true, 6, inspect::nonManifoldVertices},
+     "The triangles about a point are more than one fan.", true, 6, nonManifoldVertices},
     {"inconsistent_edges", "inconsistent edge",
      "Two triangles pass an edge in the same direction: one of them is inside out.", true, 7,
-     inspect::inconsistentEdges},
+     inconsistentEdges},
     {"duplicate_triangles", "duplicate triangle", "Two triangles have the same three points.", true,
      9, duplicates},
     {"degenerate_triangles", "degenerate triangle",
@@ -200,20 +492,20 @@ constexpr FailureClass kClasses[] = {
      true, 8, ofKind<FaultKind::SecondLayer>},
     {"flipped_triangles", "flipped triangle",
      "A triangle faces away from the normals of its points.", true, 12, ofKind<FaultKind::Flipped>},
-    {"holes", "hole", "A boundary loop in the middle of the surface.", true, 2, inspect::holes},
+    {"holes", "hole", "A boundary loop in the middle of the surface.", true, 2, loopsOf<false>},
     {"small_components", "small component", "A piece of a few triangles beside a larger one.", true,
-     4, inspect::smallComponents},
+     4, smallComponents},
     {"lost_points", "lost point", "A point is in no triangle, though the surface passes by.", true,
-     3, inspect::unusedPoints},
+     3, lostPoints<false>},
     {"isolated_points", "isolated point", "A point is in no triangle, and far from all.", true, 3,
-     inspect::isolatedPoints},
+     lostPoints<true>},
     {"inward_pieces", "inward piece", "A closed piece of the surface faces inward.", true, 2,
-     inspect::inwardPieces},
+     inwardPieces},
     {"spikes", "spike",
      "A triangle reaches far beyond the spacing of its points, and closes no hole.", true, 4,
-     inspect::spikes},
+     spikes},
     {"openings", "opening", "A boundary loop where the surface ends: no fault.", false, 14,
-     inspect::openings},
+     loopsOf<true>},
     {"slivers", "sliver", "A triangle has an angle below one degree: no fault.", false, 16,
      slivers},
     {"leftover_rings", "leftover ring",
@@ -299,7 +591,7 @@ bool isSound(std::span<const ClassTotal> totals, std::size_t triangles) {
 }
 
 bool isLoop(const MeshFailure& failure) {
-    return failure.kind->find == inspect::holes || failure.kind->find == inspect::openings;
+    return failure.kind->find == loopsOf<false> || failure.kind->find == loopsOf<true>;
 }
 
 double widthOf(const MeshFailure& loop) {
@@ -314,14 +606,6 @@ std::optional<FaultKind> pairsOf(const FailureClass& each) {
     if (each.find == ofKind<FaultKind::Intersecting>) return FaultKind::Intersecting;
     if (each.find == ofKind<FaultKind::SecondLayer>) return FaultKind::SecondLayer;
     return {};
-}
-
-/// Counts the mesh; the search has the triangles without a good shape already.
-MeshReport reportOf(const InspectedMesh& mesh, std::span<const std::size_t> counts) {
-    MeshReport report = reportTopology(mesh.points, mesh.triangles, mesh.topology);
-    report.degenerateTriangles = counts[static_cast<std::size_t>(FaultKind::Degenerate)];
-    report.flippedTriangles = counts[static_cast<std::size_t>(FaultKind::Flipped)];
-    return report;
 }
 
 MeshInspection inspected(const InspectedMesh& mesh) {
@@ -347,7 +631,7 @@ MeshInspection inspected(const InspectedMesh& mesh) {
     found.work = mesh.search.work;
     found.meanEdge = mesh.meanEdge;
     found.twins = mesh.twins;
-    found.report = reportOf(mesh, counts);
+    found.report = reportOf(mesh.points, mesh.triangles, mesh.topology, mesh.search.faults);
     return found;
 }
 

@@ -1,10 +1,7 @@
 #include "spiraling_edge/mesh/mesh_report.h"
 
-#include <atomic>
 #include <vector>
 
-#include "spiraling_edge/base/parallel.h"
-#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/mesh/mesh_topology.h"
 
@@ -37,36 +34,16 @@ void countEdges(const PointSet& points, const MeshTopology& topology, MeshReport
     countLoops(points, border, report);
 }
 
-void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
-    std::atomic<std::size_t> degenerate = 0;
-    std::atomic<std::size_t> flipped = 0;
-    forRanges(triangles.size(), 0, kTrianglesPerThread, [&](std::size_t from, std::size_t to) {
-        std::size_t degenerateHere = 0;
-        std::size_t flippedHere = 0;
-        for (const Triangle& t : triangles.subspan(from, to - from)) {
-            if (isDegenerate(points, t)) {
-                ++degenerateHere;
-            } else if (isFlipped(points, t)) {
-                ++flippedHere;
-            }
-        }
-        degenerate += degenerateHere;
-        flipped += flippedHere;
-    });
-    report.degenerateTriangles = degenerate;
-    report.flippedTriangles = flipped;
-}
-
 }  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
-    MeshReport report = reportTopology(points, triangles, MeshTopology(points.size(), triangles));
-    countShapes(points, triangles, report);
-    return report;
+    const MeshTopology topology(points.size(), triangles);
+    return reportOf(points, triangles, topology,
+                    searchLocalFaults(points, triangles, topology.sides).faults);
 }
 
-MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
-                          const MeshTopology& topology) {
+MeshReport reportOf(const PointSet& points, std::span<const Triangle> triangles,
+                    const MeshTopology& topology, std::span<const Fault> faults) {
     MeshReport report;
     report.points = points.size();
     report.triangles = triangles.size();
@@ -74,6 +51,9 @@ MeshReport reportTopology(const PointSet& points, std::span<const Triangle> tria
     report.unusedPoints = report.points - report.usedPoints;
     report.components = topology.components;
     report.nonManifoldVertices = topology.nonManifoldPoints.size();
+    const auto counts = countFaults(faults);
+    report.degenerateTriangles = counts[static_cast<std::size_t>(FaultKind::Degenerate)];
+    report.flippedTriangles = counts[static_cast<std::size_t>(FaultKind::Flipped)];
     countEdges(points, topology, report);
     report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
                                  static_cast<long long>(report.edges) +

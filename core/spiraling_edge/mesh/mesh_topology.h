@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
 
@@ -36,9 +37,8 @@ struct MeshTopology {
     std::vector<Index> nonManifoldPoints;  ///< nonManifoldPoints().
 };
 
-/// Counts a mesh as reportMesh() does, except degenerate and flipped triangles, whose counts stay
-/// 0. Requires the topology of these triangles.
-MeshReport reportTopology(const PointSet& points, std::span<const Triangle> triangles,
-                          const MeshTopology& topology);
+/// Counts a mesh as reportMesh() does. Requires the topology of these triangles, and their faults.
+MeshReport reportOf(const PointSet& points, std::span<const Triangle> triangles,
+                    const MeshTopology& topology, std::span<const Fault> faults);
 
 }  // namespace se

@@ -38,9 +38,9 @@ bool precedes(const Fault& a, const Fault& b) {
 }
 
 /// The pairs in order, each once.
-PairSearch search(const Strewn& mesh, const PairLimits& limits, unsigned threads) {
+FaultSearch search(const Strewn& mesh, const PairLimits& limits, unsigned threads) {
     const std::vector<std::uint8_t> usable(mesh.triangles.size(), 1);
-    PairSearch found = searchPairs(mesh.points, mesh.triangles, usable, limits, threads);
+    FaultSearch found = searchPairs(mesh.points, mesh.triangles, usable, limits, threads);
     std::sort(found.faults.begin(), found.faults.end(), precedes);
     found.faults.erase(std::unique(found.faults.begin(), found.faults.end()), found.faults.end());
     return found;
@@ -77,20 +77,20 @@ TEST_CASE("fault pairs: the same with any number of threads, whichever limit is 
         mesh.points.position[t.a] += Vec3(9000, 8000, -7000);
     }
     const PairLimits whole = PairLimits::ofMesh(mesh.triangles.size());
-    const PairSearch all = search(mesh, whole, 1);
+    const FaultSearch all = search(mesh, whole, 1);
     CHECK(all.complete);
     CHECK(all.work > 3'000'000);
     for (const unsigned threads : {2U, 3U, 7U}) {
-        const PairSearch several = search(mesh, whole, threads);
+        const FaultSearch several = search(mesh, whole, threads);
         CHECK(several.faults == all.faults);
         CHECK(several.work == all.work);
     }
     const auto sameWhenEnded = [&](const PairLimits& limits) {
-        const PairSearch one = search(mesh, limits, 1);
+        const FaultSearch one = search(mesh, limits, 1);
         CHECK_FALSE(one.complete);
         CHECK(one.faults.size() < all.faults.size());
         for (const unsigned threads : {2U, 3U, 7U}) {
-            const PairSearch several = search(mesh, limits, threads);
+            const FaultSearch several = search(mesh, limits, threads);
             CHECK(several.faults == one.faults);
             CHECK(several.work == one.work);
         }
