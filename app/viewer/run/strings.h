@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 
@@ -24,8 +25,6 @@ std::vector<std::string_view> wordsOf(std::string_view text);
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
 std::string grouped(std::size_t number);
-/// "1 rim", "3 rims"; without a space among the digits.
-std::string counted(std::size_t count, const char* one, const char* many);
 /// Prints text as printableLines(). A message of one line is passed through printable() before.
 void printLines(std::FILE* stream, std::string_view text);
 /// All bytes of a file; empty if it cannot be read.

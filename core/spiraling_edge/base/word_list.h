@@ -9,9 +9,15 @@
 
 namespace se {
 
-/// "1 point", "2 points".
-inline std::string countText(std::size_t count, std::string_view noun) {
-    return (std::to_string(count) + ' ').append(noun).append(count == 1 ? "" : "s");
+/// The word of a list that is nearest to one that was typed: by the fewest letters to add, remove
+/// or change. Requires a list that is not empty.
+std::string_view nearestWord(std::span<const std::string_view> list, std::string_view word);
+/// Of rows with a `name` the nearest of their names.
+template <typename Rows>
+std::string nearestName(const Rows& rows, std::string_view word) {
+    std::vector<std::string_view> names;
+    for (const auto& row : rows) names.push_back(row.name);
+    return std::string(nearestWord(names, word));
 }
 
 /// "PLY, OBJ or OFF" of three words and "or"; with commas alone if `conjunction` is empty.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 
@@ -215,8 +216,7 @@ std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
                                  const std::string& what, std::string_view noun) {
     if (points.empty()) return std::nullopt;
     const std::size_t count = points.size();
-    return Finding{nullptr, severity, count, std::move(points),
-                   countText(count, noun) + " " + what};
+    return Finding{nullptr, severity, count, std::move(points), counted(count, noun) + " " + what};
 }
 
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {

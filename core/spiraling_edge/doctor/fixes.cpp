@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/normals.h"
@@ -92,7 +93,7 @@ class FixApplication {
             keep_[p] = false;
             ++asked;
         }
-        const std::string what = "of " + countText(static_cast<std::size_t>(present), "point") +
+        const std::string what = "of " + counted(static_cast<std::size_t>(present), "point") +
                                  " dropped: " + std::string(reason);
         note("dropped", asked, what, what);
     }
@@ -201,7 +202,7 @@ Status requireMostLeft(std::span<const Vec3> before, std::span<const Vec3> after
     std::string text;
     for (const std::string& each : done) text += (text.empty() ? "" : "; ") + each;
     return Error{"the fixes would leave " + std::to_string(left) + " of " +
-                 countText(places, "distinct finite position") +
+                 counted(places, "distinct finite position") +
                  (places == 0 ? "" : ", fewer than half") +
                  (text.empty() ? "" : " (" + text + ")")};
 }

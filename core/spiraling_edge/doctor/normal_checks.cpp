@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/facing.h"
 #include "spiraling_edge/prepare/normals.h"
@@ -163,7 +164,7 @@ std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
         const Index component = examined.sides.component[p];
         return component != kNone && insideOut[component];
     });
-    std::string text = "in " + countText(count, "component") + " whose normals all point inwards";
+    std::string text = "in " + counted(count, "component") + " whose normals all point inwards";
     const std::size_t unknown = count > 0 ? unknownAmong(examined, others) : 0;
     if (unknown > 0) text += "; " + unknownSidesText(unknown, others.size() + count);
     return findingAt(std::move(points), Severity::Warning, text);

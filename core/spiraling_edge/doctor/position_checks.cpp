@@ -3,6 +3,7 @@
 /// ties with the cube of the eight nearest.
 #include <algorithm>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/normals.h"
 #include "spiraling_edge/prepare/strays.h"
@@ -30,7 +31,7 @@ std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {
     // Three points make one triangle, which may be intended but is no surface.
     constexpr std::size_t kTriangle = 3;
     if (examined.presentCount > kTriangle) return std::nullopt;
-    const std::string text = countText(examined.presentCount, "point") + " with a place of " +
+    const std::string text = counted(examined.presentCount, "point") + " with a place of " +
                              (examined.presentCount == 1 ? "its" : "their") + " own: ";
     if (examined.presentCount == kTriangle)
         return Finding{nullptr, Severity::Warning, kTriangle, {}, text + "one triangle at most"};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/doctor/surface_fit.h"
@@ -232,7 +233,7 @@ std::optional<Finding> findNoise(const ExaminedFile& examined) {
         count,
         std::move(points),
         "noise of " + spacingsText(examined, noise) + " along the normals, at " +
-            countText(count, "point"),
+            counted(count, "point"),
         std::move(surplus),
         surplusReason(layers ? "the thickness of the layers" : "the height of the noise")};
 }

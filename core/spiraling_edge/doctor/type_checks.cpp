@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/prepare/rim.h"
 
@@ -133,7 +134,7 @@ std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
     auto points = pointsWhere(
         examined.size(), [&](Index p) { return rim.value().gap[p].known() && !isMarked(file, p); });
     return findingAt(std::move(points), Severity::Note,
-                     "along " + countText(rims, "rim") +
+                     "along " + counted(rims, "rim") +
                          " where the surface ends without a wall, and without types");
 }
 

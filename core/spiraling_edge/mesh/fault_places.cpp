@@ -9,7 +9,7 @@
 #include <optional>
 #include <tuple>
 
-#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -129,7 +129,7 @@ std::string describe(const FaultPlace& place, std::span<const MeshFailure> failu
         begin = end;
     }
     const std::size_t others = place.faults.size() - begin;
-    if (others > 0) text += ", " + countText(others, "other");
+    if (others > 0) text += ", " + counted(others, "other");
     return text;
 }
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/points/usable_points.h"
 
@@ -179,7 +179,7 @@ std::string headlineOf(const MeshVerdict& verdict) {
     if (verdict.isSound()) return "sound";
     if (verdict.triangles == 0) return "not sound: no triangle";
     if (verdict.places == 0) return "no fault found, but the search ended early";
-    std::string text = (verdict.allPlaces ? "" : "at least ") + countText(verdict.places, "place");
+    std::string text = (verdict.allPlaces ? "" : "at least ") + counted(verdict.places, "place");
     std::vector<std::size_t> classes;
     for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
         if (verdict.placesOf[i] > 0) classes.push_back(i);
@@ -195,8 +195,8 @@ std::string headlineOf(const MeshVerdict& verdict) {
         text += (i == 0 ? ": " : ", ") + std::to_string(count) + " of " +
                 nounFor(failureClasses()[classes[i]], 2);
     }
-    if (others > 0) text += ", " + countText(others, "other");
-    if (verdict.lost > 0) text += "; " + countText(verdict.lost, "point") + " lost";
+    if (others > 0) text += ", " + counted(others, "other");
+    if (verdict.lost > 0) text += "; " + counted(verdict.lost, "point") + " lost";
     return text;
 }
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <utility>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -170,7 +170,7 @@ std::string cornerText(const Vec3& x, ScalarType type) {
 
 /// Message for a box without points, with the box of all points.
 std::string emptyBoxText(const PointFile& file, const std::string& name) {
-    const std::string count = countText(file.position.size(), "point");
+    const std::string count = counted(file.position.size(), "point");
     if (std::none_of(file.position.begin(), file.position.end(), isFinite))
         return name + ": the position of none of its " + count + " is finite";
     const WallBox bounds = boxAround(file.position);

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdio>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/run/reading.h"
 
@@ -71,10 +72,6 @@ std::string faceNames(std::uint8_t faces) {
         if ((faces >> i & 1U) != 0) text.append(text.empty() ? "" : " ").append(kNames[i]);
     }
     return text;
-}
-
-std::string counted(Index count, std::string_view singular) {
-    return sentence(count == 1 ? "{} {}" : "{} {}s", count, singular);
 }
 
 std::string text(const SeedEvidence& e, const Names& names) {
