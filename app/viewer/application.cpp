@@ -74,7 +74,7 @@ void Application::drop(const std::vector<std::string>& paths) {
 }
 
 bool Application::poll() {
-    runSlices(kSlicesPerFrame);
+    working_ = runSlices(kSlicesPerFrame);
     lesson_.closeForOther();
     const bool opened = session_.poll();
     const bool saved = mesh_.poll();
@@ -131,7 +131,7 @@ Status Application::waitUntilDone() {
 }
 
 bool Application::animating() const {
-    return session_.moves().busy() || playback_.playing() || painter_.moving() ||
+    return working_ || session_.moves().busy() || playback_.playing() || painter_.moving() ||
            painter_.unfinished() || painter_.late() || compare_.late() || ui_.look.blinking() ||
            ui_.click.waiting() || compare_.moving() ||
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||

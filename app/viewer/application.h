@@ -154,6 +154,7 @@ class Application {
     RunSpec undoInput_;              ///< Options that the open run was made with.
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.
+    bool working_ = false;           ///< Without threads: there is work left.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
     FollowedDecision followed_;      ///< Last decision at the cursor.
     bool dragged_ = false;           ///< A point was being dragged in the last frame.

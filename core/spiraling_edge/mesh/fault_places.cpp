@@ -124,8 +124,7 @@ std::string describe(const FaultPlace& place, std::span<const MeshFailure> failu
             (text.empty() ? "" : ", ") + std::to_string(count) + " " + nounFor(*first.kind, count);
         // The longest loop is first.
         if (!first.edges.empty())
-            text += (count == 1 ? " of " : " of up to ") + std::to_string(first.edges.size()) +
-                    " edges";
+            text += (count == 1 ? " of " : " of up to ") + counted(first.edges.size(), "edge");
         begin = end;
     }
     const std::size_t others = place.faults.size() - begin;
