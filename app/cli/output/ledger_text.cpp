@@ -50,6 +50,11 @@ constexpr MomentRow kMoments[] = {{"created", "created", &FailureMoments::create
                                   {"unavoidable", "unavoidable", &FailureMoments::unavoidable},
                                   {"first touched", "first_touched", &FailureMoments::touched}};
 
+/// "prevents", "stays", or "unknown" if too many failures are left to decide.
+std::string_view effectOf(const Remedy& remedy) {
+    return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
+}
+
 }  // namespace
 
 std::string readingText(const Reading& reading) {
@@ -194,11 +199,6 @@ Json answerJson(const Remedies& remedies) {
                                  {"all", each.all}});
     }
     return json;
-}
-
-/// "prevents", "stays", or "unknown" if too many failures are left to decide.
-static std::string_view effectOf(const Remedy& remedy) {
-    return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
 }
 
 std::string answerText(const Remedies& remedies) {

@@ -52,7 +52,8 @@ void AlertController::begin(const Options& options) {
     // A picture of a file shows where its faults are. Built-in inputs are small, and may be about
     // one.
     const bool own = isScene(options.input.source) || !options.lesson.empty();
-    c_.session.alerts().search().setFollows(interactive_ || own || !asked_.empty());
+    c_.session.alerts().search().setFollows(interactive_ || own || !asked_.empty() ||
+                                            options.session);
 }
 
 /// Applies the best settings that were tried, where the user has asked for it before all were.

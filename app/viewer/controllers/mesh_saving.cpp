@@ -65,16 +65,13 @@ void MeshController::carryOut() {
     publish();
 }
 
-/// Prepares the mesh once the run is made. While a file is saved, another run may have been opened.
+/// Prepares the mesh of the open run. While a file is written, another run may have been opened.
 void MeshController::prepareMesh() {
-    const bool idle = !export_.making() && export_.mesh() == nullptr;
-    if (export_.saving() && !idle) return;
-    if (const auto end = c_.session.runEnd()) {
-        export_.make(c_.session.sharedModel(), c_.session.input().file(), end);
-    } else if (export_.saving() && c_.session.isMade()) {
-        export_.cancel();
-        c_.ui.mesh.complaint = "The run did not come to its end: there is no mesh to save.";
-    }
+    if (export_.writing()) return;
+    export_.make(c_.session.sharedModel(), c_.session.input().file(), c_.session.runEnd());
+    if (!export_.saving() || !c_.session.isMade() || c_.session.runEnd()) return;
+    export_.cancel();
+    c_.ui.mesh.complaint = "The run did not come to its end: there is no mesh to save.";
 }
 
 void MeshController::answer(MeshAsk ask) {

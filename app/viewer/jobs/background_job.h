@@ -1,4 +1,4 @@
-/// Work in a thread of its own. A background job goes through a run and streams its results to the
+/// Work in the background, in slices (thread.h). A background job streams its results to the
 /// caller; a background query has a single result, the answer. What is cancelled finishes in the
 /// background.
 #pragma once
@@ -20,28 +20,6 @@
 #include "thread.h"
 
 namespace se::view {
-
-/// A pass through the run of a model, which it keeps alive. It begins with the first slice, since
-/// the start of a run takes a pass over the points.
-class ModelPass {
-  public:
-    ModelPass(std::shared_ptr<const Model> model, PivotVisitor visit)
-        : model_(std::move(model)), visit_(std::move(visit)) {}
-
-    /// Runs a slice. False once the run is complete.
-    bool advance() {
-        if (!sweep_) sweep_.emplace(model_->points, model_->params, visit_);
-        return sweep_->advance(kPivotsPerReport);
-    }
-    // Both require that advance() was called.
-    double share() const { return sweep_->share(); }
-    const State& state() const { return sweep_->state(); }
-
-  private:
-    std::shared_ptr<const Model> model_;
-    PivotVisitor visit_;
-    std::optional<Sweep> sweep_;
-};
 
 template <typename Item>
 class BackgroundJob {
@@ -96,8 +74,8 @@ class BackgroundJob {
             return false;
         });
     }
-    /// The same for work that is called again until it returns false, or report() did. A slice
-    /// should take no longer than sliceTime().
+    /// Starts work in slices: `slice` is called until it or report() returns false. It should take
+    /// no longer than sliceTime().
     void startSlices(std::function<bool(Results&)> slice) {
         cancel();
         job_ = std::make_unique<Job>();
@@ -112,11 +90,24 @@ class BackgroundJob {
             return more && good ? Slice::More : Slice::Done;
         });
     }
+    /// Starts a pass through the run of a model. `make` returns its visitor, in the first slice: to
+    /// begin may take a pass over the points.
+    void startPass(std::shared_ptr<const Model> model,
+                   std::function<PivotVisitor(const Model&, Results&)> make) {
+        startSlices([model = std::move(model), make = std::move(make),
+                     pass = std::shared_ptr<Sweep>()](Results& results) mutable {
+            if (!pass)
+                pass = std::make_shared<Sweep>(model->points, model->params, make(*model, results));
+            const bool more = pass->advance(kPivotsPerReport);
+            return results.report(pass->share()) && more;
+        });
+    }
     void cancel() {
         std::erase_if(cancelled_, [](const auto& job) { return job->thread->ended(); });
         if (!job_) return;
         job_->thread->cancel();
-        cancelled_.push_back(std::move(job_));
+        if (!job_->thread->ended()) cancelled_.push_back(std::move(job_));
+        job_.reset();
     }
 
     bool busy() const { return job_ != nullptr; }
@@ -153,13 +144,19 @@ class BackgroundQuery {
     /// Returns an error once `progress` returns false. It must own all that it needs.
     using Work = std::function<Result<Answer>(const Progress& progress)>;
 
-    /// Starts a query that is a question about the run of a model; the previous one is cancelled
-    /// and its answer discarded.
-    void ask(std::shared_ptr<const Model> model, Question<Answer> question) {
+    /// Starts a query that is a question about the run of a model, which `make` returns in the
+    /// first slice; the previous one is cancelled and its answer discarded.
+    void ask(std::shared_ptr<const Model> model,
+             std::function<Question<Answer>(const Model&)> make) {
         cancel();
-        const auto pass = std::make_shared<ModelPass>(std::move(model), question.visit);
-        job_.startSlices([pass, question](Results& results) {
-            const bool more = pass->advance();
+        job_.startSlices([model = std::move(model), make = std::move(make),
+                          question = Question<Answer>(),
+                          pass = std::shared_ptr<Sweep>()](Results& results) mutable {
+            if (!pass) {
+                question = make(*model);
+                pass = std::make_shared<Sweep>(model->points, model->params, question.visit);
+            }
+            const bool more = pass->advance(kPivotsPerReport);
             if (!more) results.add(question.answer(pass->state()));
             return results.report(pass->share()) && more;
         });

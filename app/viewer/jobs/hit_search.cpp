@@ -103,30 +103,24 @@ void HitSearch::startNext() {
     if (lines.empty()) return;
     for (const Line& line : lines) known_[line.text] = {};
     sought_ = lines;
-    job_.startSlices(searchFor(model_, std::move(lines)));
+    job_.startPass(model_, [lines = std::move(lines)](const Model& model, auto& results) {
+        return visitorFor(model, lines, results);
+    });
 }
 
-/// The slices of a search.
-std::function<bool(HitSearch::Results&)> HitSearch::searchFor(std::shared_ptr<const Model> model,
-                                                              std::vector<Line> lines) {
+/// The visitor of a search for lines.
+PivotVisitor HitSearch::visitorFor(const Model& model, const std::vector<Line>& lines,
+                                   BackgroundJob<Found>::Results& results) {
     std::vector<DecisionQuery> queries;
     queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
-    const auto fresh = std::make_shared<std::vector<Found>>();
-    const auto found = [fresh, lines = std::move(lines),
-                        logged = std::vector<std::size_t>(queries.size(), 0)](
+    const auto found = [&results, lines, logged = std::vector<std::size_t>(lines.size(), 0)](
                            std::size_t line, const se::Hit& hit, const Decision& decision) mutable {
         const bool logs = lines[line].listed && logged[line] < kMaxLogged;
         if (logs) ++logged[line];
-        fresh->push_back({line, hit, logs ? describe(decision.event) : std::string()});
+        results.add({line, hit, logs ? describe(decision.event) : std::string()});
     };
-    const auto pass = std::make_shared<ModelPass>(
-        model, hitVisitor(model->points, model->params, std::move(queries), found));
-    return [fresh, pass](Results& results) {
-        const bool more = pass->advance();
-        for (Found& each : std::exchange(*fresh, {})) results.add(std::move(each));
-        return results.report(pass->share()) && more;
-    };
+    return hitVisitor(model.points, model.params, std::move(queries), found);
 }
 
 /// Takes the results of the thread so far.

@@ -2,7 +2,6 @@
 /// Results are kept until another run is open.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -80,9 +79,8 @@ class HitSearch {
         se::Hit hit;
         std::string sentence;
     };
-    using Results = BackgroundJob<Found>::Results;
-    static std::function<bool(Results&)> searchFor(std::shared_ptr<const Model> model,
-                                                   std::vector<Line> lines);
+    static PivotVisitor visitorFor(const Model& model, const std::vector<Line>& lines,
+                                   BackgroundJob<Found>::Results& results);
     std::vector<Line> missing() const;
     void startNext();
     bool take();

@@ -55,8 +55,11 @@ Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const M
 
 void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input,
                       std::shared_ptr<const RunEnd> end) {
-    if (model == model_) return;
-    model_ = model;
+    if (model != model_) {
+        discard();
+        model_ = model;
+    }
+    if (!end || std::exchange(begun_, true)) return;
     mesh_.start([model = std::move(model), input = std::move(input),
                  end = std::move(end)](const Progress&) -> Result<FinishedMesh> {
         return finishMesh(*model, *input, *end);
@@ -66,6 +69,7 @@ void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const 
 void MeshExport::discard() {
     order_.reset();
     model_.reset();
+    begun_ = false;
     mesh_.cancel();
 }
 

@@ -47,8 +47,9 @@ struct SavedMesh {
 
 class MeshExport {
   public:
-    /// Prepares the mesh at the end of the run of `model`, unless it is ready or in progress.
-    /// `input` is the file that prepare() took.
+    /// Prepares the mesh at the end of the run of `model` once there is that end, unless it is
+    /// ready or in progress; to be called in every frame. The mesh of another run is discarded, and
+    /// with it a pending write. `input` is the file that prepare() took.
     void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input,
               std::shared_ptr<const RunEnd> end);
     /// Discards the mesh, and a pending write. A write in progress completes.
@@ -76,6 +77,7 @@ class MeshExport {
     void startWriting();
 
     std::shared_ptr<const Model> model_;  ///< Model of the mesh; null: none.
+    bool begun_ = false;                  ///< The mesh of model_ is ready or in progress.
     BackgroundQuery<FinishedMesh> mesh_;
     BackgroundQuery<SavedMesh> file_;
     std::optional<MeshTarget> order_;  ///< Waits for the mesh.

@@ -35,16 +35,18 @@ void Questions::askWhy(const Selection& what) {
     assert(model_ && what.kind != SelectionKind::None);
     subject_ = what;
     subjectName_ = selectionText(what);
-    const auto asked = whyQuestion(model_->points, model_->params, toSubject(what));
-    assert(asked.ok());  // The selection is of points of the model.
-    const auto answer = [question = asked.value()](const State& end) -> Result<WhyAnswer> {
-        Result<Ledger> found = question.answer(end);
-        if (!found) return found.error();
-        Ledger& ledger = found.value();
-        return WhyAnswer{nameOf(ledger.subject), ledger.present, std::move(ledger.lines),
-                         ledger.cause, std::move(ledger.answer)};
-    };
-    ledger_.ask(model_, {asked.value().visit, answer});
+    ledger_.ask(model_, [what](const Model& model) -> Question<WhyAnswer> {
+        const auto asked = whyQuestion(model.points, model.params, toSubject(what));
+        assert(asked.ok());  // The selection is of points of the model.
+        const auto answer = [question = asked.value()](const State& end) -> Result<WhyAnswer> {
+            Result<Ledger> found = question.answer(end);
+            if (!found) return found.error();
+            Ledger& ledger = found.value();
+            return WhyAnswer{nameOf(ledger.subject), ledger.present, std::move(ledger.lines),
+                             ledger.cause, std::move(ledger.answer)};
+        };
+        return {asked.value().visit, answer};
+    });
 }
 
 void Questions::askWhy(const RingAddress& ring) {
@@ -71,7 +73,9 @@ Status Questions::find(const std::string& line) {
     if (!query) return query.error();
     assert(model_);
     line_ = line;
-    found_.ask(model_, decisionsQuestion(model_->points, model_->params, query.value(), kMaxFound));
+    found_.ask(model_, [query = query.value()](const Model& model) {
+        return decisionsQuestion(model.points, model.params, query, kMaxFound);
+    });
     return success();
 }
 
@@ -93,14 +97,16 @@ LedgerLine lineOf(const NearestDecision& decision) {
 void Questions::requestClosest() {
     assert(model_);
     if (!isNew(closest_)) return;
-    const auto nearest = nearestQuestion(model_->points, model_->params, kClosest);
-    const auto answer = [nearest](const State& end) -> Result<ClosestAnswer> {
-        ClosestAnswer closest{nearest.answer(end).value(), {}};
-        for (const NearestDecision& decision : closest.decisions.decisions)
-            closest.lines.push_back(lineOf(decision));
-        return closest;
-    };
-    closest_.ask(model_, {nearest.visit, answer});
+    closest_.ask(model_, [](const Model& model) -> Question<ClosestAnswer> {
+        const auto nearest = nearestQuestion(model.points, model.params, kClosest);
+        const auto answer = [nearest](const State& end) -> Result<ClosestAnswer> {
+            ClosestAnswer closest{nearest.answer(end).value(), {}};
+            for (const NearestDecision& decision : closest.decisions.decisions)
+                closest.lines.push_back(lineOf(decision));
+            return closest;
+        };
+        return {nearest.visit, answer};
+    });
 }
 
 std::span<const double> Questions::leastMargin() const {
@@ -112,7 +118,7 @@ std::span<const double> Questions::leastMargin() const {
 void Questions::requestCharts() {
     assert(model_);
     if (!isNew(charts_)) return;
-    charts_.ask(model_, chartsQuestion());
+    charts_.ask(model_, [](const Model&) { return chartsQuestion(); });
 }
 
 Subject toSubject(const Selection& what) {

@@ -1,6 +1,6 @@
 /// The user's queries about the run: why something is in the mesh or not, and which decisions match
-/// a line. Each query re-runs the input in a thread of its own (core's ledger.h and
-/// decision_query.h); another run discards all answers.
+/// a line. Each query makes one more pass through the run (core's sweep.h), in the background;
+/// that about a ring runs the points itself. Another run discards all answers.
 #pragma once
 
 #include <memory>

@@ -1,8 +1,9 @@
 // One Timeline makes the run and moves in it. Slices of making it alternate with requests, which
 // come first: a request to a pivot that was made moves back there, one beyond makes the run up to
 // it. Every pivot is shown to the observer once, when it is made. While the user steps, the
-// timeline stays near him: each way to the end of what was made and back costs some milliseconds in
-// a run of a million points. Triangles are sent only once, since the run only ever appends them.
+// timeline stays near the cursor: each way to the end of what was made and back costs some
+// milliseconds in a run of a million points. Triangles are sent only once, since the run only ever
+// appends them.
 #include "runner.h"
 
 #include <algorithm>
@@ -17,10 +18,10 @@ namespace se::view {
 namespace {
 
 constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
-/// So long after a request another one is expected.
+/// Time after a request during which another one is expected.
 constexpr std::chrono::milliseconds kLinger{200};
-/// The run is made for a slice at least as often.
-constexpr std::chrono::milliseconds kMakeAtLeast{1000};
+/// Longest time between two slices of making the run.
+constexpr std::chrono::milliseconds kLongestPause{1000};
 
 }  // namespace
 
@@ -106,8 +107,20 @@ Slice Runner::work(const CancelFlag& ending) {
 
 /// Begins to observe. Not in the constructor, whose caller gets no exception of it.
 void Runner::begin() {
-    observer_.emplace(*model_, timeline_.state());
-    timeline_.setVisitor([this](const SweptPivot& pivot) { observe(pivot); });
+    timeline_.setVisitor([this](const SweptPivot& pivot) {
+        if (observer_) observed([&] { observe(pivot); });
+    });
+    observed([this] { observer_.emplace(*model_, timeline_.state()); });
+}
+
+/// Calls `work` of the observer. A failure ends what is observed, not the moves.
+void Runner::observed(const std::function<void()>& work) {
+    const Status good = guarded(work);
+    if (good) return;
+    observer_.reset();
+    const std::lock_guard lock(mutex_);
+    unmade_ = good.error().message;
+    made_ = true;
 }
 
 void Runner::takeRequest() {
@@ -167,7 +180,7 @@ void Runner::searchPoint(const std::function<bool()>& keepGoing) {
 bool Runner::lingers() const {
     const auto now = Clock::now();
     return timeline_.position() != timeline_.farthest() && now - servedLast_ < kLinger &&
-           now - madeLast_ < kMakeAtLeast;
+           now - madeLast_ < kLongestPause;
 }
 
 /// Makes the run for a slice, or until something is requested.
@@ -180,19 +193,10 @@ void Runner::make(const CancelFlag& ending) {
     handOver();
 }
 
-/// Called by the timeline with each pivot, the first time. A failure ends what is observed, not the
-/// moves.
+/// Takes each pivot of the run when it is made for the first time.
 void Runner::observe(const SweptPivot& pivot) {
-    if (!observer_) return;
-    const Status good = guarded([&] {
-        counts_.add(pivot);
-        observer_->add(pivot, fresh_);
-    });
-    if (good) return;
-    observer_.reset();
-    const std::lock_guard lock(mutex_);
-    unmade_ = good.error().message;
-    made_ = true;
+    counts_.add(pivot);
+    observer_->add(pivot, fresh_);
 }
 
 /// Keeps the end of the run, once it is reached.
@@ -237,7 +241,7 @@ void Runner::publish(std::uint32_t pivot, bool final) {
 void Runner::publishComplaint() {
     const bool serves = std::exchange(serving_, std::nullopt).has_value();
     const std::lock_guard lock(mutex_);
-    if (!made_) unmade_ = complaint_;
+    if (!made_ && !serves) unmade_ = complaint_;
     made_ = true;
     if (!serves) return;
     if (!answer_) answer_.emplace();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPause{5};
 
-/// All work of a build without threads, which this one list must reach.
+/// All work in progress, without threads.
 std::vector<Thread*>& allWork() {
     static std::vector<Thread*> all;
     return all;
@@ -44,8 +44,14 @@ Thread::~Thread() {
 }
 
 Slice Thread::runSlice() {
+    {
+        const std::lock_guard lock(mutex_);
+        woken_ = false;
+    }
     const Slice next = work_(cancelled_);
+    if (next == Slice::Done) work_ = nullptr;  // What it held may be large.
     const std::lock_guard lock(mutex_);
+    idle_ = next == Slice::Idle;
     ended_ = next == Slice::Done;
     changed_.notify_all();
     return next;
@@ -60,7 +66,6 @@ void Thread::run() {
         const auto goesOn = [this] { return woken_ || cancelled_.isSet(); };
         if (next == Slice::Pause) changed_.wait_for(lock, kPause, goesOn);
         if (next == Slice::Idle) changed_.wait(lock, goesOn);
-        woken_ = false;
     }
 }
 
@@ -79,31 +84,29 @@ void Thread::wake() {
 }
 
 bool Thread::waitFor(std::chrono::milliseconds timeout, const std::function<bool()>& holds) {
-    const auto isSo = [&] { return ended_.load() || (holds && holds()); };
+    const auto holdsNow = [&] { return ended_.load() || (holds && holds()); };
     if (usesThreads()) {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, timeout, isSo);
+        return changed_.wait_for(lock, timeout, holdsNow);
     }
     const auto end = std::chrono::steady_clock::now() + timeout;
-    while (!isSo()) {
-        if (runSlice() == Slice::Idle || std::chrono::steady_clock::now() > end) return isSo();
+    while (!holdsNow()) {
+        if (runSlice() == Slice::Idle || std::chrono::steady_clock::now() > end) return holdsNow();
     }
     return true;
 }
 
 bool runSlices(std::chrono::milliseconds time) {
+    static std::size_t turn = 0;  // Where the last call ended, the next one goes on.
     const auto end = std::chrono::steady_clock::now() + time;
-    bool more = !usesThreads();
-    while (more && std::chrono::steady_clock::now() < end) {
-        more = false;
-        // A slice may start other work, or end some.
-        for (std::size_t i = 0; i < allWork().size(); ++i) {
-            Thread& each = *allWork()[i];
-            if (!each.ended() && each.runSlice() == Slice::More) more = true;
-            if (std::chrono::steady_clock::now() >= end) return true;
-        }
+    // A slice may start other work, or end some.
+    for (std::size_t resting = 0; resting < allWork().size();) {
+        Thread& each = *allWork()[turn++ % allWork().size()];
+        const bool rests = each.ended() || (each.idle_ && !each.woken_);
+        resting = !rests && each.runSlice() == Slice::More ? 0 : resting + 1;
+        if (std::chrono::steady_clock::now() >= end) return resting < allWork().size();
     }
-    return more;
+    return false;
 }
 
 namespace {

@@ -29,7 +29,7 @@ class CancelFlag {
     std::atomic<bool> set_ = false;
 };
 
-/// What is to be done after a slice of work.
+/// Next step after a slice of work.
 enum class Slice : std::uint8_t {
     More,   ///< It is called again at once.
     Pause,  ///< It is called again after a moment, or at wake().
@@ -43,8 +43,8 @@ bool usesThreads();
 /// How long a slice should take at most: without threads the window waits for it.
 std::chrono::milliseconds sliceTime();
 
-/// Calls work, slice by slice, in a thread of its own; without threads, from runSlices() and while
-/// one waits for it. The destructor cancels it and waits until it has returned.
+/// Calls work, slice by slice, in a thread of its own; without threads, from runSlices() and
+/// during waitFor(). The destructor cancels it and waits until it has returned.
 class Thread {
   public:
     using Work = std::function<Slice(const CancelFlag& cancelled)>;
@@ -62,7 +62,7 @@ class Thread {
     /// The work is done.
     bool ended() const { return ended_.load(); }
     /// Blocks until the work is done or `holds` returns true, asked after each slice; at most for
-    /// `timeout`. True if one of them is so.
+    /// `timeout`. True if either holds.
     bool waitFor(std::chrono::milliseconds timeout, const std::function<bool()>& holds = {});
     /// Blocks until the work is done.
     void waitUntilDone() {
@@ -80,7 +80,8 @@ class Thread {
     Work work_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    bool woken_ = false;  ///< Under the mutex.
+    bool woken_ = false;  ///< Since the last slice began; under the mutex, as the next one.
+    bool idle_ = false;   ///< Until wake().
     std::atomic<bool> ended_ = false;
     std::thread thread_;  // last: it uses all members above
 };

@@ -39,7 +39,7 @@ void TrialJob::start() {
     started_ = true;
     trying_ = trialText({});
     job_.start([file = file_, spec = spec_](auto& results) {
-        lowerPriority();
+        if (usesThreads()) lowerPriority();
         double share = 0.0;
         std::size_t best = 0;
         std::shared_ptr<const MeshChange> change;

@@ -46,16 +46,11 @@ void WatchScan::startNext() {
         expressions.push_back(expression.value());
     }
     if (sought_.empty()) return;
-    const auto fresh = std::make_shared<std::vector<Values>>();
-    const auto add = [fresh](std::uint32_t pivot, std::span<const double> values) {
-        fresh->push_back({pivot, {values.begin(), values.end()}});
-    };
-    const auto pass = std::make_shared<ModelPass>(
-        model_, watchVisitor(model_->points, model_->params, expressions, add));
-    job_.startSlices([fresh, pass](auto& results) {
-        const bool more = pass->advance();
-        for (Values& each : std::exchange(*fresh, {})) results.add(std::move(each));
-        return results.report(pass->share()) && more;
+    job_.startPass(model_, [expressions](const Model& model, auto& results) {
+        const auto add = [&results](std::uint32_t pivot, std::span<const double> values) {
+            results.add({pivot, {values.begin(), values.end()}});
+        };
+        return watchVisitor(model.points, model.params, expressions, add);
     });
 }
 

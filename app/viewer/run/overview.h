@@ -27,7 +27,7 @@ struct ComponentShape {
     std::vector<std::array<Index, 2>> rim;
     std::size_t points = 0;  ///< Number of points that its triangles use.
     std::size_t loops = 0;   ///< Number of connected pieces of the rim.
-    double seconds = 0.0;    ///< Seconds from the start of the overview's run.
+    double seconds = 0.0;    ///< Since the run began to be made, moves included.
 };
 
 /// The component that consists of `triangles`; `begin` is the number of the first.
@@ -113,8 +113,7 @@ void reservePivots(RunOverview& overview, std::size_t points);
 /// Appends the lists of `fresh` to those of `overview` and copies its figures.
 void append(RunOverview& overview, const RunOverview& fresh);
 
-/// Notes what there is to see from afar while a run is made: every decision is counted, none is
-/// kept.
+/// Collects the overview of a run while it is made. Counts decisions, stores none.
 class RunObserver {
   public:
     /// `start`: the state before the first pivot. `model` must outlive this object.
@@ -131,8 +130,8 @@ class RunObserver {
 
     const Model& model_;
     Counters before_;            ///< Before the pivot.
-    std::size_t alerts_ = 0;     ///< Likewise.
-    std::size_t triangles_ = 0;  ///< Likewise.
+    std::size_t alerts_ = 0;     ///< Before the pivot.
+    std::size_t triangles_ = 0;  ///< Before the pivot.
     std::size_t begin_ = 0;      ///< The first triangle of the current component.
     LaneTracker lanes_;
     std::optional<LiveCheck> live_;  ///< Empty for very large inputs.

@@ -141,11 +141,13 @@ void Moves::goToShare(double share) {
     if (session_.overview().complete) goToAwaited();
 }
 
-/// The overview is complete, so a share of the run can be located.
+/// The run is made, so a share of it can be located.
 void Moves::goToAwaited() {
     if (!awaitedShare_) return;
-    assert(session_.overview().complete);
     const double share = *std::exchange(awaitedShare_, std::nullopt);
+    if (!session_.overview().complete)
+        return session_.messages().say(
+            "The length of the run is not known: it was not made to its end.");
     goToPivot(static_cast<std::uint32_t>(std::llround(session_.overview().lastPivot * share)));
 }
 

@@ -54,8 +54,8 @@ class Moves {
     void goToPivot(std::uint32_t pivot);
     /// To an event; without stage and n to the last event of the pivot.
     void goTo(const Address& address);
-    /// To a share of the whole run, in [0, 1]. Waits until the overview of the run is complete,
-    /// since its length is not known before.
+    /// To a share of the whole run, in [0, 1]. Waits until the run is made, since its length
+    /// is not known before.
     void goToShare(double share);
     /// To the next event about a point, after the cursor; reports if there is none.
     void goToPoint(Index point);
@@ -80,7 +80,7 @@ class Moves {
     /// Goes to a stop and reports its name, without an entry in the history.
     void playToStop(const Stop& stop);
 
-    /// A move waits for the runner thread, or for the overview to be complete.
+    /// A move waits for the runner thread, or for the run to be made.
     bool busy() const { return waiting_ || !moves_.empty() || awaitsLength() || awaitsStop(); }
     /// A move to a share of the run waits for the length of the run.
     bool awaitsLength() const { return awaitedShare_.has_value(); }

@@ -105,7 +105,7 @@ class Session {
     PivotReplay replay() const { return PivotReplay(record_); }
     const DecisionState& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
-    /// The mesh at the end of the run; null before it is made.
+    /// The end of the run; null before it is made, and if it cannot be.
     std::shared_ptr<const RunEnd> runEnd() const;
     /// The run is made, or will not be.
     bool isMade() const { return runner_ && runner_->made(); }

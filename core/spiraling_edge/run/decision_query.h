@@ -69,7 +69,7 @@ class DecisionQuery {
     /// Words are separated by blanks. Fails with the word that is not understood.
     static Result<DecisionQuery> parse(std::string_view line);
     bool matches(const Decision& decision) const;
-    /// True if some term reads Decision::failures: the run must be checked while it is scanned.
+    /// True if some term reads Decision::failures: the run must be checked during the pass.
     bool needsFailures() const { return needsFailures_; }
 
   private:

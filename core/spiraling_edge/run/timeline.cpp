@@ -65,8 +65,8 @@ bool Timeline::stepPivot(EventLog* log) {
         if (next < repairs_.size()) return goToRepair(next);
     }
     const bool isFirst = visit_ && !endKnown_ && position() == farthest_;
-    if (isFirst && log == nullptr) log = &made_;
-    made_.clear();
+    if (isFirst && log == nullptr) log = &firstLog_;
+    firstLog_.clear();
     const std::size_t logged = log == nullptr ? 0 : log->events().size();
     const Counters before = state().counters;
     const std::size_t triangles = state().triangles.size();

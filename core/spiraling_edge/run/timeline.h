@@ -79,9 +79,8 @@ class Timeline {
     /// Approximate size of all keyframes, in bytes.
     std::size_t keyframeBytes() const { return keyframeBytes_; }
 
-    /// Sets what is shown each pivot when it is made for the first time, in order: what is learned
-    /// from one pass is learned while the run is made. It must not throw. Requires position() 0 and
-    /// farthest() 0.
+    /// Sets a visitor that gets each pivot when it is made for the first time, in order. It must
+    /// not throw. Requires that no pivot was made.
     void setVisitor(PivotVisitor visit) {
         assert(farthest_ == 0 && !endKnown_);
         visit_ = std::move(visit);
@@ -127,7 +126,7 @@ class Timeline {
 
     Stepper stepper_;
     PivotVisitor visit_;
-    EventLog made_;  ///< The events to show, where nobody else logs them.
+    EventLog firstLog_;  ///< Events for the visitor, where the caller passes no log.
     std::map<std::uint32_t, Keyframe> keyframes_;
     RepairHistory repairs_;
     Keyframe firstRepair_;  ///< At the first place of `repairs_`.

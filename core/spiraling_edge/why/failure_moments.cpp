@@ -293,6 +293,13 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
 RunFailureSearch failuresAtEnd(const PointSet& points, const RunCounts& counts,
                                std::vector<Triangle> mesh) {
     InspectedRun run = inspectEnd(points, std::move(mesh), counts.leftOver());
+    if (wasStopped(run)) {
+        // What the run did not reach is no failure of it.
+        const FailureClass& lost = *findFailureClass("lost_points");
+        run.totals[rankOf(lost)].total -= std::erase_if(run.failures, [&](const MeshFailure& each) {
+            return each.kind == &lost && counts.eventsAt()[each.points.front()] == 0;
+        });
+    }
     for (ClassTotal& each : run.totals) each.listed = 0;
     RunFailureSearch found;
     found.all = std::move(run.failures);

@@ -54,7 +54,7 @@ struct RunFailureSearch {
     MeshVerdict verdict;             ///< ClassTotal::listed: those that were followed.
 };
 
-/// What the search for failures has to know of a run besides its mesh, collected while it is made.
+/// Counts and rings for the search for failures, collected while a run is made.
 class RunCounts {
   public:
     /// `points` must outlive this object.
@@ -84,13 +84,12 @@ class RunCounts {
 /// with triangles that are whole fans. Deterministic.
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const Progress& progress = {});
-/// The same with a run less: of one that was made, whose pivots `counts` has seen and whose mesh
-/// is `mesh`.
+/// As above for a run that was made: `counts` got all its pivots, `mesh` is its mesh. One run less.
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const RunCounts& counts, std::vector<Triangle> mesh,
                                         const Progress& progress = {});
 /// The failures at the end of such a run without their moments, none of which is followed: costs
-/// an inspection alone.
+/// an inspection alone. Of a stopped run, points without an event are left out.
 RunFailureSearch failuresAtEnd(const PointSet& points, const RunCounts& counts,
                                std::vector<Triangle> mesh);
 /// The failures that searchFailures() finds.

@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <memory>
 #include <new>
 #include <stdexcept>
+#include <thread>
 
 #include "jobs/background_job.h"
 #include "jobs/doctor_job.h"
@@ -14,6 +17,7 @@
 #include "jobs/watch_scan.h"
 #include "open_session.h"
 #include "session/compare/comparison.h"
+#include "spiraling_edge/run/run_charts.h"
 #include "support/scarce_memory.h"
 
 using namespace se;
@@ -158,4 +162,48 @@ TEST_CASE("Without memory new points fail, with a reason" * doctest::test_suite(
     }
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(saysOutOfMemory(growth.error()));
+}
+
+TEST_CASE("Works in slices take turns, and a paused one rests") {
+    using std::chrono::milliseconds;
+    const auto counting = [](std::atomic<int>& count, Slice next) {
+        return [&count, next](const CancelFlag& cancelled) {
+            if (cancelled.isSet()) return Slice::Done;
+            ++count;
+            std::this_thread::sleep_for(milliseconds(2));
+            return next;
+        };
+    };
+    std::atomic<int> first = 0;
+    std::atomic<int> second = 0;
+    std::atomic<int> idle = 0;
+    Thread a(counting(first, Slice::More));
+    Thread b(counting(second, Slice::More));
+    Thread c(counting(idle, Slice::Idle));
+    while (first < 5 || second < 5 || idle < 1) runSlices(milliseconds(1));
+    for (int i = 0; i < 20; ++i) runSlices(milliseconds(1));
+    CHECK(idle == 1);
+    c.wake();
+    while (idle < 2) runSlices(milliseconds(1));
+    CHECK(idle == 2);
+    for (Thread* each : {&a, &b, &c}) each->cancel();
+    for (Thread* each : {&a, &b, &c}) each->waitUntilDone();
+}
+
+TEST_CASE("A question that was cancelled keeps nothing of its run") {
+    auto model = test::sphereModel();
+    const std::weak_ptr<const Model> watched = model;
+    BackgroundQuery<std::vector<RunChart>> query;
+    query.ask(model, [](const Model&) { return chartsQuestion(); });
+    query.cancel();
+    model.reset();
+    for (int i = 0; i < 1000 && !watched.expired(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(watched.expired());
+    model = test::sphereModel();
+    query.ask(model, [](const Model&) { return chartsQuestion(); });
+    query.waitUntilDone();
+    CHECK(query.poll());
+    REQUIRE(query.answer() != nullptr);
+    CHECK(query.answer()->size() == 4);
 }

@@ -141,7 +141,7 @@ go_to() { press ctrl+g; type_text "$1"; press Return; }
 pointer() { xdotool getmouselocation | cut -d' ' -f1,2; }
 move_to() {
     local X=0 Y=0
-    eval "$(xdotool getwindowgeometry --shell "$window" | grep -oE '^[XY]=[0-9]+|[XY]=0')"
+    eval "$(xdotool getwindowgeometry --shell "$window" | grep -oE '\b[XY]=-?[0-9]+')"
     [ "$(pointer)" = "x:$((X + $1)) y:$((Y + $2))" ] ||
         act 1 xdotool mousemove --window "$window" "$1" "$2"
 }

@@ -379,7 +379,7 @@ std::string alertsLine(const PanelContext& context) {
     if (alerts.stopped()) return "The search was stopped.";
     if (alerts.busy()) return "Searching for alerts ...";
     if (!alerts.done()) return "The search for alerts starts once the run is complete.";
-    if (alerts.failures().empty()) return noneText(alerts);
+    if (alerts.found()->all.empty()) return noneText(alerts);
     const std::string next = ". " + context.key("step.alert.next") + " shows the next one.";
     if (alerts.sound())
         return "The mesh is sound; " + counted(alerts.failures().size(), "alert", "alerts") + next;
@@ -395,7 +395,7 @@ void drawAlerts(const PanelContext& context) {
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);
     if (!alerts.done()) return drawSearch(context);
-    if (alerts.failures().empty()) return drawNothing(alerts);
+    if (alerts.found()->all.empty()) return drawNothing(alerts);
     if (!alerts.complete())
         dimText(
             "There are too many failures to follow all of them: places list the first of each "
