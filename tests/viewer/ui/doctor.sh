@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # The doctor's panel opens by itself when something is found, and stays where it is otherwise.
 . "$(dirname "$0")/harness.sh"
+# What is found in the background moves the rows of the panel: waits until all is known.
+at_rest() { says doctor done; says alert_search done; says trials_ended true; }
 
 # A jittered lattice, which ends at no wall, with a copy, and two normals that are zero.
 awk 'BEGIN { for (y = 0; y < 12; ++y) for (x = 0; x < 12; ++x) {
@@ -48,7 +50,7 @@ says open_tab Doctor
 # One finding is fixed: the input is opened again with the fix, and Ctrl+Z undoes it.
 points=$(field points)
 go_to 20; says pivot 20
-click_on "fix zero_normals"
+at_rest; click_on "fix zero_normals"
 says cures '\[ "zero_normals" \]'; says phase ready; says at_end true
 says aside '\{ "zero_normals": 1 \}'
 says mended '\[ "1 exact copy dropped", "2 normals that were zero or not finite derived" \]'
@@ -59,19 +61,19 @@ says cures '\[\]'; says points "$points"; says findings '.*zero_normals.*'; says
 press ctrl+y
 says cures '\[ "zero_normals" \]'; says points "$((points - 1))"; says findings '\[ "open_border" \]'
 # "Use the file as is" does the same, and can be undone like the rest.
-click_on "doctor as it is"
+at_rest; click_on "doctor as it is"
 says cures '\[\]'; says points "$points"
 press Escape; press ctrl+z
 says cures '\[ "zero_normals" \]'; says points "$((points - 1))"
 press ctrl+z; says cures '\[\]'; says findings '.*zero_normals.*'
 
 # Points dropped by a fix come back by a click.
-click_on "fix duplicates"; says cures '\[ "duplicates" \]'; says points "$((points - 1))"
-says doctor done; click_on "return duplicates"
+at_rest; click_on "fix duplicates"; says cures '\[ "duplicates" \]'; says points "$((points - 1))"
+at_rest; click_on "return duplicates"
 says cures '\[\]'; says points "$points"; says at_end true; says findings '.*zero_normals.*'
 
 # The command can be pasted anywhere: with the whole path.
-click_on "copy zero_normals"; says notice "Copied the command\."
+at_rest; click_on "copy zero_normals"; says notice "Copied the command\."
 stop
 
 # Normals that point the wrong way are flipped together with the repairs.
@@ -119,7 +121,7 @@ size=1600x980 start --layout learn --rules robust "$flawed"
 says doctor done; says findings '\[ "no_normals", "two_layers".*|\[ "two_layers".*'
 says alert_search done; denies verdict "the mesh is sound"
 # More than half of the points are dropped: that is asked first.
-click_on "fix two_layers"; says cures '\[\]'
+at_rest; click_on "fix two_layers"; says cures '\[\]'
 click_on "fix two_layers"
 says cures '\[ "two_layers" \]'; says phase ready; says doctor done; says findings '\[ "no_normals".*'
 says alert_search done; says verdict "the mesh is sound"

@@ -22,6 +22,10 @@ for tool in "${tools[@]}"; do
 done
 
 work=$(mktemp -d)
+mkfifo "$work/silence"
+exec 7<>"$work/silence"
+# rest: a moment, without another process.
+rest() { read -rt "$pause" -u 7 || true; }
 server=
 program=
 window=
@@ -86,7 +90,7 @@ start() {
         window=this
         [ -n "$offscreen" ] || window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
         [ -n "$window" ] && [ -f "$state" ] && break
-        sleep 0.05
+        rest
     done
     [ -n "$window" ] || fail "no window appears"
     [ -n "$offscreen" ] || xdotool windowfocus --sync "$window"
@@ -99,7 +103,7 @@ stop() {
     for _ in $(seq $looks); do
         kill -0 "$program" 2>/dev/null || break
         if matches asks true; then click_on "leave discard"; fi
-        sleep 0.05
+        rest
     done
     kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not quit"
     wait "$program"
@@ -119,11 +123,14 @@ poll() {
     for ((look = 0; look < looks; ++look)); do
         "$@" && return 0
         kill -0 "$program" 2>/dev/null || { "$@"; return; }
-        sleep $pause
+        rest
     done
     return 1
 }
-settled_after() { [ "$(field input_events)" -ge "$1" ] && [ "$(field settled)" = true ]; }
+settled_after() {
+    look_up input_events
+    [ "${value:-0}" -ge "$1" ] && look_up settled && [ "$value" = true ]
+}
 # act EVENTS COMMAND...: what the user does, which makes at least EVENTS events (press and release
 # are two); waits until the program has handled and drawn them.
 act() {
@@ -171,18 +178,24 @@ resize() {
     poll is_wide "$1"
 }
 
-# field NAME: its current value in the state dump, without quotes; lists on one line.
-field() {
-    local value='(\[[^]]*\]|\{[^}]*\}|"[^"]*"|[^[:space:],}]+)' text
-    text=$(<"$state")
-    [[ $text =~ .*\"$1\":\ $value ]] || return 0
+# look_up NAME: its current value in the state dump, without quotes, in `value`; lists on one line.
+look_up() {
+    local pattern='(\[[^]]*\]|\{[^}]*\}|"[^"]*"|[^[:space:],}]+)' text=
+    value=
+    read -rd '' text 2>/dev/null <"$state" || true
+    [[ $text =~ .*\"$1\":\ $pattern ]] || return 0
     value=${BASH_REMATCH[1]//$'\n'/ }
     while [[ $value == *"  "* ]]; do value=${value//  / }; done
     value=${value#\"}
-    printf '%s\n' "${value%\"}"
+    value=${value%\"}
 }
-matches() { [[ $(field "$1") =~ ^($2)$ ]]; }
-differs() { [ "$(field "$1")" != "$2" ]; }
+# field NAME: prints it.
+field() {
+    look_up "$1"
+    [ -z "$value" ] || printf '%s\n' "$value"
+}
+matches() { look_up "$1" && [[ $value =~ ^($2)$ ]]; }
+differs() { look_up "$1" && [ "$value" != "$2" ]; }
 # says NAME PATTERN: waits until the field matches.
 says() {
     poll matches "$1" "$2" && return 0
@@ -208,7 +221,7 @@ inside() {
         read -r x y w h <<<"$place"
         [ "${w:-0}" -gt 0 ] && [ "$place" = "$before" ] && break
         before=$place
-        sleep 0.05
+        rest
     done
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
