@@ -191,6 +191,14 @@ void Runner::make(const CancelFlag& ending) {
     if (goTo(timeline_.farthest(), keepGoing)) goTo(kEnd, keepGoing);
     madeLast_ = Clock::now();
     handOver();
+    if (made_) leaveEnd();
+}
+
+/// Back to the cursor. Without a request there, the end is not kept: the edited mesh and what it
+/// was edited with take as much memory as the rest of the run.
+void Runner::leaveEnd() {
+    timeline_.seek(servedAt_);
+    if (timeline_.state().repair.empty()) timeline_.forgetRepairs();
 }
 
 /// Takes each pivot of the run when it is made for the first time.
@@ -226,7 +234,10 @@ void Runner::publish(std::uint32_t pivot, bool final) {
     handOver();
     position_ = timeline_.position();
     const std::vector<Triangle>& all = timeline_.state().triangles;
-    if (final) serving_.reset();
+    if (final) {
+        serving_.reset();
+        servedAt_ = timeline_.position();
+    }
     const std::lock_guard lock(mutex_);
     if (!answer_) answer_.emplace();
     answer_->record = std::move(record);

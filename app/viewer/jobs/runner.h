@@ -93,6 +93,7 @@ class Runner {
     bool makes() const { return observer_.has_value() && !made_ && complaint_.empty(); }
     bool lingers() const;
     void make(const CancelFlag& ending);
+    void leaveEnd();
     void observed(const std::function<void()>& work);
     void observe(const SweptPivot& pivot);
     void noteEnd();
@@ -110,6 +111,7 @@ class Runner {
     bool searching_ = false;  ///< The request is at its pivot, and goes on to its point.
     bool found_ = true;
     std::size_t publishedTriangles_ = 0;
+    std::uint32_t servedAt_ = 0;    ///< Where the last request ended.
     Clock::time_point servedLast_;  ///< A request.
     Clock::time_point madeLast_;    ///< A slice of the run.
     /// Text of the exception that the work ended with. The position of the timeline is unknown

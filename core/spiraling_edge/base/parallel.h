@@ -23,15 +23,14 @@ inline constexpr bool kHasThreads = false;
 inline constexpr bool kHasThreads = true;
 #endif
 
-/// Threads in addition to the caller's. An exception in one of them reaches the caller. In a build
-/// without threads, join() does their work.
+/// Threads in addition to the caller's, in a build that has them. An exception in one of them
+/// reaches the caller.
 class Workers {
   public:
     /// Calls work() in a thread of its own. Everything it uses must outlive this object.
     template <typename Work>
     void start(Work&& work) {
-        running_.push_back(std::async(kHasThreads ? std::launch::async : std::launch::deferred,
-                                      std::forward<Work>(work)));
+        running_.push_back(std::async(std::launch::async, std::forward<Work>(work)));
     }
     /// Waits for all of them; then rethrows the first exception, in the order of start(). The
     /// destructor waits as well, and throws nothing.

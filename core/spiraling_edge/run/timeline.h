@@ -100,6 +100,14 @@ class Timeline {
     /// of it. Its statuses share with those of the last call what has not changed.
     std::shared_ptr<const PivotRecord> record(std::uint32_t pivot);
 
+    /// Frees the memory of the steps after the last pivot; a move there makes them again. Requires
+    /// a position before them.
+    void forgetRepairs() {
+        assert(!inRepairs());
+        repairs_ = {};
+        firstRepair_ = {};
+    }
+
     const PointSet& points() const { return stepper_.points(); }
     const Params& params() const { return stepper_.params(); }
 

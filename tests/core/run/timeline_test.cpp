@@ -299,3 +299,27 @@ TEST_CASE("A pass in slices is the pass in one go") {
     CHECK(stateHash(pass.state()) == stateHash(*end));
     CHECK_FALSE(pass.advance(7));
 }
+
+TEST_CASE("Steps after the last pivot that were forgotten are made again, and shown to nobody") {
+    const PointSet points = test::sceneNamed("uneven-density");
+    const Params params = paramsByName("robust").value();
+    std::uint64_t end = 0;
+    const auto hashes = straightHashes(points, end, params);
+    std::size_t shown = 0;
+    Timeline timeline(points, params);
+    timeline.setVisitor([&](const SweptPivot&) { ++shown; });
+    timeline.seek(kEnd);
+    const std::uint32_t last = timeline.lastPivot();
+    const std::size_t all = shown;
+    timeline.seek(5);
+    timeline.forgetRepairs();
+    CHECK(stateHash(timeline.state()) == hashes.at(5));
+    for (auto it = hashes.rbegin(); it != hashes.rend(); ++it) {
+        timeline.seek(it->first);
+        REQUIRE(stateHash(timeline.state()) == it->second);
+    }
+    timeline.seek(kEnd);
+    CHECK(stateHash(timeline.state()) == end);
+    CHECK(timeline.lastPivot() == last);
+    CHECK(shown == all);
+}
