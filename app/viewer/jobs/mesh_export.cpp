@@ -13,14 +13,15 @@ bool MeshTarget::writesFaultFields() const {
     return faultFields && format != nullptr && keepsColumns(*format);
 }
 
-FinishedMesh finishMesh(const Model& model, const PointFile& input, const RunEnd& end) {
+FinishedMesh finishMesh(const Model& model, const PointFile& input,
+                        const std::shared_ptr<const RunEnd>& end) {
     PointFile points = input;
     storeDerived(model.points, model.report, points);
     FinishedMesh mesh;
     mesh.points = std::make_shared<const PointFile>(std::move(points));
-    mesh.triangles = std::make_shared<const std::vector<Triangle>>(end.mesh);
-    mesh.usedPoints = countUsedPoints(model.points.size(), end.mesh);
-    mesh.capped = end.capped;
+    mesh.triangles = std::shared_ptr<const std::vector<Triangle>>(end, &end->mesh);
+    mesh.usedPoints = countUsedPoints(model.points.size(), end->mesh);
+    mesh.capped = end->capped;
     return mesh;
 }
 
@@ -62,7 +63,7 @@ void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const 
     if (!end || std::exchange(begun_, true)) return;
     mesh_.start([model = std::move(model), input = std::move(input),
                  end = std::move(end)](const Progress&) -> Result<FinishedMesh> {
-        return finishMesh(*model, *input, *end);
+        return finishMesh(*model, *input, end);
     });
 }
 

@@ -86,7 +86,8 @@ class MeshExport {
 
 /// The mesh that `spiraling-edge run` makes of the same input with the same options: that of the
 /// end of the run, with its points.
-FinishedMesh finishMesh(const Model& model, const PointFile& input, const RunEnd& end);
+FinishedMesh finishMesh(const Model& model, const PointFile& input,
+                        const std::shared_ptr<const RunEnd>& end);
 /// Writes the mesh that `model` ends with as `spiraling-edge run -o` does. Fails with a sentence
 /// that names the file.
 Result<SavedMesh> saveMesh(const Model& model, const FinishedMesh& mesh, const MeshTarget& target);

@@ -431,7 +431,7 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
     AlertApp app(path.string());
     const auto counted = [&] {
         const FinishedMesh mesh =
-            finishMesh(app.session.model(), *app.session.input().file(), *app.session.runEnd());
+            finishMesh(app.session.model(), *app.session.input().file(), app.session.runEnd());
         REQUIRE(saveMesh(app.session.model(), mesh, {(other.folder / "mesh.ply").string()}).ok());
         const PointFile saved = readPoints(other.folder / "mesh.ply").value();
         const auto judge = judgeFor(readPoints(path).value()).value();

@@ -33,7 +33,7 @@ struct SavingApp : test::HeadlessApp {
         saving.carryOut();
     }
     FinishedMesh mesh() const {
-        return finishMesh(session.model(), *session.input().file(), *session.runEnd());
+        return finishMesh(session.model(), *session.input().file(), session.runEnd());
     }
 };
 

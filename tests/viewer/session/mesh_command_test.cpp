@@ -196,7 +196,7 @@ void checkReproduced(const RunSpec& spec, const char* name = "m.ply", bool usedO
     REQUIRE_MESSAGE(app.session.ready(), app.session.input().error());
     const MeshTarget target{(app.folder / name).string(), usedOnly, faultFields};
     const FinishedMesh mesh =
-        finishMesh(app.session.model(), *app.session.input().file(), *app.session.runEnd());
+        finishMesh(app.session.model(), *app.session.input().file(), app.session.runEnd());
     REQUIRE(!mesh.triangles->empty());
     REQUIRE(saveMesh(app.session.model(), mesh, target).ok());
     const std::optional<std::string> saved = readText(target.path);
