@@ -60,8 +60,8 @@ class InputArguments {
     /// All files that are read, for ForceOption::require().
     NamedFiles files() const { return {{"", input_}, {"--start", startFile_}}; }
     ByteLimit limit() const { return ByteLimit{spec().maxBytes}; }
-    /// What is to be run, evaluated at the first call. Throws Failure where an option, or the file
-    /// of --start, is malformed.
+    /// Description of the run, evaluated at the first call. Throws Failure where an option, or the
+    /// file of --start, is malformed.
     const RunSpec& spec() const;
     PrepareOptions prepareOptions(const PointFile& file) const {
         return prepareOptionsFrom(spec(), paramsFrom(spec()), file);

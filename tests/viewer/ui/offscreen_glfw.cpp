@@ -29,10 +29,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kScreenWidth = 1700;
 constexpr int kScreenHeight = 1000;
-/// What scenarios call the window.
+/// Name of the window in scenarios.
 constexpr std::string_view kWindow = "this";
 
-/// What a key of an American keyboard types, alone and with Shift; 0: nothing.
+/// Signs of a key of an American keyboard, alone and with Shift.
 struct Key {
     int key;
     char plain;
