@@ -146,7 +146,7 @@ TEST_CASE(
 }
 
 TEST_CASE("noise: all of the work reports progress, and can be cancelled at any time") {
-    PointFile file = noisySphere(6000, 1.0, 5);
+    PointFile file = noisySphere(2000, 1.0, 5);
     file.normal.clear();
     PrepareOptions options;
     options.setNoiseAside = true;
