@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "spiraling_edge/geometry/box.h"
@@ -58,19 +59,13 @@ class TriangleTree {
             const Box box = boxOf(points, t);
             centers.push_back(0.5 * (box.low + box.high));
         }
+        ordered_.reserve(triangles.size());
         for (const Index i : zCurveOrder(centers)) ordered_.push_back(triangles[i]);
-        std::vector<Box> boxes;
-        boxes.reserve(ordered_.size());
-        for (const Triangle& t : ordered_) boxes.push_back(boxOf(points, t));
-        while (boxes.size() > 1 || levels_.empty()) {
-            std::vector<Box> above;
-            for (std::size_t i = 0; i < boxes.size(); ++i) {
-                if (i % kFanOut == 0) above.push_back(boxes[i]);
-                above.back().add(boxes[i].low);
-                above.back().add(boxes[i].high);
-            }
-            levels_.push_back(above);
-            boxes = std::move(above);
+        levels_.push_back(
+            boxesOver(ordered_.size(), [&](std::size_t i) { return boxOf(points, ordered_[i]); }));
+        while (levels_.back().size() > 1) {
+            const std::vector<Box>& below = levels_.back();
+            levels_.push_back(boxesOver(below.size(), [&](std::size_t i) { return below[i]; }));
         }
     }
 
@@ -83,6 +78,20 @@ class TriangleTree {
     }
 
   private:
+    /// The boxes of a level, each around kFanOut of the `count` boxes below.
+    template <typename BoxBelow>
+    static std::vector<Box> boxesOver(std::size_t count, const BoxBelow& boxBelow) {
+        std::vector<Box> boxes;
+        boxes.reserve((count + kFanOut - 1) / kFanOut);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Box box = boxBelow(i);
+            if (i % kFanOut == 0) boxes.push_back(box);
+            boxes.back().add(box.low);
+            boxes.back().add(box.high);
+        }
+        return boxes;
+    }
+
     /// Lowers `best`, a squared distance, to the nearest triangle under a box.
     void visit(std::size_t level, std::size_t box, const Vec3& x, double& best) const {
         if (squaredDistance(levels_[level][box], x) >= best) return;
@@ -117,11 +126,12 @@ std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Tr
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> distances(points.size(), kUnknown);
     if (triangles.empty()) return distances;
-    const TriangleTree tree(points, triangles);
+    std::optional<TriangleTree> tree;
     const std::vector<bool> used = usedPoints(points.size(), triangles);
     for (std::size_t p = 0; p < points.size(); ++p) {
         if (!isFinite(points.position[p])) continue;
-        distances[p] = used[p] ? 0.0 : tree.distance(points.position[p]);
+        if (!used[p] && !tree) tree.emplace(points, triangles);
+        distances[p] = used[p] ? 0.0 : tree->distance(points.position[p]);
     }
     return distances;
 }
