@@ -1,6 +1,7 @@
-/// The inverse of all lists by a counting sort, then each list merged with its inverse, in parallel
-/// by blocks of points. O(list entries log longest list).
+/// Each list gets the points that list its point without being listed by it, by counting, and is
+/// sorted again, in parallel by blocks of points. O(list entries times longest list).
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "spiraling_edge/base/parallel.h"
@@ -10,11 +11,35 @@ namespace se {
 
 namespace {
 
-/// The rows of points from .. to, one list after the other.
-struct ListBlock {
-    std::vector<Index> ids;
-    std::vector<std::uint32_t> length;
-};
+/// Calls add(q, p) for each point p and each q in its list that does not list p.
+template <typename Add>
+void forEachOneWay(const NeighborLists& lists, const Add& add) {
+    for (Index p = 0; p < lists.size(); ++p) {
+        for (const Index q : lists[p]) {
+            const auto back = lists[q];
+            if (std::find(back.begin(), back.end(), p) == back.end()) add(q, p);
+        }
+    }
+}
+
+/// The lists with the inverse of each entry, in any order.
+NeighborLists withInverses(const NeighborLists& lists) {
+    NeighborLists both;
+    both.offset.assign(lists.size() + 1, 0);
+    forEachOneWay(lists, [&](Index q, Index) { ++both.offset[q + std::size_t{1}]; });
+    for (Index p = 0; p < lists.size(); ++p) {
+        both.offset[p + std::size_t{1}] +=
+            both.offset[p] + static_cast<std::uint32_t>(lists[p].size());
+    }
+    both.ids.resize(both.offset.back());
+    std::vector<std::uint32_t> next(both.offset.begin(), both.offset.end() - 1);
+    for (Index p = 0; p < lists.size(); ++p) {
+        std::copy(lists[p].begin(), lists[p].end(), both.ids.begin() + next[p]);
+        next[p] += static_cast<std::uint32_t>(lists[p].size());
+    }
+    forEachOneWay(lists, [&](Index q, Index p) { both.ids[next[q]++] = p; });
+    return both;
+}
 
 }  // namespace
 
@@ -40,37 +65,23 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    NeighborLists listedBy = listersOf(lists);
+    NeighborLists both = withInverses(lists);
     constexpr std::size_t kPerBlock = 4096;
-    std::vector<ListBlock> blocks((n + kPerBlock - 1) / kPerBlock);
-    const bool all = forEachWithProgress(blocks.size(), threads, 2, progress, [&](std::size_t i) {
+    const std::size_t blocks = (n + kPerBlock - 1) / kPerBlock;
+    const bool all = forEachWithProgress(blocks, threads, 2, progress, [&](std::size_t i) {
         std::vector<Neighbor> row;
         const auto end = static_cast<Index>(std::min((i + 1) * kPerBlock, n));
         for (auto p = static_cast<Index>(i * kPerBlock); p < end; ++p) {
             row.clear();
-            for (const auto list : {lists[p], listedBy[p]}) {
-                for (const Index q : list)
-                    row.push_back({distanceSquared(position[p], position[q]), q});
-            }
+            for (const Index q : both[p])
+                row.push_back({distanceSquared(position[p], position[q]), q});
             std::sort(row.begin(), row.end());
-            row.erase(std::unique(row.begin(), row.end()), row.end());
-            for (const Neighbor& neighbor : row) blocks[i].ids.push_back(neighbor.id);
-            blocks[i].length.push_back(static_cast<std::uint32_t>(row.size()));
+            assert(std::adjacent_find(row.begin(), row.end()) == row.end());
+            std::transform(row.begin(), row.end(), both.ids.begin() + both.offset[p],
+                           [](const Neighbor& neighbor) { return neighbor.id; });
         }
     });
     if (!all) return Error{"making neighbor lists symmetric was cancelled"};
-    listedBy = {};  // Each of these takes as much memory as all lists.
-    NeighborLists both;
-    both.offset.reserve(n + 1);
-    std::size_t entries = 0;
-    for (const ListBlock& each : blocks) entries += each.ids.size();
-    both.ids.reserve(entries);
-    for (ListBlock& each : blocks) {
-        both.ids.insert(both.ids.end(), each.ids.begin(), each.ids.end());
-        for (const std::uint32_t length : each.length)
-            both.offset.push_back(both.offset.back() + length);
-        each = {};
-    }
     return both;
 }
 
