@@ -188,17 +188,12 @@ void Runner::make(const CancelFlag& ending) {
     if (!makes()) return;
     const auto deadline = Clock::now() + sliceTime();
     const auto keepGoing = [&] { return Clock::now() < deadline && !asked_ && !ending.isSet(); };
-    if (goTo(timeline_.farthest(), keepGoing)) goTo(kEnd, keepGoing);
+    timeline_.makeRest(keepGoing);
+    noteEnd();
     madeLast_ = Clock::now();
     handOver();
-    if (made_) leaveEnd();
-}
-
-/// Back to the cursor. Without a request there, the end is not kept: the edited mesh and what it
-/// was edited with take as much memory as the rest of the run.
-void Runner::leaveEnd() {
-    timeline_.seek(servedAt_);
-    if (timeline_.state().repair.empty()) timeline_.forgetRepairs();
+    // The edited mesh is left, which takes as much memory as the run.
+    if (made_) timeline_.seek(servedAt_);
 }
 
 /// Takes each pivot of the run when it is made for the first time.

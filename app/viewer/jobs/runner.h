@@ -93,7 +93,6 @@ class Runner {
     bool makes() const { return observer_.has_value() && !made_ && complaint_.empty(); }
     bool lingers() const;
     void make(const CancelFlag& ending);
-    void leaveEnd();
     void observed(const std::function<void()>& work);
     void observe(const SweptPivot& pivot);
     void noteEnd();

@@ -31,7 +31,9 @@ void RepairHistory::moveTo(State& state, std::size_t place) {
 }
 
 void RepairHistory::putAside(State& state) {
-    if (!state.repair.empty()) aside_ = std::exchange(state.repair, {});
+    if (state.repair.empty()) return;
+    RepairState mesh = std::exchange(state.repair, {});
+    if (!empty()) aside_ = std::move(mesh);
 }
 
 void RepairHistory::takeUp(State& state) {

@@ -30,7 +30,8 @@ class RepairHistory {
     void add(State& state);
     /// Brings `state`, which is at one of the places, to another.
     void moveTo(State& state, std::size_t place);
-    /// Takes the mesh out of a state that leaves the places for a pivot before them.
+    /// Takes the mesh out of a state that leaves the places, or steps that were not added, for a
+    /// pivot before them.
     void putAside(State& state);
     /// Brings a state to the first place, with the mesh that was put aside.
     void takeUp(State& state);

@@ -5,6 +5,7 @@
 /// changes of the mesh on the way.
 #include "spiraling_edge/run/timeline.h"
 
+#include <limits>
 #include <utility>
 
 namespace se {
@@ -99,6 +100,7 @@ bool Timeline::stepPivot(EventLog* log) {
 }
 
 void Timeline::seek(std::uint32_t pivot, const std::function<bool()>& keepGoing) {
+    if (std::exchange(passes_, false) && inRepairs()) restore(keyframes_.rbegin()->second);
     if (!repairs_.empty() && pivot >= repairs_.firstPosition()) {
         const std::size_t place = pivot - repairs_.firstPosition();
         goToRepair(std::min(place, repairs_.size() - 1));
@@ -108,6 +110,19 @@ void Timeline::seek(std::uint32_t pivot, const std::function<bool()>& keepGoing)
                nearest->first > position() + spacing_) {
         restore(nearest->second);
     }
+    stepTo(pivot, keepGoing);
+}
+
+void Timeline::makeRest(const std::function<bool()>& keepGoing) {
+    bool goesOn = true;
+    const auto asked = [&] { return goesOn = !keepGoing || keepGoing(); };
+    if (!passes_) seek(farthest_, asked);
+    if (!goesOn) return;
+    passes_ = repairs_.empty();
+    stepTo(std::numeric_limits<std::uint32_t>::max(), asked);
+}
+
+void Timeline::stepTo(std::uint32_t pivot, const std::function<bool()>& keepGoing) {
     for (std::uint32_t asked = 0; position() < pivot; ++asked) {
         if (asked % kAskEvery == kAskEvery - 1 && keepGoing && !keepGoing()) return;
         if (!stepPivot()) return;
@@ -146,7 +161,7 @@ bool Timeline::goToRepair(std::size_t place) {
 
 /// Keeps the place after a step, if it is after the last pivot.
 void Timeline::noteRepair() {
-    if (!inRepairs()) return;
+    if (!inRepairs() || passes_) return;
     if (repairs_.empty()) {
         firstRepair_ = makeKeyframe();
         changeState([&](State& state) { repairs_.add(state); });

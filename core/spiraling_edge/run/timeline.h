@@ -93,20 +93,16 @@ class Timeline {
     /// Steps after the last pivot are run only if `pivot` is beyond it. Stops early, before the
     /// target, if `keepGoing` returns false (called at intervals).
     void seek(std::uint32_t pivot, const std::function<bool()>& keepGoing = {});
+    /// Makes what is left of the run, for the visitor and the end. Steps after the last pivot that
+    /// are not known yet are not kept, since those of a large run take as much memory as all the
+    /// rest: a seek to one of them makes them again. Stops early as seek() does.
+    void makeRest(const std::function<bool()>& keepGoing = {});
     /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
     /// to pivot - 1 complete pivots. Empty if the run is shorter.
     std::vector<Event> eventsOf(std::uint32_t pivot);
     /// Pivot number `pivot`, or the last one if the run is shorter; the cursor is moved to the end
     /// of it. Its statuses share with those of the last call what has not changed.
     std::shared_ptr<const PivotRecord> record(std::uint32_t pivot);
-
-    /// Frees the memory of the steps after the last pivot; a move there makes them again. Requires
-    /// a position before them.
-    void forgetRepairs() {
-        assert(!inRepairs());
-        repairs_ = {};
-        firstRepair_ = {};
-    }
 
     const PointSet& points() const { return stepper_.points(); }
     const Params& params() const { return stepper_.params(); }
@@ -127,6 +123,7 @@ class Timeline {
     RunState runState();
     void changeState(const std::function<void(State&)>& change);
     bool inRepairs() const { return !state().repair.empty(); }
+    void stepTo(std::uint32_t pivot, const std::function<bool()>& keepGoing);
     bool goToRepair(std::size_t place);
     void noteRepair();
     void thinOut();
@@ -149,6 +146,7 @@ class Timeline {
     bool endKnown_ = false;
     bool tail_ = false;        ///< There are events after the last pivot.
     bool beyondLast_ = false;  ///< The cursor is after the events that follow the last pivot.
+    bool passes_ = false;      ///< Steps after the last pivot are not kept.
 };
 
 }  // namespace se
