@@ -7,6 +7,7 @@
 #include "jobs/open_lesson.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -56,16 +57,15 @@ bool hasWordStart(std::string_view text, std::string_view start) {
     return false;
 }
 
-bool hasAll(const std::string& text, std::span<const std::string_view> words) {
+bool hasAll(const std::string& text, std::span<const std::string> words) {
     return std::all_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return hasWordStart(text, word); });
+                       [&](const std::string& word) { return hasWordStart(text, word); });
 }
 
 /// Quality of a match, the best first.
 enum class Fit : std::uint8_t { Named, Title, Synonyms, Elsewhere, None };
 
-Fit fitOf(const PaletteEntry& entry, std::string_view filter,
-          std::span<const std::string_view> words) {
+Fit fitOf(const PaletteEntry& entry, std::string_view filter, std::span<const std::string> words) {
     std::string text = lowerCase(entry.title);
     if (text == filter) return Fit::Named;
     if (hasAll(text, words)) return Fit::Title;
@@ -116,7 +116,7 @@ std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panel
 std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
                                           std::string_view filter) {
     const std::string low = lowerCase(trimmed(filter));
-    const std::vector<std::string_view> words = wordsOf(low);
+    const std::vector<std::string> words = io::wordsIn(low);
     std::array<std::vector<PaletteEntry>, static_cast<std::size_t>(Fit::None) + 1> byFit;
     for (const PaletteEntry& each : entries)
         byFit[static_cast<std::size_t>(fitOf(each, low, words))].push_back(each);

@@ -3,15 +3,11 @@
 #include <set>
 
 #include "run/strings.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 
 namespace {
-
-std::vector<std::string> keyWords(std::string_view text) {
-    const auto words = wordsOf(text);
-    return {words.begin(), words.end()};
-}
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
     std::string text;
@@ -27,17 +23,17 @@ std::string KeyMap::keysOf(const Command& command) const {
 }
 
 std::string KeyMap::first(const Command& command) const {
-    const auto words = keyWords(keysOf(command));
+    const auto words = io::wordsIn(keysOf(command));
     return words.empty() ? std::string{} : words.front();
 }
 
 std::string KeyMap::all(const Command& command) const {
-    return joined(keyWords(keysOf(command)), ", ");
+    return joined(io::wordsIn(keysOf(command)), ", ");
 }
 
 const Command* presenterCommandFor(const KeyChord& chord) {
     for (const Command& command : commands()) {
-        for (const std::string& word : keyWords(std::string(command.presenterKeys))) {
+        for (const std::string& word : io::wordsIn(std::string(command.presenterKeys))) {
             if (keyFromString(word) == chord) return &command;
         }
     }
@@ -46,7 +42,7 @@ const Command* presenterCommandFor(const KeyChord& chord) {
 
 const Command* KeyMap::commandFor(const KeyChord& chord) const {
     for (const Command& command : commands()) {
-        for (const std::string& word : keyWords(keysOf(command))) {
+        for (const std::string& word : io::wordsIn(keysOf(command))) {
             if (keyFromString(word) == chord) return &command;
         }
     }
@@ -64,7 +60,7 @@ void KeyMap::assign(const Command& command, const std::string& keys) {
 void KeyMap::takeAway(const KeyChord& chord) {
     const Command* owner = commandFor(chord);
     if (owner == nullptr) return;
-    std::vector<std::string> rest = keyWords(keysOf(*owner));
+    std::vector<std::string> rest = io::wordsIn(keysOf(*owner));
     std::erase_if(rest, [&](const std::string& word) { return keyFromString(word) == chord; });
     assign(*owner, joined(rest, " "));
 }
@@ -77,7 +73,7 @@ void KeyMap::bind(const Command& command, const KeyChord& chord) {
 void KeyMap::unbind(const Command& command) { assign(command, ""); }
 
 void KeyMap::reset(const Command& command) {
-    for (const std::string& word : keyWords(command.keys)) takeAway(*keyFromString(word));
+    for (const std::string& word : io::wordsIn(command.keys)) takeAway(*keyFromString(word));
     assign(command, std::string(command.keys));
 }
 
@@ -98,7 +94,7 @@ std::vector<std::string> KeyMap::load(const Changes& wanted) {
             complaints.push_back(std::string("Keys: ").append(word).append(" (for ").append(which) +
                                  why);
         };
-        for (const std::string& word : keyWords(keys)) {
+        for (const std::string& word : io::wordsIn(keys)) {
             const auto chord = keyFromString(word);
             if (!chord) {
                 refused(word, ") is not a key.");

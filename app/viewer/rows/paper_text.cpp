@@ -8,6 +8,7 @@
 #include "run/neighborhood.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/run/reading.h"
 
 namespace se::view {
@@ -98,7 +99,7 @@ struct LineOfPaper {
 const PaperRule& paperRule(Stage stage) {
     static const std::vector<PaperRule> rules = readRules();
     const auto found = std::find_if(rules.begin(), rules.end(), [&](const PaperRule& rule) {
-        const std::vector<std::string_view> stages = wordsOf(rule.stages);
+        const std::vector<std::string> stages = io::wordsIn(rule.stages);
         return std::find(stages.begin(), stages.end(), stageName(stage)) != stages.end();
     });
     assert(found != rules.end());

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "run/strings.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 
@@ -35,21 +36,22 @@ std::string titleOfGroup(const RuleSetting& setting) {
     return title;
 }
 
-bool matches(const RuleRow& row, const std::vector<std::string_view>& words) {
+bool matches(const RuleRow& row, const std::vector<std::string>& words) {
     const RuleSetting& s = *row.setting;
     std::string text = lowerCase(std::string(s.name) + " " + std::string(s.section) + " " +
                                  std::string(s.summary) + " " + std::string(s.paper) + " " +
                                  valueText(s, row.value) + " " + titleOfGroup(s));
     if (row.differs()) text += " differs";
-    return std::all_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+    return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+        return text.find(word) != std::string::npos;
+    });
 }
 
 }  // namespace
 
 std::vector<RuleGroup> ruleGroups(const RunSpec& rules, std::string_view filter) {
     const std::string wanted = lowerCase(filter);
-    const std::vector<std::string_view> words = wordsOf(wanted);
+    const std::vector<std::string> words = io::wordsIn(wanted);
     std::vector<RuleGroup> groups;
     for (const RuleSetting& setting : ruleSettings()) {
         const RuleRow row{&setting, valueOf(rules, setting), usualValueOf(rules, setting)};

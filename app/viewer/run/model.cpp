@@ -4,20 +4,18 @@
 #include "model.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <glm/common.hpp>
 #include <limits>
 
-#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "strings.h"
+#include "teach/file_bytes.h"
 #include "teach/practice.h"
 
 namespace se::view {
@@ -41,7 +39,7 @@ Result<std::string> readHashed(const fs::path& path, const ByteLimit& limit, std
     });
     if (!bytes) return bytes;
     constexpr std::size_t kPiece = std::size_t{1} << 20U;
-    InputHash sum;
+    teach::ByteHash sum;
     for (std::string_view rest = bytes.value(); !rest.empty() && !progress.cancelled;
          rest.remove_prefix(std::min(kPiece, rest.size())))
         sum.add(rest.substr(0, kPiece));
@@ -370,40 +368,13 @@ std::string_view openingAddress(std::string_view source) {
     return isScene(source) ? addressOfScene(source.substr(kScenePrefix.size())) : "";
 }
 
-namespace {
-
-void addNumber(InputHash& hash, double number) {
-    const auto bits = bitsAs<std::uint64_t>(number);
-    std::array<char, 8> bytes{};
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
-    }
-    hash.add({bytes.data(), bytes.size()});
-}
-
-void addAll(InputHash& hash, const std::vector<Vec3>& vectors) {
-    for (const Vec3& v : vectors) {
-        for (int i = 0; i < 3; ++i) addNumber(hash, v[i]);
-    }
-}
-
-}  // namespace
-
-void InputHash::add(std::string_view bytes) {
-    constexpr std::uint64_t kPrime = 0x100000001b3U;
-    for (const char byte : bytes) state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
-}
-
-std::string InputHash::text() const {
-    char text[32];
-    std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(state_));
-    return text;
-}
-
 std::string hashOfPoints(const PointFile& points) {
-    InputHash hash;
-    addAll(hash, points.position);
-    addAll(hash, points.normal);
+    teach::ByteHash hash;
+    for (const auto* vectors : {&points.position, &points.normal}) {
+        for (const Vec3& v : *vectors) {
+            for (int i = 0; i < 3; ++i) hash.add(v[i]);
+        }
+    }
     return hash.text();
 }
 

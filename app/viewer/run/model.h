@@ -117,17 +117,6 @@ const FailureScene* galleryScene(std::string_view idOrSource);
 /// a scene that opens at its start, and for every other source.
 std::string_view openingAddress(std::string_view source);
 
-/// 64-bit FNV-1a, computed piecewise. It detects changes, not attacks.
-class InputHash {
-  public:
-    void add(std::string_view bytes);
-    /// "fnv1a64:" and 16 hexadecimal digits.
-    std::string text() const;
-
-  private:
-    std::uint64_t state_ = 0xcbf29ce484222325U;
-};
-
 /// Hash of positions, then normals, as little endian doubles: for inputs without a file.
 std::string hashOfPoints(const PointFile& points);
 

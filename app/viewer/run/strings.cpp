@@ -22,16 +22,6 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(from, text.find_last_not_of(" \t") - from + 1));
 }
 
-std::vector<std::string_view> wordsOf(std::string_view text) {
-    std::vector<std::string_view> words;
-    while (!text.empty()) {
-        const std::size_t blank = text.find(' ');
-        if (blank != 0) words.push_back(text.substr(0, blank));
-        text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
-    }
-    return words;
-}
-
 std::string formatted(const char* format, double a, double b, double c) {
     char out[120];
     std::snprintf(out, sizeof out, format, a, b, c);

@@ -19,8 +19,6 @@ namespace se::view {
 std::string lowerCase(std::string_view text);
 /// Text without spaces and tabs at both ends.
 std::string trimmed(std::string_view text);
-/// Words between spaces; none of them is empty.
-std::vector<std::string_view> wordsOf(std::string_view text);
 /// Text formatted as by printf; at most 119 bytes.
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.

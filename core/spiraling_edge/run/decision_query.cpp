@@ -44,13 +44,6 @@ std::uint32_t plainFailures(const Event& event, const PointSet& points) {
     return bitOf("leftover_rings") | (alert->kind == AlertKind::Hole ? bitOf("holes") : 0);
 }
 
-std::vector<std::string_view> wordsOf(std::string_view line) {
-    std::vector<std::string_view> words;
-    io::Fields fields(line);
-    for (auto word = fields.next(); !word.empty(); word = fields.next()) words.push_back(word);
-    return words;
-}
-
 /// The meaning of a word; an empty condition if it is of no known form.
 struct WordMeaning {
     DecisionCondition condition;
@@ -121,17 +114,17 @@ PivotVisitor decisionVisitor(const PointSet& points, const Params& params, bool 
 }
 
 std::optional<QueryMistake> mistakeIn(std::string_view line) {
-    for (const std::string_view word : wordsOf(line)) {
+    for (const std::string& word : io::wordsIn(line)) {
         const Result<WordMeaning> meaning = meaningOf(word);
-        if (!meaning) return QueryMistake{std::string(word), meaning.error().message, false};
+        if (!meaning) return QueryMistake{word, meaning.error().message, false};
         if (!meaning.value().condition)
-            return QueryMistake{std::string(word), inQuotes(word) + " is not understood.", true};
+            return QueryMistake{word, inQuotes(word) + " is not understood.", true};
     }
     return {};
 }
 
 std::string missingPointIn(std::string_view line, std::size_t points) {
-    for (const std::string_view word : wordsOf(line)) {
+    for (const std::string& word : io::wordsIn(line)) {
         const std::string_view number = namesPoints(word) ? beyond(word, points) : "";
         if (number.empty()) continue;
         return "There is no point " + std::string(number) +
@@ -150,7 +143,7 @@ Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
         return Error{inQuotes(mistake->word) + " is not understood; there are " + forms + "."};
     }
     DecisionQuery query;
-    for (const std::string_view word : wordsOf(line)) {
+    for (const std::string& word : io::wordsIn(line)) {
         WordMeaning meaning = meaningOf(word).value();
         query.conditions_.push_back(std::move(meaning.condition));
         query.needsFailures_ = query.needsFailures_ || meaning.needsFailures;

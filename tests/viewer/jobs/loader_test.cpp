@@ -2,6 +2,7 @@
 #include "open_session.h"
 #include "run/model.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "teach/file_bytes.h"
 
 #include <doctest/doctest.h>
 
@@ -105,9 +106,8 @@ TEST_CASE("A file is hashed as it is read, an unreadable one is reported by its 
     const auto model = test::loadModel(RunSpec{path.string()}, progress);
     REQUIRE(model.ok());
     CHECK(progress.share == doctest::Approx(1.0));
-    InputHash hash;
-    hash.add("0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n");
-    CHECK(model.value()->hash == hash.text());
+    CHECK(model.value()->hash ==
+          teach::hashOfText("0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n"));
     fs::remove(path);
     const auto missing = test::loadModel(RunSpec{path.string()}, progress);
     REQUIRE_FALSE(missing.ok());

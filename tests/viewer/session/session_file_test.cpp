@@ -7,6 +7,7 @@
 
 #include "open_session.h"
 #include "run/model.h"
+#include "teach/file_bytes.h"
 
 using namespace se;
 using namespace se::view;
@@ -283,11 +284,11 @@ TEST_CASE("Session files are written whole, and an unreadable one is an error wi
 }
 
 TEST_CASE("The hash of an input is FNV-1a of its bytes") {
-    InputHash hash;
+    teach::ByteHash hash;
     CHECK(hash.text() == "fnv1a64:cbf29ce484222325");
     hash.add("a");
     CHECK(hash.text() == "fnv1a64:af63dc4c8601ec8c");
-    InputHash inPieces;
+    teach::ByteHash inPieces;
     for (const char* piece : {"foo", "", "bar"}) inPieces.add(piece);
     CHECK(inPieces.text() == "fnv1a64:85944171f73967e8");
 }
