@@ -12,32 +12,27 @@
 namespace se::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) {
-    std::string text;
+/// Adds lines of a ledger to the text, and to the JSON as `lines`.
+void addLines(const std::vector<LedgerLine>& lines, std::size_t marked, Answer& answer) {
+    answer.json["lines"] = Json::array();
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const LedgerLine& line = lines[i];
         const std::string pivot = line.pivot == kNone ? "" : fmt::format("pivot {}", line.pivot);
-        text += fmt::format("{} {:<18} {:<8} {:<12} {:<4} {}\n", i == marked ? '>' : ' ',
-                            toString(line.event.address), roleName(line.role), pivot,
-                            stageSection(line.event.address.stage), describe(line.event));
-        if (line.reading) text += fmt::format("{:48}{}\n", "", readingText(*line.reading));
+        answer.text += fmt::format("{} {:<18} {:<8} {:<12} {:<4} {}\n", i == marked ? '>' : ' ',
+                                   toString(line.event.address), roleName(line.role), pivot,
+                                   stageSection(line.event.address.stage), describe(line.event));
+        if (line.reading) answer.text += fmt::format("{:48}{}\n", "", readingText(*line.reading));
+        answer.json["lines"].push_back(lineJson(line));
     }
-    return text;
 }
 
-void addLines(const std::vector<LedgerLine>& lines, Json& json) {
-    json["lines"] = Json::array();
-    for (const LedgerLine& line : lines) json["lines"].push_back(lineJson(line));
-}
-
-/// Adds the answer of a ledger or of a ring's history, with the decisive line and all lines.
-template <typename Answer>
-void addAnswer(const Answer& answer, Json& json) {
-    json["answer"] = answer.answer;
-    json["cause"] = toString(answer.lines[answer.cause].event.address);
-    addLines(answer.lines, json);
+/// Adds the sentence and the lines of a ledger or of a ring's history, with the decisive one.
+template <typename History>
+void addHistory(const History& history, Answer& answer) {
+    answer.text = history.answer + "\n\n";
+    answer.json["answer"] = history.answer;
+    answer.json["cause"] = toString(history.lines[history.cause].event.address);
+    addLines(history.lines, history.cause, answer);
 }
 
 /// The moments of a failure: their names in text, their keys.
@@ -79,168 +74,133 @@ Json lineJson(const LedgerLine& line) {
     return json;
 }
 
-std::string answerText(const Ledger& ledger) {
-    return ledger.answer + "\n\n" + linesText(ledger.lines, ledger.cause);
+Answer answerOf(const Ledger& ledger) {
+    const std::span<const Index> points = ledger.subject.points();
+    Answer answer;
+    answer.json["subject"] = std::vector<Index>(points.begin(), points.end());
+    answer.json["present"] = ledger.present;
+    addHistory(ledger, answer);
+    return answer;
 }
 
-Json answerJson(const Ledger& ledger) {
-    Json json;
-    json["subject"] =
-        std::vector<Index>(ledger.subject.points().begin(), ledger.subject.points().end());
-    json["present"] = ledger.present;
-    addAnswer(ledger, json);
-    return json;
+Answer answerOf(const RingHistory& history) {
+    Answer answer;
+    answer.json = {{"ring", nameOf(history.ring)}, {"length", history.length}};
+    addHistory(history, answer);
+    return answer;
 }
 
-std::string answerText(const RingHistory& history) {
-    return history.answer + "\n\n" + linesText(history.lines, history.cause);
-}
-
-Json answerJson(const RingHistory& history) {
-    Json json{{"ring", nameOf(history.ring)}, {"length", history.length}};
-    addAnswer(history, json);
-    return json;
-}
-
-std::string answerText(const std::vector<RunChart>& charts) {
+Answer answerOf(const std::vector<RunChart>& charts) {
     constexpr std::size_t kWidest = 30;
-    std::string text;
+    Answer answer;
+    answer.json["charts"] = Json::array();
     for (const RunChart& chart : charts) {
-        text += fmt::format("{}{} ({})\n", text.empty() ? "" : "\n", chart.title, chart.unit);
+        answer.text +=
+            fmt::format("{}{} ({})\n", answer.text.empty() ? "" : "\n", chart.title, chart.unit);
+        Json row{{"name", chart.name}, {"unit", chart.unit}, {"bars", Json::array()}};
         std::uint64_t limit = 1;
         for (const ChartBar& bar : chart.bars) limit = std::max(limit, bar.count);
         for (const ChartBar& bar : chart.bars) {
             const std::size_t length =
                 (static_cast<std::size_t>(bar.count) * kWidest + limit - 1) / limit;
-            text += fmt::format("  {:<12} {:<30} {:>9}  {}\n", bar.label, std::string(length, '#'),
-                                bar.count, bar.query);
-        }
-    }
-    return text;
-}
-
-Json answerJson(const std::vector<RunChart>& charts) {
-    Json json{{"charts", Json::array()}};
-    for (const RunChart& chart : charts) {
-        Json row{{"name", chart.name}, {"unit", chart.unit}, {"bars", Json::array()}};
-        for (const ChartBar& bar : chart.bars)
+            answer.text += fmt::format("  {:<12} {:<30} {:>9}  {}\n", bar.label,
+                                       std::string(length, '#'), bar.count, bar.query);
             row["bars"].push_back(
                 {{"label", bar.label}, {"count", bar.count}, {"find", bar.query}});
-        json["charts"].push_back(row);
+        }
+        answer.json["charts"].push_back(row);
     }
-    return json;
+    return answer;
 }
 
-std::string answerText(const NearestDecisions& decisions) {
-    std::string text;
+Answer answerOf(const NearestDecisions& decisions) {
+    Answer answer;
+    answer.json["closest"] = Json::array();
     for (const NearestDecision& decision : decisions.decisions) {
         const Vec3& by = decision.move.by;
-        text += fmt::format("{:<18} {}\n{:19}{}; moving {} by ({:.3g}, {:.3g}, {:.3g}) flips it\n",
-                            toString(decision.event.address), describe(decision.event), "",
-                            readingText(decision.reading), decision.move.point, by.x, by.y, by.z);
-    }
-    return text;
-}
-
-Json answerJson(const NearestDecisions& decisions) {
-    Json json{{"closest", Json::array()}};
-    for (const NearestDecision& decision : decisions.decisions) {
-        Json row = lineJson({decision.event, decision.pivot, LineRole::Fact, decision.reading});
-        row["role"] = roleName(outcomeOf(decision.event) == Outcome::Taken ? LineRole::Taken
-                                                                           : LineRole::Refused);
-        const Vec3& by = decision.move.by;
+        answer.text +=
+            fmt::format("{:<18} {}\n{:19}{}; moving {} by ({:.3g}, {:.3g}, {:.3g}) flips it\n",
+                        toString(decision.event.address), describe(decision.event), "",
+                        readingText(decision.reading), decision.move.point, by.x, by.y, by.z);
+        const bool taken = outcomeOf(decision.event) == Outcome::Taken;
+        Json row = lineJson({decision.event, decision.pivot,
+                             taken ? LineRole::Taken : LineRole::Refused, decision.reading});
         row["nudge"] = {{"point", decision.move.point}, {"by", {by.x, by.y, by.z}}};
-        json["closest"].push_back(row);
+        answer.json["closest"].push_back(row);
     }
-    return json;
+    return answer;
 }
 
-std::string answerText(const FoundDecisions& found) {
-    const std::string more = found.total > found.lines.size()
-                                 ? fmt::format(", the first {} of them:", found.lines.size())
-                                 : "";
-    return fmt::format("{}{}\n", counted(found.total, "decision"), more) +
-           linesText(found.lines, found.lines.size());
+Answer answerOf(const FoundDecisions& found) {
+    Answer answer;
+    answer.text = counted(found.total, "decision");
+    if (found.total > found.lines.size())
+        answer.text += fmt::format(", the first {} of them:", found.lines.size());
+    answer.text += "\n";
+    answer.json["total"] = found.total;
+    addLines(found.lines, found.lines.size(), answer);
+    return answer;
 }
 
-Json answerJson(const FoundDecisions& found) {
-    Json json{{"total", found.total}};
-    addLines(found.lines, json);
-    return json;
-}
-
-std::string answerText(const RunFailure& failure) {
-    std::string text = describe(failure.failure) + "\n";
+Answer answerOf(const RunFailure& failure) {
+    Answer answer{describe(failure.failure) + "\n",
+                  {{"class", failure.failure.kind->name},
+                   {"points", failure.failure.points},
+                   {"triangles", failure.failure.triangles}}};
     for (const MomentRow& moment : kMoments) {
         const LedgerLine& line = failure.moments.*moment.line;
-        text += fmt::format("  {:<16} {:<18} {}\n", moment.name, toString(line.event.address),
-                            describe(line.event));
-        if (line.reading) text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
+        answer.text += fmt::format("  {:<16} {:<18} {}\n", moment.name,
+                                   toString(line.event.address), describe(line.event));
+        if (line.reading) answer.text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
+        answer.json[moment.key] = lineJson(line);
     }
-    return text;
+    return answer;
 }
 
-Json answerJson(const RunFailure& failure) {
-    Json json{{"class", failure.failure.kind->name},
-              {"points", failure.failure.points},
-              {"triangles", failure.failure.triangles}};
-    for (const MomentRow& moment : kMoments)
-        json[moment.key] = lineJson(failure.moments.*moment.line);
-    return json;
-}
-
-Json answerJson(const Remedies& remedies) {
-    Json json{{"of_class", remedies.ofClass}, {"all", remedies.all}, {"tried", Json::array()}};
-    for (const Remedy& each : remedies.tried) {
-        json["tried"].push_back({{each.rule != nullptr ? "rule" : "rules", nameOf(each)},
-                                 {"prevents", each.prevents},
-                                 {"unknown", each.unknown},
-                                 {"of_class", each.ofClass},
-                                 {"all", each.all}});
-    }
-    return json;
-}
-
-std::string answerText(const Remedies& remedies) {
-    std::string text = fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
-                                   remedies.ofClass, remedies.all);
+Answer answerOf(const Remedies& remedies) {
+    Answer answer{
+        fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
+                    remedies.ofClass, remedies.all),
+        {{"of_class", remedies.ofClass}, {"all", remedies.all}, {"tried", Json::array()}}};
     const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
                                  [](const Remedy& each) { return each.prevents; });
-    if (!any) text += "  no rule of --rules robust prevents it\n";
+    if (!any) answer.text += "  no rule of --rules robust prevents it\n";
     for (const Remedy& each : remedies.tried) {
-        const std::string option = each.rule != nullptr ? fmt::format("--rule {}=on", nameOf(each))
-                                                        : fmt::format("--rules {}", nameOf(each));
-        text += fmt::format("  {:<22} {:<10} {:>6} of this class, {:>6} in all\n", option,
-                            effectOf(each), each.ofClass, each.all);
+        const bool isRule = each.rule != nullptr;
+        const std::string option =
+            fmt::format("--{} {}{}", isRule ? "rule" : "rules", nameOf(each), isRule ? "=on" : "");
+        answer.text += fmt::format("  {:<22} {:<10} {:>6} of this class, {:>6} in all\n", option,
+                                   effectOf(each), each.ofClass, each.all);
+        answer.json["tried"].push_back({{isRule ? "rule" : "rules", nameOf(each)},
+                                        {"prevents", each.prevents},
+                                        {"unknown", each.unknown},
+                                        {"of_class", each.ofClass},
+                                        {"all", each.all}});
     }
-    return text;
+    return answer;
 }
 
-std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
-    std::string text = headlineOf(found.verdict) + "\n";
+Answer answerOf(const RunFailureSearch& found, std::size_t limit) {
     const std::vector<ClassTotal>& totals = found.verdict.totals;
-    text += placesText(found.places, found.all, limit);
+    Answer answer{headlineOf(found.verdict) + "\n" + placesText(found.places, found.all, limit),
+                  {{"verdict", verdictJson(found.verdict)}}};
+    addTotals(totals, failureClasses(), answer.json);
+    std::vector<std::optional<std::size_t>> rowOf(found.all.size());
+    for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
+    addPlaces(found.places, found.all, rowOf, found.places.size(), answer.json);
+    answer.json["failures"] = Json::array();
+    for (const RunFailure& each : found.failures)
+        answer.json["failures"].push_back(answerOf(each).json);
     for (std::size_t i = 0; i < totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
         if (totals[i].total == 0) continue;
-        text += classText(kind, totals[i]) + "\n";
+        answer.text += classText(kind, totals[i]) + "\n";
         std::size_t shown = 0;
         for (const RunFailure& each : found.failures) {
-            if (each.failure.kind == &kind && shown++ < limit) text += answerText(each);
+            if (each.failure.kind == &kind && shown++ < limit) answer.text += answerOf(each).text;
         }
     }
-    return text;
-}
-
-Json answerJson(const RunFailureSearch& found) {
-    Json json{{"verdict", verdictJson(found.verdict)}};
-    addTotals(found.verdict.totals, failureClasses(), json);
-    std::vector<std::optional<std::size_t>> rowOf(found.all.size());
-    for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
-    addPlaces(found.places, found.all, rowOf, found.places.size(), json);
-    json["failures"] = Json::array();
-    for (const RunFailure& each : found.failures) json["failures"].push_back(answerJson(each));
-    return json;
+    return answer;
 }
 
 }  // namespace se::cli

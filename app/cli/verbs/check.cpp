@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "input.h"
 #include "options.h"
+#include "output/answer.h"
 #include "output/failure_totals.h"
-#include "output/output.h"
 #include "output/sentences.h"
 #include "output/verdict_text.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -17,13 +16,10 @@
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/judge.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct CheckArguments {
     std::string mesh;
@@ -144,6 +140,8 @@ bool isGood(const CheckArguments& arguments, const MeshVerdict& verdict) {
     return isSound(totals, verdict.triangles);
 }
 
+constexpr std::size_t kShownFailures = 10;
+
 /// The classes that a mesh can have, without those at the end that only a run has.
 std::span<const FailureClass> meshClasses() {
     const std::span<const FailureClass> all = failureClasses();
@@ -152,54 +150,48 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-std::string reportText(const CheckArguments& arguments, const std::string& judgedBy,
-                       const JudgedMesh& judged, bool good) {
-    constexpr std::size_t kShown = 10;
-    const MeshInspection& found = judged.inspection;
-    const bool allowed = good && !judged.verdict.isSound();
-    std::string text = fmt::format("{}: {}, {}{}\n", printable(arguments.mesh),
-                                   counted(judged.verdict.triangles, "triangle"),
-                                   headlineOf(judged.verdict), allowed ? ", allowed" : "");
-    if (!judgedBy.empty()) text += fmt::format("judged {}\n", judgedBy);
-    text += placesText(judged.places, found.failures, kShown);
-    for (std::size_t i = 0; i < meshClasses().size(); ++i) {
-        const FailureClass& kind = meshClasses()[i];
-        const ClassTotal& total = found.totals[i];
-        if (total.total == 0) continue;
-        const char* const allowance = arguments.allows(kind.name) ? ", allowed\n" : "\n";
-        text += classText(kind, total) + (kind.fault ? allowance : ", no fault\n");
-        std::size_t shown = 0;
-        for (const MeshFailure& failure : found.failures) {
-            if (failure.kind != &kind) continue;
-            if (shown++ == kShown) break;
-            text += "          " + describe(failure).substr(kind.name.size() + 2) + "\n";
-        }
-        if (total.total > kShown)
-            text += total.all()
-                        ? "          ... all of them by --json\n"
-                        : fmt::format("          ... the first {} by --json\n", total.listed);
+/// A class with its failures; in text the first few.
+void addClass(const CheckArguments& arguments, const FailureClass& kind, const ClassTotal& total,
+              const std::vector<MeshFailure>& failures, std::string& text) {
+    if (total.total == 0) return;
+    const char* const allowance = arguments.allows(kind.name) ? ", allowed\n" : "\n";
+    text += classText(kind, total) + (kind.fault ? allowance : ", no fault\n");
+    std::size_t shown = 0;
+    for (const MeshFailure& failure : failures) {
+        if (failure.kind != &kind) continue;
+        if (shown++ == kShownFailures) break;
+        text += "          " + describe(failure).substr(kind.name.size() + 2) + "\n";
     }
-    return text;
+    if (total.total > kShownFailures)
+        text += total.all() ? "          ... all of them by --json\n"
+                            : fmt::format("          ... the first {} by --json\n", total.listed);
 }
 
-std::string reportJson(const CheckArguments& arguments, const std::string& judgedBy,
-                       const JudgedMesh& judged, bool good) {
+Answer checkAnswer(const CheckArguments& arguments, const std::string& judgedBy,
+                   const JudgedMesh& judged, bool good) {
     const MeshInspection& found = judged.inspection;
-    Json json;
-    json["mesh"] = arguments.mesh;
-    json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
-    json["triangles"] = judged.verdict.triangles;
-    json["judged"] = judgedBy.empty() ? Json() : Json(judgedBy);
-    json["good"] = good;
-    json["verdict"] = verdictJson(judged.verdict);
-    addTotals(found.totals, meshClasses(), json);
+    const MeshVerdict& verdict = judged.verdict;
+    Answer answer{fmt::format("{}: {}, {}{}\n", printable(arguments.mesh),
+                              counted(verdict.triangles, "triangle"), headlineOf(verdict),
+                              good && !verdict.isSound() ? ", allowed" : ""),
+                  {{"mesh", arguments.mesh},
+                   {"points", orNull(arguments.cloud)},
+                   {"triangles", verdict.triangles},
+                   {"judged", orNull(judgedBy)},
+                   {"good", good},
+                   {"verdict", verdictJson(verdict)}}};
+    if (!judgedBy.empty()) answer.text += fmt::format("judged {}\n", judgedBy);
+    addTotals(found.totals, meshClasses(), answer.json);
     std::vector<std::optional<std::size_t>> rowOf;
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf.emplace_back(i);
-    addPlaces(judged.places, found.failures, rowOf, judged.places.size(), json);
-    json["failures"] = Json::array();
+    answer.text += placesText(judged.places, found.failures, kShownFailures);
+    addPlaces(judged.places, found.failures, rowOf, judged.places.size(), answer.json);
+    for (std::size_t i = 0; i < meshClasses().size(); ++i)
+        addClass(arguments, meshClasses()[i], found.totals[i], found.failures, answer.text);
+    answer.json["failures"] = Json::array();
     for (const MeshFailure& failure : found.failures)
-        json["failures"].push_back(failureRow(failure));
-    return teach::jsonText(json);
+        answer.json["failures"].push_back(failureRow(failure));
+    return answer;
 }
 
 void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles,
@@ -241,10 +233,7 @@ ExitCode checkVerb(const Arguments& words) {
     const std::string judgedBy = alone ? "" : departureText(*points.judge);
     const JudgedMesh judged = judgeMesh(points, triangles);
     const bool good = isGood(arguments, judged.verdict);
-    if (!arguments.quiet) {
-        printText(arguments.json ? reportJson(arguments, judgedBy, judged, good)
-                                 : reportText(arguments, judgedBy, judged, good));
-    }
+    if (!arguments.quiet) print(checkAnswer(arguments, judgedBy, judged, good), arguments.json);
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }
 

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "failure_choice.h"
 #include "input.h"
 #include "output/ledger_text.h"
-#include "output/output.h"
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -16,7 +16,6 @@
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/run_compare.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -39,67 +38,96 @@ struct Comparison {
     std::vector<Index> unmatchedVertices;  ///< Vertices of the file that lie on no point.
 };
 
-using Json = nlohmann::ordered_json;
-
-std::string addressText(const std::optional<Address>& address) {
-    return address ? toString(*address) : "-";
-}
-
-std::string countsText(const Comparison& c) {
-    const MeshDifference& m = c.meshes;
+void addCounts(const MeshDifference& m, Answer& answer) {
     std::string text = counted(m.both, "triangle") + " in both";
     appendPart(text, fmt::format("{} only in A", m.onlyA));
     appendPart(text, fmt::format("{} only in B", m.onlyB));
     if (m.reversed > 0) appendPart(text, fmt::format("{} reversed", m.reversed));
-    return text + "\n";
+    answer.text += text + "\n";
+    answer.json["same"] = m.same();
+    answer.json["both"] = m.both;
+    answer.json["only_a"] = m.onlyA;
+    answer.json["only_b"] = m.onlyB;
+    answer.json["turned"] = m.reversed;
 }
 
-std::string sideText(char name, const DifferenceSide& side) {
-    if (!side.line) return fmt::format("  {}  the run has ended\n", name);
+/// One of the two runs at a difference.
+Answer sideAnswer(char name, const DifferenceSide& side) {
+    if (!side.line) return {fmt::format("  {}  the run has ended\n", name)};
     const LedgerLine& line = *side.line;
-    std::string text =
-        fmt::format("  {}  {:<18} {:<8} {:<4} {}\n", name, toString(line.event.address),
-                    side.decides ? roleName(line.role) : "instead",
-                    stageSection(line.event.address.stage), describe(line.event));
-    if (line.reading) text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
-    return text;
+    Answer answer{fmt::format("  {}  {:<18} {:<8} {:<4} {}\n", name, toString(line.event.address),
+                              side.decides ? roleName(line.role) : "instead",
+                              stageSection(line.event.address.stage), describe(line.event)),
+                  lineJson(line)};
+    if (line.reading) answer.text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
+    answer.json["decides"] = side.decides;
+    return answer;
 }
 
-std::string differenceText(const RunDifference& difference) {
-    return difference.words + "\n" + sideText('A', difference.a) + sideText('B', difference.b);
+/// A difference under `key`; in text below a title.
+void addDifference(const std::optional<RunDifference>& difference, const char* key,
+                   const std::string& title, Answer& answer) {
+    answer.json[key] = Json();
+    if (!difference) return;
+    const Answer a = sideAnswer('A', difference->a);
+    const Answer b = sideAnswer('B', difference->b);
+    answer.text += "\n" + title + "\n" + difference->words + "\n" + a.text + b.text;
+    answer.json[key] = {{"text", difference->words}, {"a", a.json}, {"b", b.json}};
 }
 
-std::string runsText(const RunComparison& runs) {
-    std::string text;
-    if (runs.first) {
-        text += fmt::format("\nFirst difference, after {} alike:\n",
-                            counted(runs.commonPivots, "pivot")) +
-                differenceText(*runs.first);
-    } else {
-        text += fmt::format("\nNo difference: {} alike.\n", counted(runs.commonPivots, "pivot"));
+void addRuns(const RunComparison& runs, Answer& answer) {
+    const std::string alike = counted(runs.commonPivots, "pivot") + " alike";
+    answer.json["pivots_alike"] = runs.commonPivots;
+    addDifference(runs.first, "first_difference", "First difference, after " + alike + ":", answer);
+    if (!runs.first) answer.text += "\nNo difference: " + alike + ".\n";
+    answer.json["harmless_pivots"] = runs.harmlessPivots;
+    addDifference(runs.harmless, "first_harmless",
+                  fmt::format("Without a consequence, at {}; the first:",
+                              counted(runs.harmlessPivots, "earlier pivot")),
+                  answer);
+}
+
+Json trianglesJson(const MadeMesh& mesh, const std::vector<Index>& list) {
+    Json json = Json::array();
+    for (const Index i : list) {
+        const Triangle& t = mesh.triangles[i];
+        json.push_back({t.a, t.b, t.c});
     }
-    if (runs.harmless) {
-        text += fmt::format("\nWithout a consequence, at {}; the first:\n",
-                            counted(runs.harmlessPivots, "earlier pivot")) +
-                differenceText(*runs.harmless);
-    }
-    return text;
+    return json;
 }
 
-std::string regionsText(const Comparison& c, std::size_t limit) {
+/// The address of the first of these triangles; empty if it is unknown.
+std::string firstAddress(const MadeMesh& mesh, const std::vector<Index>& list) {
+    const std::optional<Address> address = firstMade(mesh, list);
+    return address ? toString(*address) : std::string();
+}
+
+/// The regions, in text at most `limit`.
+void addRegions(const Comparison& c, std::size_t limit, Answer& answer) {
+    const auto orDash = [](const std::string& text) { return text.empty() ? "-" : text; };
     const auto& regions = c.meshes.regions;
-    if (regions.empty()) return "";
-    std::string text =
-        "\n" + counted(regions.size(), "region") + " of difference, largest first:\n";
-    for (std::size_t i = 0; i < std::min(limit, regions.size()); ++i) {
+    answer.json["regions"] = Json::array();
+    if (!regions.empty())
+        answer.text +=
+            "\n" + counted(regions.size(), "region") + " of difference, largest first:\n";
+    for (std::size_t i = 0; i < regions.size(); ++i) {
         const DifferenceRegion& r = regions[i];
-        text += fmt::format(
-            "{:>4}  A {:<14} B {:<14} {} in A, {} in B, at ({:.6g}, {:.6g}, {:.6g})\n", i + 1,
-            addressText(firstMade(c.a.mesh, r.inA)), addressText(firstMade(c.b.mesh, r.inB)),
-            counted(r.inA.size(), "triangle"), r.inB.size(), r.place.x, r.place.y, r.place.z);
+        const std::string a = firstAddress(c.a.mesh, r.inA);
+        const std::string b = firstAddress(c.b.mesh, r.inB);
+        answer.json["regions"].push_back({{"a", orNull(a)},
+                                          {"b", orNull(b)},
+                                          {"in_a", trianglesJson(c.a.mesh, r.inA)},
+                                          {"in_b", trianglesJson(c.b.mesh, r.inB)},
+                                          {"points", r.points},
+                                          {"at", {r.place.x, r.place.y, r.place.z}},
+                                          {"radius", r.radius}});
+        if (i == limit) answer.text += "      ... all of them by --json\n";
+        if (i >= limit) continue;
+        answer.text +=
+            fmt::format("{:>4}  A {:<14} B {:<14} {} in A, {} in B, at ({:.6g}, {:.6g}, {:.6g})\n",
+                        i + 1, orDash(a), orDash(b), counted(r.inA.size(), "triangle"),
+                        r.inB.size(), r.place.x, r.place.y, r.place.z);
     }
-    if (regions.size() > limit) text += "      ... all of them by --json\n";
-    return text;
 }
 
 /// The next question about a mesh of another program: a triangle of points that only it has.
@@ -116,87 +144,30 @@ std::string nextQuestion(const Comparison& c) {
     return "";
 }
 
-Json trianglesJson(const MadeMesh& mesh, const std::vector<Index>& list) {
-    Json json = Json::array();
-    for (const Index i : list) {
-        const Triangle& t = mesh.triangles[i];
-        json.push_back({t.a, t.b, t.c});
+/// All that was found, in text at most `limit` regions.
+Answer comparisonAnswer(const Comparison& c, std::size_t limit) {
+    Answer answer;
+    answer.json["input"] = c.input;
+    for (const auto& [key, name, side] : {std::tuple{"a", 'A', &c.a}, {"b", 'B', &c.b}}) {
+        const std::size_t count = side->mesh.triangles.size();
+        answer.json[key] = {{"title", side->title}, {"triangles", count}};
+        answer.text +=
+            fmt::format("{}  {}: {}\n", name, printable(side->title), counted(count, "triangle"));
     }
-    return json;
-}
-
-Json addressJson(const std::optional<Address>& address) {
-    return address ? Json(toString(*address)) : Json();
-}
-
-Json sideJson(const DifferenceSide& side) {
-    if (!side.line) return {};
-    Json json = lineJson(*side.line);
-    json["decides"] = side.decides;
-    return json;
-}
-
-Json differenceJson(const std::optional<RunDifference>& difference) {
-    if (!difference) return {};
-    Json json;
-    json["text"] = difference->words;
-    json["a"] = sideJson(difference->a);
-    json["b"] = sideJson(difference->b);
-    return json;
-}
-
-Json regionJson(const Comparison& c, const DifferenceRegion& r) {
-    Json json;
-    json["a"] = addressJson(firstMade(c.a.mesh, r.inA));
-    json["b"] = addressJson(firstMade(c.b.mesh, r.inB));
-    json["in_a"] = trianglesJson(c.a.mesh, r.inA);
-    json["in_b"] = trianglesJson(c.b.mesh, r.inB);
-    json["points"] = r.points;
-    json["at"] = {r.place.x, r.place.y, r.place.z};
-    json["radius"] = r.radius;
-    return json;
-}
-
-/// Text with at most `most` regions.
-std::string comparisonText(const Comparison& c, std::size_t limit) {
-    const auto side = [](char name, const ComparedSide& s) {
-        return fmt::format("{}  {}: {}\n", name, printable(s.title),
-                           counted(s.mesh.triangles.size(), "triangle"));
-    };
-    std::string text = side('A', c.a) + side('B', c.b) + countsText(c);
+    addCounts(c.meshes, answer);
     if (!c.unmatchedVertices.empty()) {
-        text += fmt::format("{} of B on no point of {}, the first {}\n",
-                            counted(c.unmatchedVertices.size(), "vertex", "vertices"),
-                            printable(c.input), c.unmatchedVertices.front());
+        answer.text += fmt::format("{} of B on no point of {}, the first {}\n",
+                                   counted(c.unmatchedVertices.size(), "vertex", "vertices"),
+                                   printable(c.input), c.unmatchedVertices.front());
     }
-    if (c.runs) text += runsText(*c.runs);
-    return text + regionsText(c, limit) + nextQuestion(c);
-}
-
-std::string comparisonJson(const Comparison& c) {
-    Json json;
-    json["input"] = c.input;
-    for (const auto& [name, side] : {std::pair{"a", &c.a}, {"b", &c.b}}) {
-        json[name]["title"] = side->title;
-        json[name]["triangles"] = side->mesh.triangles.size();
-    }
-    json["same"] = c.meshes.same();
-    json["both"] = c.meshes.both;
-    json["only_a"] = c.meshes.onlyA;
-    json["only_b"] = c.meshes.onlyB;
-    json["turned"] = c.meshes.reversed;
     if (c.runs) {
-        json["pivots_alike"] = c.runs->commonPivots;
-        json["first_difference"] = differenceJson(c.runs->first);
-        json["harmless_pivots"] = c.runs->harmlessPivots;
-        json["first_harmless"] = differenceJson(c.runs->harmless);
+        addRuns(*c.runs, answer);
     } else {
-        json["unmatched_vertices"] = c.unmatchedVertices;
+        answer.json["unmatched_vertices"] = c.unmatchedVertices;
     }
-    json["regions"] = Json::array();
-    for (const DifferenceRegion& region : c.meshes.regions)
-        json["regions"].push_back(regionJson(c, region));
-    return teach::jsonText(json);
+    addRegions(c, limit, answer);
+    answer.text += nextQuestion(c);
+    return answer;
 }
 
 /// Words after the verb, split into the two runs.
@@ -355,9 +326,7 @@ ExitCode compareVerb(const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     const Comparison found =
         split.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
-    if (!arguments.quiet) {
-        printText(arguments.json ? comparisonJson(found) : comparisonText(found, arguments.limit));
-    }
+    if (!arguments.quiet) print(comparisonAnswer(found, arguments.limit), arguments.json);
     return found.meshes.same() ? ExitCode::Good : ExitCode::CheckFailed;
 }
 

@@ -3,26 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "failure_choice.h"
 #include "input.h"
 #include "output/ledger_text.h"
-#include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/cause_inversion.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A failure with the result of its inverted decision, and its number within its class, from 1.
 struct InvertedFailure {
@@ -55,38 +50,36 @@ std::string lineFor(const InvertedFailure& each) {
     return text;
 }
 
-/// Counts per class and result, then each failure that did not disappear as predicted.
-std::string inversionsText(const std::vector<InvertedFailure>& inverted) {
-    if (inverted.empty()) return "No failures found.\n";
-    std::string text = fmt::format("{:<24}{:>7}", "decision inverted", "tried");
-    const auto column = [](Inversion inversion) { return inversionName(inversion).size() + 3; };
-    for (const Inversion inversion : kInversions)
-        text += fmt::format("{:>{}}", inversionName(inversion), column(inversion));
-    text += "\n";
-    for (const FailureClass& kind : failureClasses()) {
-        if (countOf(inverted, kind) == 0) continue;
-        text += fmt::format("{:<24}{:>7}", kind.name, countOf(inverted, kind));
-        for (const Inversion inversion : kInversions)
-            text += fmt::format("{:>{}}", countOf(inverted, kind, inversion), column(inversion));
-        text += "\n";
+/// The columns of the text, each with its inversion.
+std::size_t widthOf(Inversion inversion) { return inversionName(inversion).size() + 3; }
+
+/// Adds how many failures of a class were tried, and how many had each result.
+void addCounts(const std::vector<InvertedFailure>& inverted, const FailureClass& kind,
+               Answer& answer) {
+    const std::size_t tried = countOf(inverted, kind);
+    if (tried == 0) return;
+    answer.text += fmt::format("{:<24}{:>7}", kind.name, tried);
+    for (const Inversion inversion : kInversions) {
+        const std::size_t count = countOf(inverted, kind, inversion);
+        answer.text += fmt::format("{:>{}}", count, widthOf(inversion));
+        answer.json["proved"][std::string(kind.name)][std::string(inversionName(inversion))] =
+            count;
     }
-    for (const InvertedFailure& each : inverted) {
-        if (each.inversion.outcome != Inversion::Gone) text += "\n" + lineFor(each);
-    }
-    return text;
+    answer.text += "\n";
 }
 
-/// All results.
-Json inversionsJson(const std::vector<InvertedFailure>& inverted) {
-    Json json;
-    for (const FailureClass& kind : failureClasses()) {
-        if (countOf(inverted, kind) == 0) continue;
-        auto& row = json["proved"][std::string(kind.name)];
-        for (const Inversion inversion : kInversions)
-            row[std::string(inversionName(inversion))] = countOf(inverted, kind, inversion);
-    }
-    json["proofs"] = Json::array();
+/// Counts per class and result, then each failure; in text those that did not disappear as
+/// predicted.
+Answer inversionsAnswer(const std::vector<InvertedFailure>& inverted) {
+    Answer answer{fmt::format("{:<24}{:>7}", "decision inverted", "tried")};
+    for (const Inversion inversion : kInversions)
+        answer.text += fmt::format("{:>{}}", inversionName(inversion), widthOf(inversion));
+    answer.text += "\n";
+    for (const FailureClass& kind : failureClasses()) addCounts(inverted, kind, answer);
+    if (inverted.empty()) answer.text = "No failures found.\n";
+    answer.json["proofs"] = Json::array();
     for (const InvertedFailure& each : inverted) {
+        if (each.inversion.outcome != Inversion::Gone) answer.text += "\n" + lineFor(each);
         Json row{{"class", each.failure->failure.kind->name},
                  {"number", each.number},
                  {"points", each.failure->failure.points},
@@ -95,9 +88,9 @@ Json inversionsJson(const std::vector<InvertedFailure>& inverted) {
         for (const WhatIf& inverse : each.inversion.inverses)
             row["what_if"].push_back(lineOf(inverse));
         if (!each.inversion.reason.empty()) row["reason"] = each.inversion.reason;
-        json["proofs"].push_back(row);
+        answer.json["proofs"].push_back(row);
     }
-    return json;
+    return answer;
 }
 
 /// Point numbers from "812,640". Throws Failure unless there are `count` of them.
@@ -211,13 +204,6 @@ struct WhyArguments {
     }
 };
 
-/// The JSON of an answer.
-std::string documentOf(const WhyArguments& arguments, const Json& fields) {
-    Json json{{"input", arguments.input.input()}};
-    json.update(fields);
-    return teach::jsonText(json);
-}
-
 /// Runs a search with the line of progress. Throws Failure if it fails.
 template <typename Search>
 auto searched(const WhyArguments& arguments, const char* what, ProgressLine& line,
@@ -225,34 +211,24 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer by a search whose result has answerText() and answerJson().
-template <typename Search>
-std::string ask(const WhyArguments& arguments, ProgressLine& line, const Search& search) {
-    const auto found = searched(arguments, "asking", line, search);
-    return arguments.json ? documentOf(arguments, answerJson(found)) : answerText(found);
-}
-
 /// Answer about the failure of a choice: its three moments, and what would have prevented it.
-std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
-                       const RunFailureSearch& found, const PreparedInput& run,
-                       ProgressLine& line) {
+Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
+                  const RunFailureSearch& found, const PreparedInput& run, ProgressLine& line) {
     const RunFailure failure = pickFailure(found, choice, arguments.input.input());
-    std::string text = answerText(failure);
-    Json json = answerJson(failure);
-    if (arguments.remedy) {
-        const Remedies remedies =
-            searched(arguments, "trying", line, [&](const Progress& progress) {
-                return findRemedies(run.points, run.params, failure.failure, progress);
-            });
-        text += answerText(remedies);
-        json["remedies"] = answerJson(remedies);
-    }
-    return arguments.json ? documentOf(arguments, json) : text;
+    Answer answer = answerOf(failure);
+    if (!arguments.remedy) return answer;
+    const Answer remedies =
+        answerOf(searched(arguments, "trying", line, [&](const Progress& progress) {
+            return findRemedies(run.points, run.params, failure.failure, progress);
+        }));
+    answer.text += remedies.text;
+    answer.json["remedies"] = remedies.json;
+    return answer;
 }
 
 /// Answer about whether the decisions are the causes. Of large classes a sample is tried.
-std::string askInversions(const WhyArguments& arguments, const PreparedInput& run,
-                          const std::vector<RunFailure>& all, ProgressLine& line) {
+Answer askInversions(const WhyArguments& arguments, const PreparedInput& run,
+                     const std::vector<RunFailure>& all, ProgressLine& line) {
     const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.limit);
     const auto inversions = searched(arguments, "turning", line, [&](const Progress& progress) {
         return invertCauses(run.points, run.params, all, chosen, progress);
@@ -266,44 +242,34 @@ std::string askInversions(const WhyArguments& arguments, const PreparedInput& ru
         });
         inverted.push_back({&*at, static_cast<std::size_t>(before) + 1, inversions[i]});
     }
-    return arguments.json ? documentOf(arguments, inversionsJson(inverted))
-                          : inversionsText(inverted);
+    return inversionsAnswer(inverted);
 }
 
 /// Answer about what went wrong in a run: all of it, or the failure of a choice.
-std::string askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
-                        const PreparedInput& run, ProgressLine& line) {
+Answer askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
+                   const PreparedInput& run, ProgressLine& line) {
     const RunFailureSearch found = searched(
         arguments, "asking", line,
         [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
     if (choice) return askFailure(arguments, *choice, found, run, line);
     if (arguments.prove) return askInversions(arguments, run, found.failures, line);
-    return arguments.json ? documentOf(arguments, answerJson(found))
-                          : failuresText(found, arguments.limit);
+    return answerOf(found, arguments.limit);
 }
 
 /// Answer about the subject, the ring, the charts, the closest decisions or those of a query.
-std::string askRun(const WhyArguments& arguments, const std::optional<RingAddress>& ring,
-                   const DecisionQuery& query, const PreparedInput& run, ProgressLine& line) {
-    if (arguments.asksSubject())
-        return ask(arguments, line, [&](const Progress& progress) {
-            return why(run.points, run.params, arguments.subject(), progress);
-        });
-    if (ring)
-        return ask(arguments, line, [&](const Progress& progress) {
-            return whyRing(run.points, run.params, *ring, progress);
-        });
-    if (arguments.charts)
-        return ask(arguments, line, [&](const Progress& progress) {
-            return runCharts(run.points, run.params, progress);
-        });
-    if (arguments.closest > 0)
-        return ask(arguments, line, [&](const Progress& progress) {
-            return nearestDecisions(run.points, run.params, arguments.closest, progress);
-        });
-    return ask(arguments, line, [&](const Progress& progress) {
-        return findDecisions(run.points, run.params, query, arguments.limit, progress);
-    });
+Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& ring,
+              const DecisionQuery& query, const PreparedInput& run, ProgressLine& line) {
+    /// By a search that takes the run, and these values.
+    const auto ask = [&](const auto& search, const auto&... values) {
+        return answerOf(searched(arguments, "asking", line, [&](const Progress& progress) {
+            return search(run.points, run.params, values..., progress);
+        }));
+    };
+    if (arguments.asksSubject()) return ask(why, arguments.subject());
+    if (ring) return ask(whyRing, *ring);
+    if (arguments.charts) return ask(runCharts);
+    if (arguments.closest > 0) return ask(nearestDecisions, arguments.closest);
+    return ask(findDecisions, query, arguments.limit);
 }
 
 }  // namespace
@@ -342,8 +308,11 @@ ExitCode whyVerb(const Arguments& words) {
     const std::string missing = missingPointIn(arguments.query, run.points.size());
     if (!missing.empty())
         throw Failure(ExitCode::Input, "{}: {}", arguments.input.input(), missing);
-    printText(asksFailures ? askFailures(arguments, choice, run, line)
-                           : askRun(arguments, ring, query, run, line));
+    const Answer answer = asksFailures ? askFailures(arguments, choice, run, line)
+                                       : askRun(arguments, ring, query, run, line);
+    Json json{{"input", arguments.input.input()}};
+    json.update(answer.json);
+    print({answer.text, json}, arguments.json);
     return ExitCode::Good;
 }
 
