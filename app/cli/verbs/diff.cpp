@@ -1,14 +1,11 @@
 // spiraling-edge diff: the trace of another implementation beside the run of this one.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "progress.h"
 #include "spiraling_edge/prepare/prepare.h"
-#include "teach/json_text.h"
 #include "teach/trace/rule_guess.h"
 #include "verbs.h"
 
@@ -20,7 +17,6 @@ using teach::TraceComparison;
 using teach::TraceDifference;
 using teach::TracePivot;
 using teach::TraceStage;
-using DiffJson = nlohmann::ordered_json;
 
 struct DiffArguments {
     std::string trace;
@@ -55,8 +51,8 @@ Trace readTraceArgument(const std::string& path, std::optional<TraceStage> upto)
     return require(teach::readTraceFile(file, upto.value_or(TraceStage::Emit)), ExitCode::Input);
 }
 
-DiffJson reasonJson(const teach::TraceReason& reason) {
-    DiffJson json = DiffJson::object();
+Json reasonJson(const teach::TraceReason& reason) {
+    Json json = Json::object();
     if (reason.point != kNone)
         json = {{"point", reason.point}, {"in", reason.inTrace ? "yours" : "ours"}};
     json["ours"] = reason.decision;
@@ -66,29 +62,29 @@ DiffJson reasonJson(const teach::TraceReason& reason) {
     return json;
 }
 
-DiffJson pivotJson(const std::optional<TracePivot>& pivot) {
-    return pivot ? DiffJson::parse(teach::traceLine(*pivot)) : DiffJson();
+Json pivotJson(const std::optional<TracePivot>& pivot) {
+    return pivot ? Json::parse(teach::traceLine(*pivot)) : Json();
 }
 
-std::string diffJson(const TraceComparison& comparison, const teach::RuleGuess& guess) {
-    DiffJson json{{"same", !comparison.difference}, {"alike", comparison.alike}};
+Json diffJson(const TraceComparison& comparison, const teach::RuleGuess& guess) {
+    Json json{{"same", !comparison.difference}, {"alike", comparison.alike}};
     if (comparison.difference) {
         const TraceDifference& found = *comparison.difference;
         json["pivot"] = found.pivot;
-        json["line"] = found.trace ? DiffJson(found.trace->line) : DiffJson();
+        json["line"] = found.trace ? Json(found.trace->line) : Json();
         json["what"] = found.what;
-        json["stage"] = found.stage ? DiffJson(teach::rowOf(*found.stage).name) : DiffJson();
+        json["stage"] = found.stage ? Json(teach::rowOf(*found.stage).name) : Json();
         json["yours"] = pivotJson(found.trace);
         json["ours"] = pivotJson(found.run);
         json["both"] = found.both;
-        json["our_pivots"] = found.runPivots > 0 ? DiffJson(found.runPivots) : DiffJson();
-        json["reasons"] = DiffJson::array();
+        json["our_pivots"] = found.runPivots > 0 ? Json(found.runPivots) : Json();
+        json["reasons"] = Json::array();
         for (const teach::TraceReason& each : found.reasons)
             json["reasons"].push_back(reasonJson(each));
-        json["rules"] = DiffJson::array();
+        json["rules"] = Json::array();
         for (const RuleValue& each : guess.whole) json["rules"].push_back(lineOf(each));
     }
-    return teach::jsonText(json);
+    return json;
 }
 
 /// The other value of `opposing`, if it gives the whole trace. It has a part in the lists only, so
@@ -142,7 +138,7 @@ ExitCode diffVerb(const Arguments& words) {
     }
     std::string text = teach::differenceText(found);
     if (found.difference && !endsEarly) text += teach::guessText(guess, trace);
-    if (!arguments.quiet) printText(arguments.json ? diffJson(found, guess) : text);
+    if (!arguments.quiet) print({text, diffJson(found, guess)}, arguments.json);
     return found.difference ? ExitCode::CheckFailed : ExitCode::Good;
 }
 

@@ -4,24 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "output/piece_text.h"
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct DoctorArguments {
     InputArguments input;
@@ -86,8 +82,6 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
                            [&](const Progress& progress) { return examine(file, progress); });
 }
 
-// ---- text ---------------------------------------------------------------------------------------
-
 std::string placesText(const std::vector<Index>& points) {
     constexpr std::size_t kShown = 10;
     std::string text;
@@ -97,84 +91,80 @@ std::string placesText(const std::vector<Index>& points) {
     return text;
 }
 
-std::string findingText(const Finding& finding, const std::string& input) {
-    std::string text = fmt::format("  {:<8} {}: {}\n", severityName(finding.severity),
-                                   finding.check->name, finding.text);
-    const auto addLine = [&](std::string_view label, const std::string& sentence) {
-        if (!sentence.empty()) text += fmt::format("           {} {}\n", label, sentence);
+Answer findingAnswer(const Finding& finding, const std::string& input) {
+    const DoctorCheck& check = *finding.check;
+    const std::string remedy = remedyFor(finding, input);
+    Answer answer{
+        fmt::format("  {:<8} {}: {}\n", severityName(finding.severity), check.name, finding.text),
+        {{"name", check.name},
+         {"severity", severityName(finding.severity)},
+         {"count", finding.count},
+         {"text", finding.text},
+         {"section", check.section},
+         {"upsets", check.upsets},
+         {"remedy", orNull(remedy)},
+         {"mended", check.hasSafeFix()},
+         {"points", finding.points}}};
+    const auto addLine = [&](std::string_view label, std::string_view sentence) {
+        if (!sentence.empty()) answer.text += fmt::format("           {} {}\n", label, sentence);
     };
     addLine("at point", placesText(finding.points));
-    addLine(fmt::format("section {}:", finding.check->section), std::string(finding.check->upsets));
-    addLine("try:", remedyFor(finding, input));
-    return text;
+    addLine(fmt::format("section {}:", check.section), check.upsets);
+    addLine("try:", remedy);
+    return answer;
 }
 
-std::string visitText(const Visit& visit) {
-    const std::vector<Finding>& findings = visit.findings.findings;
-    const std::string size = sizeText(visit.findings);
-    std::string text =
-        fmt::format("{}: {}{}{}, {}\n", printable(visit.input), counted(visit.points.kept, "point"),
-                    size.empty() ? "" : ", ", size,
-                    findings.empty() ? "nothing found" : counted(findings.size(), "finding"));
-    const std::string kept = keptSentence(visit.points);
-    if (!kept.empty()) text += "  kept     " + kept + "\n";
-    for (const Finding& finding : findings) text += findingText(finding, visit.inputWords);
-    if (visit.output.empty()) return text;
-    text += fmt::format("{}: written, {}\n", printable(visit.output),
-                        counted(visit.fixed.file.position.size(), "point"));
-    for (const AppliedFix& fix : visit.fixed.fixes) text += "  fixed    " + fix.text + "\n";
+Answer findingsAnswer(const Diagnosis& diagnosis, const std::string& input) {
+    Answer all{"", Json::array()};
+    for (const Finding& finding : diagnosis.findings) {
+        const Answer each = findingAnswer(finding, input);
+        all.text += each.text;
+        all.json.push_back(each.json);
+    }
+    return all;
+}
+
+/// Adds what was fixed, and what is left.
+void addFixed(const Visit& visit, Answer& answer) {
+    const std::size_t points = visit.fixed.file.position.size();
+    answer.text +=
+        fmt::format("{}: written, {}\n", printable(visit.output), counted(points, "point"));
+    Json fixes = Json::array();
+    for (const AppliedFix& fix : visit.fixed.fixes) {
+        answer.text += "  fixed    " + fix.text + "\n";
+        fixes.push_back({{"name", fix.name}, {"count", fix.count}, {"text", fix.text}});
+    }
     for (const Finding& finding : visit.left.findings) {
         if (finding.isProblem())
-            text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
+            answer.text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
     }
-    return text;
+    answer.json["fixed"] = {{"output", visit.output},
+                            {"points", points},
+                            {"repairs", fixes},
+                            {"findings", findingsAnswer(visit.left, shellPath(visit.output)).json}};
 }
 
-// ---- JSON ---------------------------------------------------------------------------------------
-
-Json findingJson(const Finding& finding, const std::string& input) {
-    const std::string remedy = remedyFor(finding, input);
-    Json json;
-    json["name"] = finding.check->name;
-    json["severity"] = severityName(finding.severity);
-    json["count"] = finding.count;
-    json["text"] = finding.text;
-    json["section"] = finding.check->section;
-    json["upsets"] = finding.check->upsets;
-    json["remedy"] = remedy.empty() ? Json() : Json(remedy);
-    json["mended"] = finding.check->hasSafeFix();
-    json["points"] = finding.points;
-    return json;
-}
-
-Json findingsJson(const Diagnosis& diagnosis, const std::string& input) {
-    Json list = Json::array();
-    for (const Finding& finding : diagnosis.findings) list.push_back(findingJson(finding, input));
-    return list;
-}
-
-std::string visitJson(const Visit& visit) {
-    Json json;
-    json["input"] = visit.input;
-    json["points"] = visit.points.kept;
-    json["piece"] = keptJson(visit.points);
-    json["spacing"] = visit.findings.spacing;
+Answer visitAnswer(const Visit& visit) {
+    const std::size_t count = visit.findings.findings.size();
     const Vec3& extent = visit.findings.extent;
-    json["extent"] = {extent.x, extent.y, extent.z};
-    json["accused"] = hasProblem(visit.findings);
-    json["findings"] = findingsJson(visit.findings, visit.inputWords);
-    json["fixed"] = Json();
-    if (!visit.output.empty()) {
-        Json fixes = Json::array();
-        for (const AppliedFix& fix : visit.fixed.fixes) {
-            fixes.push_back({{"name", fix.name}, {"count", fix.count}, {"text", fix.text}});
-        }
-        json["fixed"] = {{"output", visit.output},
-                         {"points", visit.fixed.file.position.size()},
-                         {"repairs", fixes},
-                         {"findings", findingsJson(visit.left, shellPath(visit.output))}};
-    }
-    return teach::jsonText(json);
+    const std::string size = sizeText(visit.findings);
+    const std::string kept = keptSentence(visit.points);
+    const Answer found = findingsAnswer(visit.findings, visit.inputWords);
+    Answer answer{fmt::format("{}: {}{}{}, {}\n", printable(visit.input),
+                              counted(visit.points.kept, "point"), size.empty() ? "" : ", ", size,
+                              count == 0 ? "nothing found" : counted(count, "finding")),
+                  {{"input", visit.input},
+                   {"points", visit.points.kept},
+                   {"piece", keptJson(visit.points)},
+                   {"spacing", visit.findings.spacing},
+                   {"extent", {extent.x, extent.y, extent.z}},
+                   {"accused", hasProblem(visit.findings)},
+                   {"findings", found.json},
+                   {"fixed", Json()}}};
+    if (!kept.empty()) answer.text += "  kept     " + kept + "\n";
+    answer.text += found.text;
+    if (!visit.output.empty()) addFixed(visit, answer);
+    return answer;
 }
 
 /// Throws Failure(CheckFailed) if the fixes took most points, unless that is permitted.
@@ -226,9 +216,9 @@ ExitCode doctorVerb(const Arguments& words) {
     }
     // The text goes to standard error if the points go to standard output.
     if (arguments.fixed == "-" && !arguments.quiet) {
-        printNote(visitText(visit));
+        printNote(visitAnswer(visit).text);
     } else if (!arguments.quiet) {
-        printText(arguments.json ? visitJson(visit) : visitText(visit));
+        print(visitAnswer(visit), arguments.json);
     }
     const bool problemFound = hasProblem(arguments.fixed.empty() ? visit.findings : visit.left);
     return problemFound ? ExitCode::CheckFailed : ExitCode::Good;

@@ -5,23 +5,19 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "output/piece_text.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/points/wall_types.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Distances to the nearest point, over the points that have one.
 struct Spacing {
@@ -98,48 +94,6 @@ Facts gather(const RunSpec& spec) {
     return facts;
 }
 
-Json vectorJson(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-std::string factsJson(const std::string& input, const Facts& facts) {
-    const PointFile& file = facts.file;
-    Json json;
-    json["input"] = input;
-    json["points"] = file.position.size();
-    json["piece"] = keptJson(facts.points);
-    json["columns"] = file.columns.names.empty() ? Json() : Json(file.columns.names);
-    json["columns_reason"] = file.columns.reason.empty() ? Json() : Json(file.columns.reason);
-    json["normals"] = file.hasNormals();
-    json["unknown_sides"] = facts.prepared.derived.unknownSides;
-    json["box"] = {{"low", vectorJson(facts.box.low)}, {"high", vectorJson(facts.box.high)}};
-    json["nearest_distance"] = Json();
-    if (facts.spacing.count > 0) {
-        json["nearest_distance"] = {{"least", facts.spacing.least},
-                                    {"mean", facts.spacing.mean},
-                                    {"most", facts.spacing.most}};
-    }
-    json["wall_points"] = facts.wallPoints;
-    json["corner_points"] = facts.cornerPoints;
-    json["rim_points"] = facts.rimPoints;
-    json["neighbor_lists"] = file.hasNeighbors();
-    json["neighbor_entries"] = file.neighbors.ids.size();
-    json["set_aside"] = {{"non_finite", facts.prepared.nonFinitePoints},
-                         {"zero_normals", facts.prepared.zeroNormals},
-                         {"duplicates", facts.prepared.duplicatePoints}};
-    json["completed_normals"] = facts.prepared.derived.completedNormals;
-    json["unscaled_normals"] = facts.prepared.unscaledNormals;
-    json["attributes"] = Json::array();
-    for (const Attribute& attribute : file.attributes) json["attributes"].push_back(attribute.name);
-    json["triangles"] = facts.mesh.triangles;
-    json["components"] = facts.mesh.components;
-    json["boundary_edges"] = facts.mesh.boundaryEdges;
-    json["boundary_loops"] = facts.mesh.boundaryLoops;
-    json["non_manifold_edges"] = facts.mesh.nonManifoldEdges;
-    json["inconsistent_edges"] = facts.mesh.inconsistentEdges;
-    json["euler_characteristic"] = facts.mesh.eulerCharacteristic;
-    json["closed_manifold"] = facts.mesh.closedManifold();
-    return teach::jsonText(json);
-}
-
 std::string normalsSentence(const Facts& facts) {
     const DerivedPieces& derived = facts.prepared.derived;
     const bool given = facts.file.hasNormals();
@@ -169,44 +123,80 @@ int boxDigits(const Facts& facts) {
     return static_cast<int>(std::min(digits, kMax));
 }
 
-std::string factsText(const std::string& input, const Facts& facts) {
+void addPoints(const Facts& facts, Answer& answer) {
     const PointFile& file = facts.file;
-    std::string text =
-        fmt::format("{}: {}\n", printable(input), counted(file.position.size(), "point"));
-    const auto addLine = [&](const char* label, const std::string& sentence) {
-        if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
-    };
-    addLine("kept", keptSentence(facts.points));
-    const WallBox& box = facts.box;
-    addLine("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
-                               box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z,
-                               boxDigits(facts)));
-    if (facts.spacing.count > 0) {
-        addLine("spacing",
-                fmt::format("nearest point at {:g} on average, {:g} to {:g}", facts.spacing.mean,
-                            facts.spacing.least, facts.spacing.most));
+    const Spacing& spacing = facts.spacing;
+    const Vec3& low = facts.box.low;
+    const Vec3& high = facts.box.high;
+    answer.json.update(
+        {{"points", file.position.size()},
+         {"piece", keptJson(facts.points)},
+         {"columns", orNull(file.columns.names)},
+         {"columns_reason", orNull(file.columns.reason)},
+         {"normals", file.hasNormals()},
+         {"unknown_sides", facts.prepared.derived.unknownSides},
+         {"box", {{"low", {low.x, low.y, low.z}}, {"high", {high.x, high.y, high.z}}}},
+         {"nearest_distance", Json()}});
+    answer.line("kept", keptSentence(facts.points));
+    answer.line("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
+                                   low.x, low.y, low.z, high.x, high.y, high.z, boxDigits(facts)));
+    if (spacing.count > 0) {
+        answer.json["nearest_distance"] = {
+            {"least", spacing.least}, {"mean", spacing.mean}, {"most", spacing.most}};
+        answer.line("spacing", fmt::format("nearest point at {:g} on average, {:g} to {:g}",
+                                           spacing.mean, spacing.least, spacing.most));
     }
-    addLine("columns", columnsSentence(file.columns));
-    addLine("normals", normalsSentence(facts));
+    answer.line("columns", columnsSentence(file.columns));
+    answer.line("normals", normalsSentence(facts));
     if (facts.prepared.unscaledNormals > 0)
-        addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
-    addLine("set aside", setAsideSentence(facts.prepared));
+        answer.line("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
+    answer.line("set aside", setAsideSentence(facts.prepared));
+}
+
+void addNeighborhood(const Facts& facts, Answer& answer) {
+    const PointFile& file = facts.file;
+    const std::size_t entries = file.neighbors.ids.size();
+    answer.json.update({{"wall_points", facts.wallPoints},
+                        {"corner_points", facts.cornerPoints},
+                        {"rim_points", facts.rimPoints},
+                        {"neighbor_lists", file.hasNeighbors()},
+                        {"neighbor_entries", entries},
+                        {"set_aside",
+                         {{"non_finite", facts.prepared.nonFinitePoints},
+                          {"zero_normals", facts.prepared.zeroNormals},
+                          {"duplicates", facts.prepared.duplicatePoints}}},
+                        {"completed_normals", facts.prepared.derived.completedNormals},
+                        {"unscaled_normals", facts.prepared.unscaledNormals}});
     if (file.hasTypes() && (facts.wallPoints > 0 || facts.rimPoints == 0)) {
-        addLine("walls", fmt::format("{} on a wall, {} of them on two or more", facts.wallPoints,
-                                     facts.cornerPoints));
+        answer.line("walls", fmt::format("{} on a wall, {} of them on two or more",
+                                         facts.wallPoints, facts.cornerPoints));
     }
     if (facts.rimPoints > 0)
-        addLine("rims", fmt::format("{} away from walls", counted(facts.rimPoints, "point")));
-    addLine("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", file.neighbors.ids.size())
-                                             : "none in the file: a run computes them");
+        answer.line("rims", fmt::format("{} away from walls", counted(facts.rimPoints, "point")));
+    answer.line("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", entries)
+                                                 : "none in the file: a run computes them");
+}
+
+void addMesh(const Facts& facts, Answer& answer) {
+    const MeshReport& mesh = facts.mesh;
     std::string names;
-    for (const Attribute& attribute : file.attributes) appendPart(names, attribute.name);
-    addLine("also", names);
-    if (!file.faces.empty()) {
-        addLine("mesh", meshSentence(facts.mesh));
-        addLine("defects", defectSentence(facts.mesh));
+    answer.json["attributes"] = Json::array();
+    for (const Attribute& attribute : facts.file.attributes) {
+        appendPart(names, attribute.name);
+        answer.json["attributes"].push_back(attribute.name);
     }
-    return text;
+    answer.line("also", names);
+    answer.json.update({{"triangles", mesh.triangles},
+                        {"components", mesh.components},
+                        {"boundary_edges", mesh.boundaryEdges},
+                        {"boundary_loops", mesh.boundaryLoops},
+                        {"non_manifold_edges", mesh.nonManifoldEdges},
+                        {"inconsistent_edges", mesh.inconsistentEdges},
+                        {"euler_characteristic", mesh.eulerCharacteristic},
+                        {"closed_manifold", mesh.closedManifold()}});
+    if (facts.file.faces.empty()) return;
+    answer.line("mesh", meshSentence(mesh));
+    answer.line("defects", defectSentence(mesh));
 }
 
 }  // namespace
@@ -220,7 +210,13 @@ ExitCode infoVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     const std::string& input = arguments.input();
     const Facts facts = gather(arguments.spec());
-    printText(json ? factsJson(input, facts) : factsText(input, facts));
+    Answer answer{
+        fmt::format("{}: {}\n", printable(input), counted(facts.file.position.size(), "point")),
+        {{"input", input}}};
+    addPoints(facts, answer);
+    addNeighborhood(facts, answer);
+    addMesh(facts, answer);
+    print(answer, json);
     return ExitCode::Good;
 }
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "teach/embedded_lessons.h"
 #include "teach/find_named.h"
-#include "teach/json_text.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_runs.h"
@@ -167,19 +165,18 @@ const std::string& theName(const LessonArguments& arguments, const std::string& 
 
 ExitCode listLessons(const LessonArguments& arguments) {
     if (!arguments.names.empty()) throw Failure(ExitCode::Usage, "lesson list: takes no names");
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    std::string text;
+    Answer answer{"", Json::array()};
     for (const teach::EmbeddedLesson& each : teach::embeddedLessons()) {
         const Lesson lesson = teach::readLesson(each.text, std::string(each.id)).lesson;
-        list.push_back({{"id", each.id},
-                        {"title", lesson.title},
-                        {"minutes", lesson.minutes()},
-                        {"steps", lesson.steps.size()},
-                        {"questions", lesson.questions()}});
-        text += fmt::format("{:<17} {:>4} min  {:>2} questions  {}\n", each.id, lesson.minutes(),
-                            lesson.questions(), lesson.title);
+        answer.json.push_back({{"id", each.id},
+                               {"title", lesson.title},
+                               {"minutes", lesson.minutes()},
+                               {"steps", lesson.steps.size()},
+                               {"questions", lesson.questions()}});
+        answer.text += fmt::format("{:<17} {:>4} min  {:>2} questions  {}\n", each.id,
+                                   lesson.minutes(), lesson.questions(), lesson.title);
     }
-    printText(arguments.json ? teach::jsonText(list) : text);
+    print(answer, arguments.json);
     return ExitCode::Good;
 }
 
@@ -199,7 +196,7 @@ ExitCode showLesson(const LessonArguments& arguments) {
     return ExitCode::Good;
 }
 
-nlohmann::ordered_json faultJson(const LessonFault& fault, const std::string& name) {
+Json faultJson(const LessonFault& fault, const std::string& name) {
     const bool malformed = fault.sort == teach::FaultSort::Malformed;
     return {{"file", name},
             {"line", fault.line},
@@ -211,8 +208,7 @@ nlohmann::ordered_json faultJson(const LessonFault& fault, const std::string& na
 ExitCode checkLessons(const LessonArguments& arguments) {
     if (arguments.names.empty())
         throw Failure(ExitCode::Usage, "lesson check: expected ids or files of lessons");
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    std::string text;
+    Answer answer{"", Json::array()};
     ExitCode code = ExitCode::Good;
     for (const std::string& name : arguments.names) {
         const OpenedLesson opened = openLesson(name);
@@ -220,17 +216,17 @@ ExitCode checkLessons(const LessonArguments& arguments) {
         LessonRuns runs(opened.folder, arguments.limit);
         if (faults.empty()) faults = teach::checkLesson(opened.reading.lesson, runs);
         for (const LessonFault& fault : faults) {
-            text += printable(teach::faultText(fault, name)) + "\n";
-            list.push_back(faultJson(fault, name));
+            answer.text += printable(teach::faultText(fault, name)) + "\n";
+            answer.json.push_back(faultJson(fault, name));
         }
         if (teach::isMalformed(faults)) code = ExitCode::Input;
         if (!faults.empty() && code == ExitCode::Good) code = ExitCode::CheckFailed;
         if (!faults.empty()) continue;
         const Lesson& lesson = opened.reading.lesson;
-        text += fmt::format("{}: good: {}, {}\n", printable(name), contentText(lesson),
-                            minutesText(lesson.minutes()));
+        answer.text += fmt::format("{}: good: {}, {}\n", printable(name), contentText(lesson),
+                                   minutesText(lesson.minutes()));
     }
-    printText(arguments.json ? teach::jsonText(list) : text);
+    print(answer, arguments.json);
     return code;
 }
 

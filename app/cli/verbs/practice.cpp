@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "spiraling_edge/base/files.h"
-#include "teach/json_text.h"
 #include "teach/practice.h"
 #include "verbs.h"
 
@@ -18,7 +16,6 @@ namespace {
 using teach::PlayMove;
 using teach::PracticeGrade;
 using teach::PracticeTask;
-using PracticeJson = nlohmann::ordered_json;
 
 struct PracticeArguments {
     std::uint64_t seed = 1;
@@ -84,44 +81,38 @@ std::string taskText(const PracticeTask& task) {
     return text;
 }
 
-PracticeJson taskJson(const PracticeTask& task) {
+Json taskJson(const PracticeTask& task) {
     const PointSet& points = *task.points;
-    PracticeJson json{{"seed", task.seed},
-                      {"rules", "paper"},
-                      {"address", toString(task.address)},
-                      {"p", task.p},
-                      {"first", task.first},
-                      {"last", task.last},
-                      {"neighbors", std::vector<Index>(points.neighbors[task.p].begin(),
-                                                       points.neighbors[task.p].end())},
-                      {"ring", task.ring},
-                      {"stack", task.stack},
-                      {"done", task.done}};
-    json["points"] = PracticeJson::array();
+    const auto list = points.neighbors[task.p];
+    Json json{{"seed", task.seed},
+              {"rules", "paper"},
+              {"address", toString(task.address)},
+              {"p", task.p},
+              {"first", task.first},
+              {"last", task.last},
+              {"neighbors", std::vector<Index>(list.begin(), list.end())},
+              {"ring", task.ring},
+              {"stack", task.stack},
+              {"done", task.done},
+              {"points", Json::array()},
+              {"normals", Json::array()}};
     for (const Vec3& x : points.position) json["points"].push_back({x.x, x.y, x.z});
-    json["normals"] = PracticeJson::array();
     for (const Vec3& n : points.normal) json["normals"].push_back({n.x, n.y, n.z});
     return json;
 }
 
-PracticeJson solutionJson(const PracticeTask& task) {
-    PracticeJson json = PracticeJson::array();
-    for (const teach::RunMove& each : task.solution) {
-        json.push_back({{"move", teach::moveText(each.move)},
-                        {"address", toString(each.event.address)},
-                        {"section", stageSection(each.event.address.stage)}});
-    }
-    return json;
-}
-
-std::string solutionText(const PracticeTask& task) {
+Answer solutionAnswer(const PracticeTask& task) {
     const std::vector<teach::NamedPoint> names = teach::practiceNames(task);
-    std::string text;
+    Answer answer{"", Json::array()};
     for (const teach::RunMove& each : task.solution) {
-        text += fmt::format("{:<24}  # {} ({})\n", teach::moveText(each.move, names),
-                            toString(each.event.address), stageSection(each.event.address.stage));
+        const std::string address = toString(each.event.address);
+        const std::string_view section = stageSection(each.event.address.stage);
+        answer.text +=
+            fmt::format("{:<24}  # {} ({})\n", teach::moveText(each.move, names), address, section);
+        answer.json.push_back(
+            {{"move", teach::moveText(each.move)}, {"address", address}, {"section", section}});
     }
-    return text;
+    return answer;
 }
 
 std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& task) {
@@ -131,26 +122,22 @@ std::vector<PlayMove> readAnswer(const std::string& path, const PracticeTask& ta
     return require(teach::readMoves(bytes, nameOfInput(path), task), ExitCode::Input);
 }
 
-std::string gradeText(const PracticeGrade& grade, const std::vector<PlayMove>& moves,
-                      const PracticeTask& task) {
-    if (grade.right) return fmt::format("right: all {} moves\n", moves.size());
+Answer gradeAnswer(const PracticeGrade& grade, const std::vector<PlayMove>& moves,
+                   const PracticeTask& task) {
     const std::size_t wrong = grade.rightMoves;
+    Answer answer{fmt::format("right: all {} moves\n", moves.size()),
+                  {{"right", grade.right}, {"right_moves", wrong}}};
+    if (grade.right) return answer;
     const std::string given =
         wrong < moves.size() ? teach::moveText(moves[wrong], teach::practiceNames(task)) + ": wrong"
                              : "missing";
-    return fmt::format("move {}, {}\n  {} ({}, {})\n", wrong + 1, given, grade.sentence,
-                       grade.address, grade.section);
-}
-
-std::string gradeJson(const PracticeGrade& grade) {
-    PracticeJson json{{"right", grade.right}, {"right_moves", grade.rightMoves}};
-    if (!grade.right) {
-        json["section"] = grade.section;
-        json["stage"] = grade.stage;
-        json["address"] = grade.address;
-        json["sentence"] = grade.sentence;
-    }
-    return teach::jsonText(json);
+    answer.text = fmt::format("move {}, {}\n  {} ({}, {})\n", wrong + 1, given, grade.sentence,
+                              grade.address, grade.section);
+    answer.json.update({{"section", grade.section},
+                        {"stage", grade.stage},
+                        {"address", grade.address},
+                        {"sentence", grade.sentence}});
+    return answer;
 }
 
 ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask& task) {
@@ -160,7 +147,7 @@ ExitCode gradeAnswerFile(const PracticeArguments& arguments, const PracticeTask&
     if (!arguments.result.empty()) {
         writeOutput(arguments.result, teach::resultJson(teach::practiceResult(moves, grade, task)));
     }
-    printText(arguments.json ? gradeJson(grade) : gradeText(grade, moves, task));
+    print(gradeAnswer(grade, moves, task), arguments.json);
     return grade.right ? ExitCode::Good : ExitCode::CheckFailed;
 }
 
@@ -176,12 +163,9 @@ ExitCode practiceVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     const PracticeTask task = teach::practiceTask(arguments.seed);
     if (!arguments.answer.empty()) return gradeAnswerFile(arguments, task);
-    if (!arguments.json) {
-        printText(arguments.solution ? solutionText(task) : taskText(task));
-        return ExitCode::Good;
-    }
-    const PracticeJson json = arguments.solution ? solutionJson(task) : taskJson(task);
-    printText(json.dump() + "\n");
+    const Answer answer =
+        arguments.solution ? solutionAnswer(task) : Answer{taskText(task), taskJson(task)};
+    printText(arguments.json ? answer.json.dump() + "\n" : answer.text);
     return ExitCode::Good;
 }
 

@@ -3,10 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
@@ -16,7 +15,6 @@
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -98,25 +96,19 @@ struct SampleArguments {
     }
 };
 
-std::string shapesText() {
+Answer shapesAnswer() {
     std::size_t width = 0;
     for (const Shape& shape : shapes()) width = std::max(width, shape.id.size());
-    std::string text;
-    for (const Shape& shape : shapes())
-        text += fmt::format("{:<{}}  {}\n", shape.id, width, shape.title);
-    return text;
-}
-
-std::string shapesJson() {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    Answer answer{"", Json::array()};
     for (const Shape& shape : shapes()) {
-        list.push_back({{"id", shape.id},
-                        {"title", shape.title},
-                        {"isovalue", shape.isovalue},
-                        {"low", {shape.low.x, shape.low.y, shape.low.z}},
-                        {"high", {shape.high.x, shape.high.y, shape.high.z}}});
+        answer.text += fmt::format("{:<{}}  {}\n", shape.id, width, shape.title);
+        answer.json.push_back({{"id", shape.id},
+                               {"title", shape.title},
+                               {"isovalue", shape.isovalue},
+                               {"low", {shape.low.x, shape.low.y, shape.low.z}},
+                               {"high", {shape.high.x, shape.high.y, shape.high.z}}});
     }
-    return teach::jsonText(list);
+    return answer;
 }
 
 /// Lists of the k nearest points, as `run` would compute them.
@@ -157,7 +149,7 @@ ExitCode sampleVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     if (arguments.list) {
-        printText(arguments.json ? shapesJson() : shapesText());
+        print(shapesAnswer(), arguments.json);
         return ExitCode::Good;
     }
     arguments.validate();

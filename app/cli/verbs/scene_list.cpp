@@ -2,51 +2,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "spiraling_edge/scenes/scenes.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
 
-std::string scenesJson() {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Scene& scene : scenes()) {
-        list.push_back({{"id", scene.id},
-                        {"title", scene.title},
-                        {"watch", scene.watch},
-                        {"points", scene.build().position.size()}});
-        if (!scene.address.empty()) list.back()["address"] = scene.address;
-    }
-    for (const FailureScene& each : failureScenes()) {
-        list.push_back({{"id", each.scene.id},
-                        {"title", each.scene.title},
-                        {"watch", each.scene.watch},
-                        {"points", each.scene.build().position.size()},
-                        {"failure", each.failure},
-                        {"address", each.address},
-                        {"section", each.section},
-                        {"sentence", each.sentence},
-                        {"helps", each.helps}});
-    }
-    return teach::jsonText(list);
+Json sceneJson(const Scene& scene) {
+    return {{"id", scene.id},
+            {"title", scene.title},
+            {"watch", scene.watch},
+            {"points", scene.build().position.size()}};
 }
 
-std::string scenesText() {
+Answer scenesAnswer() {
     std::size_t width = 0;
     for (const Scene& scene : scenes()) width = std::max(width, scene.id.size());
     for (const FailureScene& each : failureScenes()) width = std::max(width, each.scene.id.size());
-    std::string text;
-    for (const Scene& scene : scenes())
-        text += fmt::format("scene:{:<{}}  {}\n", scene.id, width, scene.title);
-    for (const FailureScene& each : failureScenes())
-        text += fmt::format("scene:{:<{}}  {}: {}, at {}\n", each.scene.id, width, each.scene.title,
-                            each.failure, each.address);
-    return text;
+    Answer answer{"", Json::array()};
+    for (const Scene& scene : scenes()) {
+        answer.text += fmt::format("scene:{:<{}}  {}\n", scene.id, width, scene.title);
+        answer.json.push_back(sceneJson(scene));
+        if (!scene.address.empty()) answer.json.back()["address"] = scene.address;
+    }
+    for (const FailureScene& each : failureScenes()) {
+        answer.text += fmt::format("scene:{:<{}}  {}: {}, at {}\n", each.scene.id, width,
+                                   each.scene.title, each.failure, each.address);
+        answer.json.push_back(sceneJson(each.scene));
+        answer.json.back().update({{"failure", each.failure},
+                                   {"address", each.address},
+                                   {"section", each.section},
+                                   {"sentence", each.sentence},
+                                   {"helps", each.helps}});
+    }
+    return answer;
 }
 
 }  // namespace
@@ -60,7 +52,7 @@ ExitCode scenesVerb(const Arguments& words) {
     bool json = false;
     app.add_flag("--json", json, "As JSON, with the number of points and what to look at");
     if (const auto code = parseArguments(app, words)) return *code;
-    printText(json ? scenesJson() : scenesText());
+    print(scenesAnswer(), json);
     return ExitCode::Good;
 }
 

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "input.h"
 #include "options.h"
-#include "output/output.h"
+#include "output/answer.h"
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
@@ -21,7 +20,6 @@
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
-#include "teach/json_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -161,14 +159,6 @@ PointSet preparedFor(const PointFile& file, const TableArguments& arguments, con
     return require(prepare(file, options), ExitCode::Internal).points;
 }
 
-/// "neighbors within 1.6 spacings".
-std::string reachText(const TableArguments& arguments) {
-    const auto& reach = arguments.spec.neighbors.reach;
-    if (const auto* nearest = std::get_if<KNearest>(&reach))
-        return counted(nearest->k, "nearest neighbor");
-    return fmt::format("neighbors within {:g} spacings", std::get<WithinSpacings>(reach).spacings);
-}
-
 Made make(const Row& row, const TableArguments& arguments, const Params& params,
           ProgressLine& line) {
     Made made;
@@ -195,76 +185,70 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     return made;
 }
 
-std::string tableText(const std::vector<Made>& all, const TableArguments& arguments) {
-    std::string text = fmt::format(
-        "Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
-        "alone, the best of the runs within a second\n\n",
-        arguments.spec.rules, reachText(arguments), arguments.seed, arguments.curvature);
-    text += fmt::format(
+/// Adds the results of a row beside those of the paper.
+void addRow(const Row& row, const Made& made, Answer& answer) {
+    const double perPoint = static_cast<double>(row.triangles) / static_cast<double>(row.points);
+    answer.text += fmt::format(
+        "{:<16} {:>6}  {:>8} {:>8}  {:>7.3f} {:>7.3f}  {:>6.2f} {:>8.5f} "
+        "{:>6.0f}  {:>6} {:>5} {:>6} {:>5} {:>8} {:>5}{}\n",
+        fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.points, row.triangles,
+        made.mesh.triangles, perPoint, made.trianglesPerPoint(), row.seconds, made.seconds,
+        row.seconds / made.seconds, made.mesh.unusedPoints, made.missing(), made.mesh.boundaryEdges,
+        made.mesh.boundaryLoops, made.mesh.nonManifoldEdges, made.joins,
+        made.capped ? "  stopped" : "");
+    answer.json["sets"].push_back({{"set", row.set},
+                                   {"source", made.source},
+                                   {"stand_in", made.standIn},
+                                   {"points", made.points},
+                                   {"wall_points", made.wallPoints},
+                                   {"triangles", made.mesh.triangles},
+                                   {"ideal_triangles", made.ideal()},
+                                   {"seconds", made.seconds},
+                                   {"points_in_no_triangle", made.mesh.unusedPoints},
+                                   {"boundary_edges", made.mesh.boundaryEdges},
+                                   {"boundary_loops", made.mesh.boundaryLoops},
+                                   {"non_manifold_edges", made.mesh.nonManifoldEdges},
+                                   {"euler_characteristic", made.mesh.eulerCharacteristic},
+                                   {"joins", made.joins},
+                                   {"capped", made.capped},
+                                   {"paper_points", row.points},
+                                   {"paper_triangles", row.triangles},
+                                   {"paper_seconds", row.seconds}});
+}
+
+Answer tableAnswer(const std::vector<Made>& all, const TableArguments& arguments) {
+    const RunSpec& spec = arguments.spec;
+    const auto* nearest = std::get_if<KNearest>(&spec.neighbors.reach);
+    const auto* within = std::get_if<WithinSpacings>(&spec.neighbors.reach);
+    const std::string reach = nearest != nullptr
+                                  ? counted(nearest->k, "nearest neighbor")
+                                  : fmt::format("neighbors within {:g} spacings", within->spacings);
+    Answer answer{
+        fmt::format("Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
+                    "alone, the best of the runs within a second\n\n",
+                    spec.rules, reach, arguments.seed, arguments.curvature),
+        {{"rules", spec.rules},
+         {"neighbors", nearest != nullptr ? Json(nearest->k) : Json()},
+         {"reach", within != nullptr ? Json(within->spacings) : Json()},
+         {"seed", arguments.seed},
+         {"curvature", arguments.curvature},
+         {"sets", Json::array()}}};
+    answer.text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
         "{:>5}\n",
         "", "", "triangles", "per point", "seconds", "", "", "", "", "", "non-", "");
-    text += fmt::format(
+    answer.text += fmt::format(
         "{:<16} {:>6}  {:>8} {:>8}  {:>7} {:>7}  {:>6} {:>8} {:>6}  {:>6} {:>5} "
         "{:>6} {:>5} {:>8} {:>5}\n",
         "set", "points", "paper", "here", "paper", "here", "paper", "here", "times", "unused",
         "short", "rim", "loops", "manifold", "joins");
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Row& row = kRows[i];
-        const Made& made = all[i];
-        const double perPoint =
-            static_cast<double>(row.triangles) / static_cast<double>(row.points);
-        text += fmt::format(
-            "{:<16} {:>6}  {:>8} {:>8}  {:>7.3f} {:>7.3f}  {:>6.2f} {:>8.5f} "
-            "{:>6.0f}  {:>6} {:>5} {:>6} {:>5} {:>8} {:>5}{}\n",
-            fmt::format("{}{}", row.set, made.standIn ? " *" : ""), made.points, row.triangles,
-            made.mesh.triangles, perPoint, made.trianglesPerPoint(), row.seconds, made.seconds,
-            row.seconds / made.seconds, made.mesh.unusedPoints, made.missing(),
-            made.mesh.boundaryEdges, made.mesh.boundaryLoops, made.mesh.nonManifoldEdges,
-            made.joins, made.capped ? "  stopped" : "");
-    }
-    text +=
+    for (std::size_t i = 0; i < all.size(); ++i) addRow(kRows[i], all[i], answer);
+    answer.text +=
         "\nshort: triangles missing to 2 V - 2 chi - rim, the number of a surface "
         "that uses every point; rim: edges of one triangle\n";
     if (std::any_of(all.begin(), all.end(), [](const Made& m) { return m.standIn; }))
-        text += "* a shape of this program instead of the volume; give --volumes DIR\n";
-    return text;
-}
-
-std::string tableJson(const std::vector<Made>& all, const TableArguments& arguments) {
-    nlohmann::ordered_json json;
-    const RunSpec& spec = arguments.spec;
-    const auto* nearest = std::get_if<KNearest>(&spec.neighbors.reach);
-    const auto* within = std::get_if<WithinSpacings>(&spec.neighbors.reach);
-    json["rules"] = spec.rules;
-    json["neighbors"] = nearest ? nlohmann::ordered_json(nearest->k) : nlohmann::ordered_json();
-    json["reach"] = within ? nlohmann::ordered_json(within->spacings) : nlohmann::ordered_json();
-    json["seed"] = arguments.seed;
-    json["curvature"] = arguments.curvature;
-    json["sets"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Row& row = kRows[i];
-        const Made& made = all[i];
-        json["sets"].push_back({{"set", row.set},
-                                {"source", made.source},
-                                {"stand_in", made.standIn},
-                                {"points", made.points},
-                                {"wall_points", made.wallPoints},
-                                {"triangles", made.mesh.triangles},
-                                {"ideal_triangles", made.ideal()},
-                                {"seconds", made.seconds},
-                                {"points_in_no_triangle", made.mesh.unusedPoints},
-                                {"boundary_edges", made.mesh.boundaryEdges},
-                                {"boundary_loops", made.mesh.boundaryLoops},
-                                {"non_manifold_edges", made.mesh.nonManifoldEdges},
-                                {"euler_characteristic", made.mesh.eulerCharacteristic},
-                                {"joins", made.joins},
-                                {"capped", made.capped},
-                                {"paper_points", row.points},
-                                {"paper_triangles", row.triangles},
-                                {"paper_seconds", row.seconds}});
-    }
-    return teach::jsonText(json);
+        answer.text += "* a shape of this program instead of the volume; give --volumes DIR\n";
+    return answer;
 }
 
 }  // namespace
@@ -283,7 +267,7 @@ ExitCode table1Verb(const Arguments& words) {
     std::vector<Made> all;
     all.reserve(kRows.size());
     for (const Row& row : kRows) all.push_back(make(row, arguments, params, line));
-    printText(arguments.json ? tableJson(all, arguments) : tableText(all, arguments));
+    print(tableAnswer(all, arguments), arguments.json);
     return ExitCode::Good;
 }
 
