@@ -92,6 +92,13 @@ class LimitScan {
     std::string_view lastString_;
 };
 
+/// Stands for a value that an object lacks.
+const nlohmann::json kMissing;
+
+bool isPoint(const nlohmann::json& json, std::size_t count) {
+    return json.is_number_unsigned() && json.get<std::uint64_t>() < count;
+}
+
 }  // namespace
 
 std::string jsonLimitFault(std::string_view text, std::size_t line) {
@@ -106,18 +113,19 @@ std::string jsonSyntaxFault(std::string_view text, std::size_t byte) {
 }
 
 void JsonEntry::fail(std::string_view expected) const {
+    const bool isMissing = &json_ == &kMissing;
     throw JsonFault{file_ + (path_.empty() ? "" : ": " + path_) + ": expected " +
-                    std::string(expected) + ", got " + jsonExcerpt(json_)};
+                    std::string(expected) +
+                    (isMissing ? ", it is missing" : ", got " + jsonExcerpt(json_))};
 }
 
-bool JsonEntry::has(const std::string& key) const {
-    return json_.is_object() && json_.contains(key);
-}
+bool JsonEntry::has(std::string_view key) const { return json_.is_object() && json_.contains(key); }
 
-JsonEntry JsonEntry::at(const std::string& key) const {
-    static const nlohmann::json kMissing;
+JsonEntry JsonEntry::at(std::string_view key) const {
     if (!json_.is_object()) fail("an object");
-    return {has(key) ? json_[key] : kMissing, file_, (path_.empty() ? "" : path_ + ".") + key};
+    const auto found = json_.find(key);
+    return {found != json_.end() ? *found : kMissing, file_,
+            (path_.empty() ? "" : path_ + ".") + std::string(key)};
 }
 
 std::vector<JsonEntry> JsonEntry::items(std::string_view expected) const {
@@ -153,6 +161,23 @@ std::vector<std::string> JsonEntry::texts() const {
     std::vector<std::string> texts;
     for (const JsonEntry& each : items("a list of texts")) texts.push_back(each.text());
     return texts;
+}
+
+Index JsonEntry::point(std::size_t count) const {
+    if (isPoint(json_, count)) return json_.get<Index>();
+    fail("the number of a point, from 0" +
+         (count < kNone ? " to " + std::to_string(count - 1) : std::string()));
+}
+
+std::vector<Index> JsonEntry::points(std::string_view expected, std::size_t count) const {
+    if (!json_.is_array()) fail(expected);
+    std::vector<Index> points;
+    points.reserve(json_.size());
+    // Entries are made for messages only: a trace has millions of points.
+    for (const nlohmann::json& each : json_)
+        points.push_back(isPoint(each, count) ? each.get<Index>()
+                                              : items(expected)[points.size()].point(count));
+    return points;
 }
 
 }  // namespace se::teach

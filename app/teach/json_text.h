@@ -10,6 +10,7 @@
 
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/result.h"
+#include "spiraling_edge/base/types.h"
 
 namespace se::teach {
 
@@ -64,9 +65,9 @@ class JsonEntry {
     const nlohmann::json& json() const { return json_; }
 
     /// True if an object has that key.
-    bool has(const std::string& key) const;
+    bool has(std::string_view key) const;
     /// The value of an object at a key; null if it is missing.
-    JsonEntry at(const std::string& key) const;
+    JsonEntry at(std::string_view key) const;
     /// The values of a list.
     std::vector<JsonEntry> items(std::string_view expected) const;
 
@@ -77,6 +78,9 @@ class JsonEntry {
     std::size_t count() const;
     bool truth() const;
     std::vector<std::string> texts() const;
+    /// The number of a point below `count`; of any point if that is kNone.
+    Index point(std::size_t count = kNone) const;
+    std::vector<Index> points(std::string_view expected, std::size_t count = kNone) const;
 
   private:
     const nlohmann::json& json_;

@@ -77,20 +77,10 @@ Status readField(const SpecField& field, const SpecJson& value, RunSpec& spec) {
 
 // ---- starts ----
 
-Index pointOf(const JsonEntry& entry) {
-    const SpecJson& json = entry.json();
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNone)
-        entry.fail("the number of a point, from 0");
-    return json.get<Index>();
-}
-
-std::vector<Index> pointsOf(const JsonEntry& entry, std::string_view expected,
-                            std::size_t count = 0) {
-    const std::vector<JsonEntry> all = entry.items(expected);
-    if (count > 0 && all.size() != count) entry.fail(expected);
-    std::vector<Index> points;
-    points.reserve(all.size());
-    for (const JsonEntry& each : all) points.push_back(pointOf(each));
+/// A list of `count` points.
+std::vector<Index> pointsOf(const JsonEntry& entry, std::string_view expected, std::size_t count) {
+    std::vector<Index> points = entry.points(expected);
+    if (points.size() != count) entry.fail(expected);
     return points;
 }
 
@@ -102,10 +92,10 @@ void readTriangles(const JsonEntry& entry, GivenStart& start) {
 }
 void readRings(const JsonEntry& entry, GivenStart& start) {
     for (const JsonEntry& each : entry.items("a list of rings"))
-        start.rings.push_back(pointsOf(each, "a ring, such as [0, 1, 2, 3]"));
+        start.rings.push_back(each.points("a ring, such as [0, 1, 2, 3]"));
 }
 void readDone(const JsonEntry& entry, GivenStart& start) {
-    start.done = pointsOf(entry, "a list of points");
+    start.done = entry.points("a list of points");
 }
 void readOpen(const JsonEntry& entry, GivenStart& start) {
     for (const JsonEntry& each : entry.items("a list of steps")) {

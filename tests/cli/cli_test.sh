@@ -1953,15 +1953,15 @@ bad_traces_are_malformed_input() {
     expect 3 diff missing.setrace scene:figure-8
     says err "missing.setrace"
     expect 3 diff good.setrace scene:torus
-    says err 'good.setrace: line 1: "points": the input has 1000 points, the trace is of 50'
+    says err 'good.setrace: line 1: points: the input has 1000 points, the trace is of 50'
     expect 3 diff good.setrace scene:figure-10 --upto sort
-    says err 'good.setrace: line 2: "sort"'
+    says err 'good.setrace: line 2: sort: '
     sed '5s/"fan":\[[0-9]*/"fan":[50/' good.setrace >range.setrace
     expect 3 diff range.setrace scene:figure-8
-    says err 'range.setrace: line 5: "fan": expected the number of a point, from 0 to 49, got "50"'
+    says err 'range.setrace: line 5: fan[0]: expected the number of a point, from 0 to 49, got 50'
     sed 's/fnv1a64:./fnv1a64:x/' good.setrace >hash.setrace
     expect 3 diff hash.setrace scene:figure-8
-    says err 'hash.setrace: line 1: "hash"'
+    says err 'hash.setrace: line 1: hash: '
     head -c 3000 good.setrace >cut.setrace
     expect 3 diff cut.setrace scene:figure-8
     says err "the last line may be cut off"

@@ -48,111 +48,56 @@ TraceJson jsonOfSteps(const std::vector<RingStep>& steps) {
 
 // ---- reading ------------------------------------------------------------------------------------
 
-/// The fields of one line. After the first fault, which is kept, nothing more is read.
-class TraceLineReader {
-  public:
-    /// `number`: of the pivot, from 1.
-    TraceLineReader(const TraceJson& json, std::size_t points, std::size_t number)
-        : json_(json), points_(points), number_(number) {}
+/// What the fan of a pivot should be; empty if it is that.
+std::string faultOfFan(const TracePivot& pivot) {
+    const std::vector<Index>& fan = *pivot.fan;
+    if (fan.empty()) return {};
+    if (fan.front() != pivot.first || fan.back() != pivot.last) {
+        return "points from first, " + std::to_string(pivot.first) + ", to last, " +
+               std::to_string(pivot.last);
+    }
+    if (fan.size() < 2) return "two points or more, or [] for none";
+    if (std::find(fan.begin(), fan.end(), pivot.p) != fan.end())
+        return "no p, which every triangle has anyway";
+    if (std::adjacent_find(fan.begin(), fan.end()) != fan.end()) return "no point twice in a row";
+    return {};
+}
 
-    const std::string& fault() const { return fault_; }
-
-    TracePivot pivot() {
-        TracePivot pivot;
-        pivot.p = point("p");
-        pivot.first = point("first");
-        pivot.last = point("last");
-        if (fault_.empty() && (pivot.p == pivot.first || pivot.p == pivot.last))
-            complain("p", "a pivot other than first and last");
-        for (const TracePointField& each : kTracePointFields) {
-            if (json_.contains(each.name)) pivot.*each.point = point(each.name);
-        }
-        if (json_.contains("next")) pivot.next = nextPivot();
-        for (const TraceStageRow& row : kTraceStages) {
-            if (json_.contains(row.field)) pivot.*row.points = list(row.field);
-        }
-        if (json_.contains("ends")) pivot.ends = truth("ends");
-        if (fault_.empty() && pivot.fan) checkFan(pivot);
-        return pivot;
+/// The pivot of a line; `number`: from 1. Throws JsonFault.
+TracePivot pivotOfLine(const JsonEntry& line, std::size_t points, std::size_t number) {
+    TracePivot pivot;
+    pivot.p = line.at("p").point(points);
+    pivot.first = line.at("first").point(points);
+    pivot.last = line.at("last").point(points);
+    if (pivot.p == pivot.first || pivot.p == pivot.last)
+        line.at("p").fail("a pivot other than first and last");
+    for (const TracePointField& each : kTracePointFields) {
+        if (line.has(each.name)) pivot.*each.point = line.at(each.name).point(points);
     }
-
-  private:
-    void complain(std::string_view field, const std::string& expected) {
-        if (fault_.empty()) fault_ = '"' + std::string(field) + "\": expected " + expected;
+    if (line.has("next"))
+        pivot.next = line.at("next").json().is_null() ? kNone : line.at("next").point(points);
+    for (const TraceStageRow& row : kTraceStages) {
+        if (line.has(row.field))
+            pivot.*row.points = line.at(row.field).points("a list of points", points);
     }
-    std::string numbers() const {
-        return "the number of a point, from 0 to " + std::to_string(points_ - 1);
+    if (line.has("ends")) pivot.ends = line.at("ends").truth();
+    const std::string expected = pivot.fan ? faultOfFan(pivot) : "";
+    if (!expected.empty()) {
+        line.at("fan").fail(expected + " at pivot " + std::to_string(number) + " (point " +
+                            std::to_string(pivot.p) + ")");
     }
-    bool isPoint(const TraceJson& value) const {
-        return value.is_number_unsigned() && value.get<std::uint64_t>() < points_;
-    }
-    Index point(std::string_view field) {
-        const auto found = json_.find(field);
-        if (found == json_.end()) complain(field, numbers() + ", it is missing");
-        if (found == json_.end()) return kNone;
-        if (isPoint(*found)) return found->get<Index>();
-        complain(field, numbers() + ", got " + shortText(*found));
-        return kNone;
-    }
-    bool truth(std::string_view field) {
-        const TraceJson& value = json_.at(std::string(field));
-        if (!value.is_boolean()) complain(field, "true or false, got " + shortText(value));
-        return value == true;
-    }
-    Index nextPivot() { return json_.at("next").is_null() ? kNone : point("next"); }
-    std::vector<Index> list(std::string_view field) {
-        const TraceJson& values = json_.at(std::string(field));
-        std::vector<Index> points;
-        if (!values.is_array()) complain(field, "a list of points, got " + shortText(values));
-        if (!values.is_array()) return points;
-        points.reserve(values.size());
-        for (const TraceJson& each : values) {
-            if (!isPoint(each)) {
-                complain(field, numbers() + ", got " + shortText(each));
-                return points;
-            }
-            points.push_back(each.get<Index>());
-        }
-        return points;
-    }
-    void checkFan(const TracePivot& pivot) {
-        const std::string expected = faultOfFan(pivot);
-        if (expected.empty()) return;
-        complain("fan", expected + ", got " + shortText(json_.at("fan")) + " at pivot " +
-                            std::to_string(number_) + " (point " + std::to_string(pivot.p) + ")");
-    }
-    /// The sentence on what the fan should be; empty if it is that.
-    static std::string faultOfFan(const TracePivot& pivot) {
-        const std::vector<Index>& fan = *pivot.fan;
-        if (fan.empty()) return {};
-        if (fan.front() != pivot.first || fan.back() != pivot.last) {
-            return "points from first, " + std::to_string(pivot.first) + ", to last, " +
-                   std::to_string(pivot.last);
-        }
-        if (fan.size() < 2) return "two points or more, or [] for none";
-        if (std::find(fan.begin(), fan.end(), pivot.p) != fan.end())
-            return "no p, which every triangle has anyway";
-        if (std::adjacent_find(fan.begin(), fan.end()) != fan.end())
-            return "no point twice in a row";
-        return {};
-    }
-    static std::string shortText(const TraceJson& value) { return '"' + jsonExcerpt(value) + '"'; }
-
-    const TraceJson& json_;
-    std::size_t points_;
-    std::size_t number_;
-    std::string fault_;
-};
+    return pivot;
+}
 
 Error traceError(const std::string& name, std::size_t line, const std::string& what) {
     return io::errorAt(name, io::lineText(line), what);
 }
 
 /// The object of a line. Fails if it is none.
-Result<TraceJson> objectOfLine(const io::LineReader& lines, const std::string& name) {
+Result<nlohmann::json> objectOfLine(const io::LineReader& lines, const std::string& name) {
     if (const std::string fault = jsonLimitFault(lines.line(), lines.number()); !fault.empty())
         return Error{name + ": " + fault};
-    TraceJson json = TraceJson::parse(lines.line(), nullptr, false);
+    nlohmann::json json = nlohmann::json::parse(lines.line(), nullptr, false);
     if (json.is_object()) return json;
     const bool cut = json.is_discarded() && lines.rest().empty();
     return traceError(name, lines.number(),
@@ -160,25 +105,16 @@ Result<TraceJson> objectOfLine(const io::LineReader& lines, const std::string& n
                           (cut ? "; the last line may be cut off" : ""));
 }
 
-/// The header. Fails unless it is one.
-Result<Trace> readTraceHeader(const TraceJson& json, std::size_t line, const std::string& name) {
-    const auto version = json.find("setrace");
-    if (version == json.end()) {
-        return traceError(name, line,
-                          "expected the header {\"setrace\": 1, \"points\": N, \"hash\": ...}");
-    }
-    if (*version != 1) return traceError(name, line, "\"setrace\": expected version 1");
+/// The header. Throws JsonFault unless it is one.
+Trace traceOfHeader(const JsonEntry& head) {
+    if (!head.has("setrace"))
+        head.fail("the header {\"setrace\": 1, \"points\": N, \"hash\": ...}");
+    if (head.at("setrace").json() != 1) head.at("setrace").fail("version 1");
     Trace trace;
-    const auto points = json.find("points");
-    if (points == json.end() || !points->is_number_unsigned() ||
-        points->get<std::uint64_t>() == 0 || points->get<std::uint64_t>() >= kNone)
-        return traceError(name, line, "\"points\": expected the number of points of the input");
-    trace.points = points->get<std::size_t>();
-    const auto hash = json.find("hash");
-    if (hash == json.end()) return trace;
-    if (!hash->is_string())
-        return traceError(name, line, "\"hash\": expected a text such as \"fnv1a64:...\"");
-    trace.hash = hash->get<std::string>();
+    trace.points = head.at("points").count();
+    if (trace.points == 0 || trace.points >= kNone)
+        head.at("points").fail("the number of points of the input");
+    if (head.has("hash")) trace.hash = head.at("hash").text();
     return trace;
 }
 
@@ -187,12 +123,12 @@ Result<Trace> readTraceHeader(const TraceJson& json, std::size_t line, const std
 Status requireWhole(const TracePivot& pivot, TraceStage upto, const std::string& name) {
     if (pivot.ends) {
         return traceError(name, pivot.line,
-                          "\"ends\": expected in the last line only, another pivot follows");
+                          "ends: expected in the last line only, another pivot follows");
     }
     if (hasStage(pivot, upto)) return success();
     return traceError(
         name, pivot.line,
-        '"' + std::string(rowOf(upto).field) + "\": expected a list of points, it is missing");
+        std::string(rowOf(upto).field) + ": expected a list of points, it is missing");
 }
 
 }  // namespace
@@ -248,25 +184,28 @@ Result<Trace> readTrace(std::string_view text, const std::string& name, TraceSta
     if (const std::size_t line = lineOfBadByte(text); line > 0)
         return traceError(name, line, "not UTF-8; a trace is a text file");
     io::LineReader lines(text);
-    if (!lines.nextContent()) return Error{name + ": the file is empty"};
-    const Result<TraceJson> head = objectOfLine(lines, name);
-    if (!head) return head.error();
-    Result<Trace> header = readTraceHeader(head.value(), lines.number(), name);
-    if (!header) return header;
-    Trace trace = std::move(header.value());
+    std::optional<Trace> trace;
     while (lines.nextContent()) {
-        const Result<TraceJson> json = objectOfLine(lines, name);
+        const Result<nlohmann::json> json = objectOfLine(lines, name);
         if (!json) return json.error();
-        if (!trace.pivots.empty()) {
-            const Status whole = requireWhole(trace.pivots.back(), upto, name);
+        if (trace && !trace->pivots.empty()) {
+            const Status whole = requireWhole(trace->pivots.back(), upto, name);
             if (!whole) return whole.error();
         }
-        TraceLineReader reader(json.value(), trace.points, trace.pivots.size() + 1);
-        trace.pivots.push_back(reader.pivot());
-        if (!reader.fault().empty()) return traceError(name, lines.number(), reader.fault());
-        trace.pivots.back().line = lines.number();
+        try {
+            const JsonEntry entry(json.value(), name + ": " + io::lineText(lines.number()));
+            if (!trace) {
+                trace = traceOfHeader(entry);
+                continue;
+            }
+            trace->pivots.push_back(pivotOfLine(entry, trace->points, trace->pivots.size() + 1));
+            trace->pivots.back().line = lines.number();
+        } catch (const JsonFault& fault) {
+            return Error{fault.text};
+        }
     }
-    return trace;
+    if (!trace) return Error{name + ": the file is empty"};
+    return *std::move(trace);
 }
 
 Result<Trace> readTraceFile(const std::string& path, TraceStage upto) {
@@ -279,12 +218,12 @@ Result<Trace> readTraceFile(const std::string& path, TraceStage upto) {
 Status requireTraceOf(const Trace& trace, const PointSet& points, const std::string& name) {
     if (trace.points != points.size()) {
         return traceError(name, 1,
-                          "\"points\": the input has " + std::to_string(points.size()) +
+                          "points: the input has " + std::to_string(points.size()) +
                               " points, the trace is of " + std::to_string(trace.points));
     }
     if (!trace.hash.empty() && trace.hash != pointsHash(points)) {
         return traceError(name, 1,
-                          "\"hash\": the input has " + pointsHash(points) +
+                          "hash: the input has " + pointsHash(points) +
                               "; the trace is of other points, or of another order");
     }
     return success();
