@@ -89,22 +89,14 @@ struct KeyRow {
     bool (*read)(const toml::node&, Target&);
 };
 
-bool isText(const toml::node& node, std::string& out) {
+// Each reads a value of one type; false if it is another.
+bool readValue(const toml::node& node, std::string& out) {
     if (!node.is_string()) return false;
     out = node.as_string()->get();
     return true;
 }
 
-/// A text, or a whole number as text: points may be given as either.
-bool isWord(const toml::node& node, std::string& out) {
-    if (node.is_integer()) {
-        out = std::to_string(node.as_integer()->get());
-        return true;
-    }
-    return isText(node, out);
-}
-
-bool isNumber(const toml::node& node, double& out) {
+bool readValue(const toml::node& node, double& out) {
     if (node.is_integer()) {
         out = static_cast<double>(node.as_integer()->get());
     } else if (node.is_floating_point()) {
@@ -115,36 +107,48 @@ bool isNumber(const toml::node& node, double& out) {
     return std::isfinite(out) && out >= 0.0;
 }
 
-/// One word, or a list of words.
-bool areWords(const toml::node& node, std::vector<std::string>& out) {
-    out.clear();
-    if (!node.is_array()) return isWord(node, out.emplace_back());
-    return std::all_of(node.as_array()->begin(), node.as_array()->end(),
-                       [&](const toml::node& each) { return isWord(each, out.emplace_back()); });
-}
-
-template <auto Member, typename Target>
-bool readText(const toml::node& node, Target& target) {
-    return isText(node, target.*Member);
-}
-template <auto Member, typename Target>
-bool readWords(const toml::node& node, Target& target) {
-    return areWords(node, target.*Member);
-}
-template <auto Member, typename Target>
-bool readNumber(const toml::node& node, Target& target) {
-    return isNumber(node, target.*Member);
-}
-template <auto Member, typename Target>
-bool readSwitch(const toml::node& node, Target& target) {
+bool readValue(const toml::node& node, bool& out) {
     if (!node.is_boolean()) return false;
-    target.*Member = node.as_boolean()->get();
+    out = node.as_boolean()->get();
     return true;
 }
+
+/// A text, or a whole number as text: points may be given as either.
+bool readWord(const toml::node& node, std::string& out) {
+    if (!node.is_integer()) return readValue(node, out);
+    out = std::to_string(node.as_integer()->get());
+    return true;
+}
+
+/// One word, or a list of words.
+bool readValue(const toml::node& node, std::vector<std::string>& out) {
+    out.clear();
+    if (!node.is_array()) return readWord(node, out.emplace_back());
+    return std::all_of(node.as_array()->begin(), node.as_array()->end(),
+                       [&](const toml::node& each) { return readWord(each, out.emplace_back()); });
+}
+
+/// Names of points and their numbers.
+bool readValue(const toml::node& node, std::vector<NamedPoint>& out) {
+    if (!node.is_table()) return false;
+    for (const auto& [name, value] : *node.as_table()) {
+        const auto* number = value.as_integer();
+        if (number == nullptr || number->get() < 0 || number->get() >= kNone) return false;
+        out.push_back({std::string(name.str()), static_cast<Index>(number->get())});
+    }
+    return true;
+}
+
+/// A key whose value is that of a member.
+template <auto Member, typename Target>
+bool read(const toml::node& node, Target& target) {
+    return readValue(node, target.*Member);
+}
+
 /// Values of a field of the run, as words.
 bool addWords(const toml::node& node, std::string_view key, SpecChange& change) {
     std::vector<std::string> words;
-    if (!areWords(node, words)) return false;
+    if (!readValue(node, words)) return false;
     for (std::string& each : words) change.push_back({findSpecField(key), std::move(each)});
     return true;
 }
@@ -155,17 +159,6 @@ bool readRules(const toml::node& node, Target& target) {
 template <typename Target>
 bool readRule(const toml::node& node, Target& target) {
     return addWords(node, "switches", target.rules);
-}
-
-template <auto Member, typename Target>
-bool readNames(const toml::node& node, Target& target) {
-    if (!node.is_table()) return false;
-    for (const auto& [name, value] : *node.as_table()) {
-        const auto* number = value.as_integer();
-        if (number == nullptr || number->get() < 0 || number->get() >= kNone) return false;
-        (target.*Member).push_back({std::string(name.str()), static_cast<Index>(number->get())});
-    }
-    return true;
 }
 
 bool readVersion(const toml::node& node, Lesson&) {
@@ -182,7 +175,7 @@ bool readFacts(const toml::node& node, LessonStep& step) {
     return std::all_of(node.as_array()->begin(), node.as_array()->end(), [&](const auto& each) {
         LessonFact& fact = step.facts.emplace_back();
         fact.line = step.lines.block + each.source().begin.line;
-        if (!each.is_array() || !areWords(each, fact.claims) || fact.claims.size() < 2)
+        if (!each.is_array() || !readValue(each, fact.claims) || fact.claims.size() < 2)
             return false;
         fact.words = fact.claims.front();
         fact.claims.erase(fact.claims.begin());
@@ -192,7 +185,7 @@ bool readFacts(const toml::node& node, LessonStep& step) {
 
 /// A list is words as they are; one text is split at blanks.
 bool readCompare(const toml::node& node, LessonStep& step) {
-    if (!areWords(node, step.compare)) return false;
+    if (!readValue(node, step.compare)) return false;
     if (node.is_array()) return !step.compare.empty();
     step.compare = io::wordsIn(step.compare.front());
     return !step.compare.empty();
@@ -202,7 +195,7 @@ bool readCompare(const toml::node& node, LessonStep& step) {
 bool readPlay(const toml::node& node, LessonStep& step) {
     constexpr std::array<std::string_view, 3> kUnits{"sub-step", "pivot", "event"};
     std::string text;
-    if (!isText(node, text)) return false;
+    if (!readValue(node, text)) return false;
     const std::size_t blank = text.find(' ');
     if (blank == std::string::npos || !text.ends_with("/s")) return false;
     PlaySpeed play{text.substr(0, blank), 0.0};
@@ -218,7 +211,7 @@ bool readPlay(const toml::node& node, LessonStep& step) {
 }
 
 bool readAnswer(const toml::node& node, Question& question) {
-    return node.is_string() ? isText(node, question.answer) : areWords(node, question.typed);
+    return node.is_string() ? readValue(node, question.answer) : readValue(node, question.typed);
 }
 
 bool readDecimalAnswer(const toml::node& node, Question& question) {
@@ -234,68 +227,67 @@ bool readOptions(const toml::node& node, Lesson& lesson);
 constexpr std::array kLessonKeys{
     KeyRow<Lesson>{"version", "1", readVersion},
     KeyRow<Lesson>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
-                   readText<&Lesson::input>},
+                   read<&Lesson::input>},
     KeyRow<Lesson>{"options", "a table of neighbors, radius, reach and symmetric", readOptions},
     KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<Lesson>},
     KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<Lesson>},
-    KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", readNames<&Lesson::names>},
-    KeyRow<Lesson>{"view", "the name of a view", readText<&Lesson::view>},
-    KeyRow<Lesson>{"layout", "the name of a layout", readText<&Lesson::layout>},
-    KeyRow<Lesson>{"author", "a text", readText<&Lesson::author>},
-    KeyRow<Lesson>{"license", "a text", readText<&Lesson::license>},
+    KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", read<&Lesson::names>},
+    KeyRow<Lesson>{"view", "the name of a view", read<&Lesson::view>},
+    KeyRow<Lesson>{"layout", "the name of a layout", read<&Lesson::layout>},
+    KeyRow<Lesson>{"author", "a text", read<&Lesson::author>},
+    KeyRow<Lesson>{"license", "a text", read<&Lesson::license>},
 };
 
 constexpr std::array kStepKeys{
-    KeyRow<LessonStep>{"minutes", "a number", readNumber<&LessonStep::minutes>},
+    KeyRow<LessonStep>{"minutes", "a number", read<&LessonStep::minutes>},
     KeyRow<LessonStep>{"at", "an address such as \"9.sphere.2\", or \"50%\"",
-                       readText<&LessonStep::at>},
-    KeyRow<LessonStep>{"until", "an address", readText<&LessonStep::until>},
+                       read<&LessonStep::at>},
+    KeyRow<LessonStep>{"until", "an address", read<&LessonStep::until>},
     KeyRow<LessonStep>{"play", "a speed such as \"pivot 2/s\" (sub-step, pivot or event)",
                        readPlay},
     KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
-                       readText<&LessonStep::expect>},
+                       read<&LessonStep::expect>},
     KeyRow<LessonStep>{"facts", "a list of lists: words of the text, and claims for them",
                        readFacts},
     KeyRow<LessonStep>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
-                       readText<&LessonStep::input>},
+                       read<&LessonStep::input>},
     KeyRow<LessonStep>{"names", "a table of names and points, { p = 15 }",
-                       readNames<&LessonStep::names>},
+                       read<&LessonStep::names>},
     KeyRow<LessonStep>{"rules", "the name of a set of rules", readRules<LessonStep>},
     KeyRow<LessonStep>{"rule", "a list of NAME=VALUE", readRule<LessonStep>},
     KeyRow<LessonStep>{"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
     KeyRow<LessonStep>{"compare", "the options in which the other run differs", readCompare},
-    KeyRow<LessonStep>{"select", "one to three points", readWords<&LessonStep::select>},
-    KeyRow<LessonStep>{"view", "the name of a view", readText<&LessonStep::view>},
+    KeyRow<LessonStep>{"select", "one to three points", read<&LessonStep::select>},
+    KeyRow<LessonStep>{"view", "the name of a view", read<&LessonStep::view>},
     KeyRow<LessonStep>{"camera", "a camera as Ctrl+C copies it, in '...'",
-                       readText<&LessonStep::camera>},
-    KeyRow<LessonStep>{"frame", "\"all\" or \"pivot\"", readText<&LessonStep::frame>},
-    KeyRow<LessonStep>{"pin", "a list of layers", readWords<&LessonStep::pin>},
-    KeyRow<LessonStep>{"hide", "a list of layers", readWords<&LessonStep::hide>},
+                       read<&LessonStep::camera>},
+    KeyRow<LessonStep>{"frame", "\"all\" or \"pivot\"", read<&LessonStep::frame>},
+    KeyRow<LessonStep>{"pin", "a list of layers", read<&LessonStep::pin>},
+    KeyRow<LessonStep>{"hide", "a list of layers", read<&LessonStep::hide>},
 };
 
 constexpr std::array kAskKeys{
-    KeyRow<Question>{"kind", "a text", readText<&Question::kind>},
-    KeyRow<Question>{"at", "an address such as \"9.sphere.2\", or \"50%\"",
-                     readText<&Question::at>},
-    KeyRow<Question>{"until", "an address", readText<&Question::until>},
+    KeyRow<Question>{"kind", "a text", read<&Question::kind>},
+    KeyRow<Question>{"at", "an address such as \"9.sphere.2\", or \"50%\"", read<&Question::at>},
+    KeyRow<Question>{"until", "an address", read<&Question::until>},
     KeyRow<Question>{"answer", "a text, a number, or a list of points", readDecimalAnswer},
-    KeyRow<Question>{"options", "a list of texts, A to D", readWords<&Question::options>},
+    KeyRow<Question>{"options", "a list of texts, A to D", read<&Question::options>},
     KeyRow<Question>{"verdicts", "for each option the outcome for which it is right",
-                     readWords<&Question::verdicts>},
-    KeyRow<Question>{"within", "a number", readNumber<&Question::within>},
-    KeyRow<Question>{"why", "an address", readText<&Question::why>},
-    KeyRow<Question>{"unchecked", "true or false", readSwitch<&Question::unchecked>},
+                     read<&Question::verdicts>},
+    KeyRow<Question>{"within", "a number", read<&Question::within>},
+    KeyRow<Question>{"why", "an address", read<&Question::why>},
+    KeyRow<Question>{"unchecked", "true or false", read<&Question::unchecked>},
 };
 
 /// A value as the text of an option; nothing if it has another type than the field.
 std::optional<std::string> textOf(const toml::node& node, const SpecField& field) {
     std::string text;
     double number = 0.0;
-    if (field.type == SpecType::Switch && node.is_boolean())
-        return node.as_boolean()->get() ? "on" : "off";
+    bool on = false;
+    if (field.type == SpecType::Switch && readValue(node, on)) return on ? "on" : "off";
     if (field.type == SpecType::Whole && node.is_integer())
         return std::to_string(node.as_integer()->get());
-    if (field.type != SpecType::Number || !isNumber(node, number)) return std::nullopt;
+    if (field.type != SpecType::Number || !readValue(node, number)) return std::nullopt;
     appendPlainNumber(text, number);
     return text;
 }
