@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/run/decision_query.h"
@@ -44,14 +45,6 @@ double degreesAt(const Vec3& tip, const Vec3& from, const Vec3& to) {
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * kHalfTurn / std::numbers::pi;
 }
 
-/// Triangles with an angle below this are thin, degrees.
-constexpr double kThin = 15.0;
-
-bool isThin(const std::vector<Vec3>& at, const Triangle& t) {
-    return std::min({degreesAt(at[t.a], at[t.b], at[t.c]), degreesAt(at[t.b], at[t.c], at[t.a]),
-                     degreesAt(at[t.c], at[t.a], at[t.b])}) < kThin;
-}
-
 /// A number of the mesh as a whole, by its name in the report of a run.
 struct MeshNumber {
     std::string_view name;
@@ -77,16 +70,17 @@ std::optional<double> meshNumber(const std::string& subject, const ClaimedRun& r
         const MeshInspection inspected = inspectWithTotals(run.points, run.mesh);
         return counted(inspected.totals[static_cast<std::size_t>(row)].total);
     }
-    const std::vector<Vec3>& at = run.points.position;
     if (subject == "closed_manifold")
         return counted(reportMesh(run.points, run.mesh).closedManifold());
     if (subject == "euler_characteristic")
         return counted(reportMesh(run.points, run.mesh).eulerCharacteristic);
     if (subject == "shared_triangles" && runs.b)
-        return counted(compareMeshes(at, runs.a.mesh, runs.b->mesh).both);
+        return counted(compareMeshes(run.points.position, runs.a.mesh, runs.b->mesh).both);
     if (subject != "thin_triangles") return std::nullopt;
-    return counted(std::count_if(run.mesh.begin(), run.mesh.end(),
-                                 [&](const Triangle& t) { return isThin(at, t); }));
+    constexpr double kCosine15 = 0.96592582628906831;  // Thin is an angle below 15 degrees.
+    return counted(std::count_if(run.mesh.begin(), run.mesh.end(), [&](const Triangle& t) {
+        return leastAngleCosine(run.points, t) > kCosine15;
+    }));
 }
 
 /// "p t q": the angle at p between t and q, in whole degrees.
@@ -204,9 +198,9 @@ class StepCheck {
     bool checkNames() {
         for (const NamedPoint& each : setting_.names) {
             if (each.point < pointCount()) continue;
-            return malformed(inputLines(), "names",
-                             each.name + " = " + std::to_string(each.point) + ": there are " +
-                                 std::to_string(pointCount()) + " points, from 0");
+            return malformed(
+                inputLines(), "names",
+                each.name + " = " + absentPointText(std::to_string(each.point), pointCount()));
         }
         return checkWords(step_.lines, "select", step_.select);
     }
@@ -218,9 +212,7 @@ class StepCheck {
             if (point == kNone)
                 return malformed(lines, key, word + ": no such name; add it to names");
             if (point >= pointCount())
-                return malformed(
-                    lines, key,
-                    word + ": there are " + std::to_string(pointCount()) + " points, from 0");
+                return malformed(lines, key, absentPointText(word, pointCount()));
         }
         return true;
     }

@@ -6,6 +6,7 @@
 
 #include "find_named.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/scenes/figures.h"
 
 namespace se::teach {
@@ -99,11 +100,21 @@ Index pointOf(std::string_view word, const std::vector<NamedPoint>& names) {
     return numberIn<Index>(word).value_or(kNone);
 }
 
-std::string pointsText(const std::vector<Index>& points, const std::vector<NamedPoint>& names) {
+std::string absentPointText(const std::string& word, std::size_t count) {
+    return word + ": there are " + std::to_string(count) + " points, from 0";
+}
+
+std::vector<std::string> namesOf(const std::vector<Index>& points,
+                                 const std::vector<NamedPoint>& names) {
     const std::vector<PointName> list = pointNames(names);
-    std::string text;
-    for (const Index point : points) text += (text.empty() ? "" : ", ") + nameOf(point, list);
-    return text.empty() ? "none" : text;
+    std::vector<std::string> words;
+    words.reserve(points.size());
+    for (const Index point : points) words.push_back(nameOf(point, list));
+    return words;
+}
+
+std::string pointsText(const std::vector<Index>& points, const std::vector<NamedPoint>& names) {
+    return points.empty() ? "none" : wordList(namesOf(points, names), "");
 }
 
 }  // namespace se::teach

@@ -36,6 +36,12 @@ std::vector<PointName> pointNames(const std::vector<NamedPoint>& names);
 /// The point of a name, or of a number as text; kNone if it is neither.
 Index pointOf(std::string_view word, const std::vector<NamedPoint>& names);
 
+/// "99: there are 50 points, from 0".
+std::string absentPointText(const std::string& word, std::size_t count);
+
+/// The names of points, or their numbers.
+std::vector<std::string> namesOf(const std::vector<Index>& points,
+                                 const std::vector<NamedPoint>& names);
 /// "q, 31"; "none" for an empty list.
 std::string pointsText(const std::vector<Index>& points, const std::vector<NamedPoint>& names);
 

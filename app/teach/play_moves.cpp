@@ -33,42 +33,28 @@ struct PlayedCandidate {
     Index point;
     double key;  ///< Of its angle.
     const Event* decision;
-    bool kept = true;
-    bool isLimit = false;  ///< start or end moved to it.
+
+    /// True if start or end moved to it.
+    bool isLimit() const { return isA<LimitEvidence>(*decision); }
 };
 
-/// True for a decision of the reciprocal test, made for each ring entry of its point.
-bool isReciprocalTest(const Event& event) { return isA<ReciprocalEvidence>(event); }
-
-void applyDecision(const Event& event, PlayedCandidate& candidate) {
-    // Outside of start and end are also the points that they moved to before.
-    const auto* limit = as<LimitEvidence>(event);
-    candidate.isLimit = candidate.isLimit || (limit != nullptr && limit->moves());
-    if (limit != nullptr || candidate.isLimit || !verdictOf(event)) return;
-    // Of several entries one that passes is enough.
-    const bool passedBefore =
-        isReciprocalTest(event) && isReciprocalTest(*candidate.decision) && candidate.kept;
-    if (passedBefore) return;
-    candidate.kept = !isAgainst(outcomeOf(event));
-    candidate.decision = &event;
+/// The events before the first triangle.
+std::span<const Event> testsOf(std::span<const Event> events) {
+    const auto end = std::find_if(events.begin(), events.end(), [](const Event& event) {
+        return event.address.stage >= Stage::Emit;
+    });
+    return {events.begin(), end};
 }
 
 /// The candidates of the angle sort by increasing angle, with the last decision about each.
 std::vector<PlayedCandidate> playedCandidates(std::span<const Event> events) {
     std::vector<PlayedCandidate> candidates;
-    const auto find = [&](Index point) {
-        return std::find_if(candidates.begin(), candidates.end(),
-                            [&](const PlayedCandidate& each) { return each.point == point; });
-    };
-    for (const Event& event : events) {
-        if (event.address.stage >= Stage::Emit) break;
+    const std::span<const Event> tests = testsOf(events);
+    for (const Event& event : tests) {
         const auto* sort = as<SortEvidence>(event);
-        if (sort != nullptr && sort->verdict == Verdict::Kept) {
-            const double key = makeAngle(sort->cosine, sort->secondHalf).key;
-            candidates.push_back({sort->point, key, &event});
-        } else if (const auto found = find(testedPoint(event)); found != candidates.end()) {
-            applyDecision(event, *found);
-        }
+        if (sort == nullptr || sort->verdict != Verdict::Kept) continue;
+        const double key = makeAngle(sort->cosine, sort->secondHalf).key;
+        candidates.push_back({sort->point, key, decisionAbout(tests, sort->point, Stage::Guard)});
     }
     std::stable_sort(
         candidates.begin(), candidates.end(),
@@ -129,20 +115,12 @@ const Event* triangleLackedBy(std::span<const Event> events, const std::vector<I
     return found == events.end() ? nullptr : &*found;
 }
 
-/// The last decision about a point; of a limit that moved to it, that move; of the sort if it is no
-/// candidate.
-const Event* decisionAboutPoint(std::span<const Event> events, Index point) {
-    for (const Event& event : events) {
-        const auto* limit = as<LimitEvidence>(event);
-        if (limit != nullptr && limit->moves() && limit->to == point) return &event;
-    }
-    for (const PlayedCandidate& each : playedCandidates(events)) {
-        if (each.point == point) return each.decision;
-    }
-    const auto found = std::find_if(events.begin(), events.end(), [&](const Event& event) {
-        return isA<SortEvidence>(event) && testedPoint(event) == point;
-    });
-    return found == events.end() ? nullptr : &*found;
+/// True for the tests that decide about a candidate.
+bool decidesCandidate(const Event& event, Index point) {
+    if (testedPoint(event) != point) return false;
+    if (const auto* e = as<LimitEvidence>(event)) return e->moves();
+    if (const auto* e = as<DropEvidence>(event); e && e->isLimit()) return false;
+    return verdictOf(event).has_value();
 }
 
 }  // namespace
@@ -153,8 +131,7 @@ const MoveRow& rowOf(MoveKind kind) { return kMoveTable[static_cast<std::size_t>
 
 std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names) {
     std::string text(rowOf(move.kind).name);
-    const std::vector<PointName> list = pointNames(names);
-    for (const Index point : move.points) text += ' ' + nameOf(point, list);
+    for (const std::string& name : namesOf(move.points, names)) text += ' ' + name;
     return move.points.empty() ? text + ' ' + std::string(kNoPoint) : text;
 }
 
@@ -190,6 +167,21 @@ Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoin
     return move;
 }
 
+const Event* decisionAbout(std::span<const Event> events, Index point, Stage last) {
+    const Event* found = nullptr;
+    for (const Event& event : events) {
+        if (event.address.stage > last) continue;
+        if (!decidesCandidate(event, point)) continue;
+        // A point that start or end has passed is in the fan, although outside of them.
+        if (found != nullptr && isA<LimitEvidence>(*found)) continue;
+        const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
+                                  isA<ReciprocalEvidence>(*found) &&
+                                  outcomeOf(*found) == Outcome::Taken;
+        if (!isOtherEntry) found = &event;
+    }
+    return found;
+}
+
 std::vector<RunMove> movesOfRun(std::span<const Event> events) {
     std::vector<RunMove> moves;
     const Event* advance = lastEventOf<AdvanceEvidence>(events);
@@ -202,8 +194,9 @@ std::vector<RunMove> movesOfRun(std::span<const Event> events) {
         }
     }
     for (const PlayedCandidate& each : playedCandidates(events)) {
-        if (each.isLimit) continue;
-        const MoveKind kind = each.kept ? MoveKind::Keep : MoveKind::Remove;
+        if (each.isLimit()) continue;
+        const bool removed = isAgainst(outcomeOf(*each.decision));
+        const MoveKind kind = removed ? MoveKind::Remove : MoveKind::Keep;
         moves.push_back({{kind, {each.point}}, *each.decision});
     }
     moves.push_back(fanOfRun(events));
@@ -239,12 +232,13 @@ const Event* decisionAgainst(std::span<const Event> events, const PlayMove& give
     const bool namesCandidate = given.kind == MoveKind::Keep || given.kind == MoveKind::Remove;
     if (namesCandidate) {
         const auto isPoint = [&](const PlayedCandidate& each) {
-            return each.point == given.points.front() && !each.isLimit;
+            return each.point == given.points.front() && !each.isLimit();
         };
         const std::vector<PlayedCandidate> all = playedCandidates(events);
         // A point that is no candidate; of others, the decision that the run has in this place.
         if (std::none_of(all.begin(), all.end(), isPoint)) {
-            if (const Event* found = decisionAboutPoint(events, given.points.front())) return found;
+            const Event* found = decisionAbout(testsOf(events), given.points.front(), Stage::Guard);
+            if (found != nullptr) return found;
         }
     }
     if (given.kind == MoveKind::Fan && sameKind) {

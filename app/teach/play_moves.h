@@ -46,6 +46,11 @@ std::string moveText(const PlayMove& move, const std::vector<NamedPoint>& names 
 /// Reads moveText(). Fails with a sentence that names what was expected.
 Result<PlayMove> moveFromText(std::string_view text, const std::vector<NamedPoint>& names = {});
 
+/// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
+/// test was made, one that kept it, if any did; of a point that start or end moved to, that move.
+/// Null if there is none.
+const Event* decisionAbout(std::span<const Event> events, Index point, Stage last);
+
 /// A move of the run, and the decision that it stands for.
 struct RunMove {
     PlayMove move;

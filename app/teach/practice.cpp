@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson_setting.h"
 #include "spiraling_edge/base/random.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/prepare/prepare.h"
@@ -244,8 +245,7 @@ Result<std::vector<PlayMove>> readMoves(std::string_view text, const std::string
         if (!move) return fail(move.error().message);
         for (const Index point : move.value().points) {
             if (point >= pointCount)
-                return fail(std::to_string(point) + ": there are " + std::to_string(pointCount) +
-                            " points, from 0");
+                return fail(absentPointText(std::to_string(point), pointCount));
         }
         moves.push_back(std::move(move.value()));
     }

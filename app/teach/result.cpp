@@ -13,15 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::string_view kResultFormat = "spiraling-edge lesson result";
 
-std::vector<std::string> namesOf(const std::vector<Index>& points,
-                                 const std::vector<NamedPoint>& names) {
-    const std::vector<PointName> list = pointNames(names);
-    std::vector<std::string> words;
-    words.reserve(points.size());
-    for (const Index point : points) words.push_back(nameOf(point, list));
-    return words;
-}
-
 /// An answer in words that its kind reads back.
 std::vector<std::string> answerWords(const Answer& answer, const std::vector<NamedPoint>& names) {
     if (answer.choice) return {optionLetter(*answer.choice)};

@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
+#include "teach/play_moves.h"
 
 namespace se::teach {
 namespace {
@@ -26,31 +27,6 @@ std::string decisionText(const Event& event) {
     if (verdictOf(event) == Verdict::Kept) return "kept it";
     return (isAgainst(outcomeOf(event)) ? "left it out: " : "kept it: ") +
            std::string(endingText(event));
-}
-
-/// True for the tests that decide about a candidate.
-bool decidesCandidate(const Event& event, Index point) {
-    if (testedPoint(event) != point) return false;
-    if (const auto* e = as<LimitEvidence>(event)) return e->moves();
-    if (const auto* e = as<DropEvidence>(event); e && e->isLimit()) return false;
-    return verdictOf(event).has_value();
-}
-
-/// The last decision of a pivot about a point, up to a stage; of entries at which the reciprocal
-/// test was made, one that kept it, if any did. Null if there is none.
-const Event* decisionAbout(const std::vector<Event>& events, Index point, Stage last) {
-    const Event* found = nullptr;
-    for (const Event& event : events) {
-        if (event.address.stage > last) continue;
-        if (!decidesCandidate(event, point)) continue;
-        // A point that start or end has passed is in the fan, although outside of them.
-        if (found != nullptr && isA<LimitEvidence>(*found)) continue;
-        const bool isOtherEntry = found != nullptr && isA<ReciprocalEvidence>(event) &&
-                                  isA<ReciprocalEvidence>(*found) &&
-                                  outcomeOf(*found) == Outcome::Taken;
-        if (!isOtherEntry) found = &event;
-    }
-    return found;
 }
 
 TraceReason reasonFor(const std::vector<Event>& events, Stage last, const PointSet& points,
