@@ -152,6 +152,15 @@ void addOptions(std::string& text, const RunSpec& spec) {
     if (!list.empty()) text += "options = { " + list + " }\n";
 }
 
+/// The title of a lesson and its block, which is still open.
+std::string beginningOf(const std::string& input) {
+    std::string text = "# A lesson on " + printable(input) + "\n\n";
+    addFence(text, "se lesson");
+    text += "version = 1\n";
+    addKey(text, "input", escaped(input));
+    return text;
+}
+
 /// A heading is one line without marks of its own.
 std::string headingOf(const NotedPosition& position) {
     if (position.note.empty()) return position.address;
@@ -165,10 +174,7 @@ std::string headingOf(const NotedPosition& position) {
 std::string lessonOfNotes(const std::string& input, const RunSpec& spec, const std::string& intro,
                           const std::vector<NotedPosition>& notes) {
     assert(!notes.empty());
-    std::string text = "# A lesson on " + printable(input) + "\n\n";
-    addFence(text, "se lesson");
-    text += "version = 1\n";
-    addKey(text, "input", escaped(input));
+    std::string text = beginningOf(input);
     addOptions(text, spec);
     if (spec.rules != RunSpec{}.rules) addKey(text, "rules", spec.rules);
     addList(text, "rule", textsOf(spec, "switches"));
@@ -193,12 +199,7 @@ Result<std::string> lessonSkeleton(const std::string& input, const PreparedRun& 
         if (i == 0 && finds.lastTest) addQuestion(steps, finds.lastTest->pivot, *finds.lastTest);
     }
     if (steps.empty()) return Error{input + ": the run has no decision to show"};
-    std::string text = "# A lesson on " + printable(input) + "\n\n";
-    addFence(text, "se lesson");
-    text += "version = 1\n";
-    addKey(text, "input", escaped(input));
-    text += "```\n\nSay here what the lesson shows, and for whom.\n" + steps;
-    return text;
+    return beginningOf(input) + "```\n\nSay here what the lesson shows, and for whom.\n" + steps;
 }
 
 }  // namespace se::teach
