@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "output/piece_text.h"
+#include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/doctor/doctor.h"

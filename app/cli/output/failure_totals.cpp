@@ -30,9 +30,7 @@ std::string placesText(std::span<const FaultPlace> places, std::span<const MeshF
 }
 
 void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
-               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit,
-               nlohmann::ordered_json& json) {
-    using Json = nlohmann::ordered_json;
+               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit, Json& json) {
     json["places_total"] = places.size();
     json["places"] = Json::array();
     for (const FaultPlace& place : places.first(std::min(limit, places.size()))) {
@@ -48,11 +46,11 @@ void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> 
     }
 }
 
-nlohmann::ordered_json failureRow(const MeshFailure& failure) {
-    nlohmann::ordered_json row = {{"class", failure.kind->name},
-                                  {"points", failure.points},
-                                  {"triangles", failure.triangles},
-                                  {"at", {failure.place.x, failure.place.y, failure.place.z}}};
+Json failureRow(const MeshFailure& failure) {
+    Json row = {{"class", failure.kind->name},
+                {"points", failure.points},
+                {"triangles", failure.triangles},
+                {"at", {failure.place.x, failure.place.y, failure.place.z}}};
     if (isLoop(failure)) {
         row["length"] = failure.length;
         row["area"] = failure.area;
@@ -61,8 +59,7 @@ nlohmann::ordered_json failureRow(const MeshFailure& failure) {
 }
 
 void addTotals(std::span<const ClassTotal> totals, std::span<const FailureClass> classes,
-               nlohmann::ordered_json& json) {
-    using Json = nlohmann::ordered_json;
+               Json& json) {
     Json listed = Json::object();
     Json atLeast = Json::array();
     for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -75,6 +72,35 @@ void addTotals(std::span<const ClassTotal> totals, std::span<const FailureClass>
     json["complete"] = false;
     json["listed"] = std::move(listed);
     json["at_least"] = std::move(atLeast);
+}
+
+Json verdictJson(const MeshVerdict& verdict) {
+    Json json = {{"sound", verdict.isSound()},
+                 {"headline", headlineOf(verdict)},
+                 {"stopped", verdict.stopped},
+                 {"triangles", verdict.triangles},
+                 {"faults", faultCount(verdict.totals)},
+                 {"exact", isExact(verdict.totals)},
+                 {"places", verdict.places},
+                 {"all_places", verdict.allPlaces}};
+    json["worst_classes"] = Json::array();
+    for (std::size_t i = 0; i < verdict.placesOf.size(); ++i) {
+        if (verdict.placesOf[i] == 0) continue;
+        json["worst_classes"].push_back(
+            {{"class", failureClasses()[i].name}, {"places", verdict.placesOf[i]}});
+    }
+    for (const VerdictCount& count : verdictCounts())
+        json[std::string(count.name)] = count.of(verdict);
+    json["stray_points"] = verdict.strays;
+    json["noise_points"] = verdict.noise;
+    json["twin_points"] = verdict.twins;
+    json["pieces"] = verdict.pieces;
+    json["pieces_of_points"] = verdict.piecesOfPoints;
+    json["openings"] = verdict.openings;
+    json["covered"] = verdict.covered();
+    json["greatest_distance"] = verdict.fidelity.greatestDistance;
+    json["mean_distance"] = verdict.fidelity.meanDistance;
+    return json;
 }
 
 }  // namespace se::cli

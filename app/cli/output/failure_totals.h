@@ -1,12 +1,13 @@
-/// Failures of a mesh in words and as JSON; number of each class, where only the first are listed.
+/// What is wrong with a mesh, in words and as JSON: the verdict, failures and their places, and the
+/// number of each class, where only the first are listed.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "spiraling_edge/mesh/fault_places.h"
+#include "answer.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
 
 namespace se::cli {
 
@@ -19,16 +20,19 @@ std::string placesText(std::span<const FaultPlace> places, std::span<const MeshF
 /// `radius` and `faults`, the number of faults there. `rowOf`: of each failure, its position in the
 /// list that is printed, if it is in it; those are the `rows` of a place.
 void addPlaces(std::span<const FaultPlace> places, std::span<const MeshFailure> failures,
-               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit,
-               nlohmann::ordered_json& json);
+               std::span<const std::optional<std::size_t>> rowOf, std::size_t limit, Json& json);
 
 /// One failure: `class`, `points`, `triangles`, `at`; of a loop also `length` and `area`.
-nlohmann::ordered_json failureRow(const MeshFailure& failure);
+Json failureRow(const MeshFailure& failure);
 
 /// Adds `counts`, the number of each class. If not all failures are listed, also `complete`: false,
 /// `listed`, the length of the list by class, and `at_least`, the classes of which there may be
 /// more than their count. `classes` are those that `totals` begin with, or all of them.
 void addTotals(std::span<const ClassTotal> totals, std::span<const FailureClass> classes,
-               nlohmann::ordered_json& json);
+               Json& json);
+
+/// All numbers of a verdict: whether the mesh is sound, its places by class, points in no triangle
+/// by reason, the counts that are compared, and the distances of the points.
+Json verdictJson(const MeshVerdict& verdict);
 
 }  // namespace se::cli

@@ -7,7 +7,6 @@
 #include "failure_totals.h"
 #include "sentences.h"
 #include "spiraling_edge/run/event_text.h"
-#include "verdict_text.h"
 
 namespace se::cli {
 namespace {

@@ -1,5 +1,7 @@
 #include "output.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 
 #include "exit_code.h"
@@ -42,6 +44,17 @@ void writeOutput(const std::string& path, std::string_view bytes) {
         std::fflush(stdout) != 0) {
         throw Failure(ExitCode::Internal, "standard output: cannot be written");
     }
+}
+
+void requireNoTerminal(const std::string& output) {
+    if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
+        throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
+}
+
+void writeMeshOutput(const std::string& path, const PointFile& file,
+                     std::span<const Triangle> triangles, const WriteOptions& options) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(file, triangles));
+    require(writeMesh(path, file, triangles, options), ExitCode::Internal);
 }
 
 void printText(std::string_view text) { writeOutput("-", printableLines(text)); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::cli {
 
@@ -35,6 +36,13 @@ class ForceOption {
 
 /// Writes all of `bytes` as they are, to a file through a temporary one. Throws Failure(Internal).
 void writeOutput(const std::string& path, std::string_view bytes);
+
+/// Throws Failure(Usage) if -o is standard output, and that is a terminal.
+void requireNoTerminal(const std::string& output);
+/// Writes a mesh, or points alone, by the extension; to standard output as PLY. Throws
+/// Failure(Internal).
+void writeMeshOutput(const std::string& path, const PointFile& file,
+                     std::span<const Triangle> triangles, const WriteOptions& options = {});
 
 /// Prints text on standard output as printableLines(), which leaves JSON of jsonText() as it is.
 /// Names in it that may hold newlines need printable(). Throws Failure(Internal).

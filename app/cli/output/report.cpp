@@ -8,7 +8,6 @@
 #include <string>
 
 #include "failure_totals.h"
-#include "piece_text.h"
 #include "sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -17,12 +16,9 @@
 #include "spiraling_edge/why/trial.h"
 #include "spiraling_edge/why/what_if_check.h"
 #include "teach/json_text.h"
-#include "verdict_text.h"
 
 namespace se::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// "--rules robust, on the points of doctor --fix OUT.ply --drop noise". Requires a change.
 std::string insteadText(const SpecChange& change) {
@@ -37,7 +33,7 @@ std::string insteadText(const SpecChange& change) {
 Json trialJson(const Trial& trial) {
     Json json = {{"options", optionsOf(trial.change)}};
     const std::string_view drop = textOf(trial.change, "doctor");
-    json["drop"] = drop.empty() ? Json() : Json(drop);
+    json["drop"] = orNull(drop);
     json["work"] = trial.work;
     json["verdict"] = verdictJson(trial.verdict);
     return json;
@@ -168,18 +164,14 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         rowOf.push_back(listed ? std::optional(list.size()) : std::nullopt);
         if (listed) list.push_back(faultRow(failure));
     }
-    json["judged"] = outcome.judged.empty() ? Json() : Json(outcome.judged);
+    json["judged"] = orNull(outcome.judged);
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
-    json["set_aside"] = {{"non_finite", report.nonFinitePoints},
-                         {"zero_normals", report.zeroNormals},
-                         {"duplicates", report.duplicatePoints},
-                         {"noise", report.noisyPoints},
-                         {"strays", report.strays},
-                         {"dropped", report.leftOut}};
+    for (const SetAside& each : setAsides())
+        json["set_aside"][std::string(each.key)] = report.*each.count;
     json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
@@ -322,8 +314,8 @@ std::string reportJson(const RunOutcome& outcome) {
     json["report_version"] = 2;
     json["program"] = "spiraling-edge " SPIRALING_EDGE_VERSION;
     json["input"] = outcome.input;
-    json["output"] = outcome.output.empty() ? Json() : Json(outcome.output);
-    json["columns"] = outcome.columns.names.empty() ? Json() : Json(outcome.columns.names);
+    json["output"] = orNull(outcome.output);
+    json["columns"] = orNull(outcome.columns.names);
     json["piece"] = keptJson(outcome.points);
     json["shift"] = Json();
     if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};

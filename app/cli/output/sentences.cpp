@@ -17,6 +17,16 @@ constexpr std::array kMeshDefects{
     MeshDefect{"flipped_triangles", "flipped triangle", &MeshReport::flippedTriangles},
 };
 
+constexpr std::array kSetAsides{
+    SetAside{"non_finite", "not finite", &PrepareReport::nonFinitePoints},
+    SetAside{"zero_normals", "without a normal direction", &PrepareReport::zeroNormals},
+    SetAside{"duplicates", "copies of another point", &PrepareReport::duplicatePoints},
+    SetAside{"noise", "above or below others, where noise is as wide as the spacing",
+             &PrepareReport::noisyPoints},
+    SetAside{"strays", "far from all others", &PrepareReport::strays},
+    SetAside{"dropped", "that the doctor proposes to drop", &PrepareReport::leftOut},
+};
+
 }  // namespace
 
 std::span<const MeshDefect> meshDefects() { return kMeshDefects; }
@@ -53,18 +63,39 @@ std::string defectSentence(const MeshReport& mesh) {
     return text;
 }
 
+std::span<const SetAside> setAsides() { return kSetAsides; }
+
 std::string setAsideSentence(const PrepareReport& report) {
     std::string text;
-    const auto add = [&](std::size_t count, const char* what) {
-        if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
-    };
-    add(report.nonFinitePoints, "not finite");
-    add(report.zeroNormals, "without a normal direction");
-    add(report.duplicatePoints, "copies of another point");
-    add(report.strays, "far from all others");
-    add(report.noisyPoints, "above or below others, where noise is as wide as the spacing");
-    add(report.leftOut, "that the doctor proposes to drop");
+    for (const SetAside& each : kSetAsides) {
+        if (report.*each.count > 0)
+            appendPart(text, fmt::format("{} {}", report.*each.count, each.words));
+    }
     return text;
+}
+
+std::string keptSentence(const KeptPoints& points) {
+    const Piece& piece = points.piece;
+    if (piece.isWhole()) return {};
+    std::string how;
+    if (piece.crop) appendPart(how, "crop");
+    if (piece.thin > 0.0) appendPart(how, fmt::format("thin {}", piece.thin));
+    return fmt::format("{} of {}: {}", points.kept, counted(points.inFile, "point"), how);
+}
+
+Json keptJson(const KeptPoints& points) {
+    const Piece& piece = points.piece;
+    if (piece.isWhole()) return {};
+    Json json = {{"crop", Json()}, {"thin", Json()}};
+    if (piece.crop) {
+        const Vec3& low = piece.crop->low;
+        const Vec3& high = piece.crop->high;
+        json["crop"] = {low.x, low.y, low.z, high.x, high.y, high.z};
+    }
+    if (piece.thin > 0.0) json["thin"] = piece.thin;
+    json["kept"] = points.kept;
+    json["points_in_file"] = points.inFile;
+    return json;
 }
 
 std::string columnsSentence(const ColumnReading& columns) {

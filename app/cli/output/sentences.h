@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "answer.h"
+#include "input.h"
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
@@ -24,8 +26,19 @@ struct MeshDefect {
 std::span<const MeshDefect> meshDefects();
 /// "2 non-manifold edges, 1 flipped triangle"; empty if there is none.
 std::string defectSentence(const MeshReport& mesh);
+/// A reason to set points aside: its key in JSON, its words, its count.
+struct SetAside {
+    std::string_view key;
+    std::string_view words;
+    std::size_t PrepareReport::*count;
+};
+std::span<const SetAside> setAsides();
 /// "15 not finite, 50 duplicates"; empty if nothing was set aside.
 std::string setAsideSentence(const PrepareReport& report);
+/// "12345 of 1000000 points: crop, thin 0.5"; empty for a whole file.
+std::string keptSentence(const KeptPoints& points);
+/// The same with the box; null for a whole file.
+Json keptJson(const KeptPoints& points);
 /// "x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)".
 std::string columnsSentence(const ColumnReading& columns);
 /// Appends `part` to `list` after a comma.

@@ -9,7 +9,6 @@
 #include "output/answer.h"
 #include "output/failure_totals.h"
 #include "output/sentences.h"
-#include "output/verdict_text.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/io/write_mesh.h"

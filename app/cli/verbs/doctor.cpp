@@ -8,12 +8,10 @@
 #include "input.h"
 #include "options.h"
 #include "output/answer.h"
-#include "output/piece_text.h"
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -180,11 +178,6 @@ void requireMostKept(const DoctorArguments& arguments, const PointFile& before,
                   others.empty() ? "correct the file at its source" : others, kForceOption);
 }
 
-void write(const std::string& path, const PointFile& fixed) {
-    if (path == "-") return writeOutput(path, meshPlyBytes(fixed, fixed.faces));
-    require(writeMeshPly(path, fixed, fixed.faces), ExitCode::Internal);
-}
-
 }  // namespace
 
 ExitCode doctorVerb(const Arguments& words) {
@@ -212,7 +205,7 @@ ExitCode doctorVerb(const Arguments& words) {
         requireMostKept(arguments, file, visit.fixed);
         const PointFile& fixed = visit.fixed.file;
         visit.left = examineInput(fixed, arguments.fixed, line);
-        write(arguments.fixed, fixed);
+        writeMeshOutput(arguments.fixed, fixed, fixed.faces);
     }
     // The text goes to standard error if the points go to standard output.
     if (arguments.fixed == "-" && !arguments.quiet) {

@@ -8,7 +8,6 @@
 #include "options.h"
 #include "output/output.h"
 #include "progress.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/why/figure_check.h"
@@ -165,7 +164,7 @@ ExitCode writeConformance(const std::filesystem::path& folder) {
     for (const teach::ConformanceInput& input : teach::conformanceInputs()) {
         const teach::ConformanceCase made = teach::conformanceCase(input);
         const std::string path = (folder / input.name).string();
-        writeOutput(path + ".ply", meshPlyBytes(made.file, {}));
+        writeMeshOutput(path + ".ply", made.file, {});
         if (!made.start.empty()) writeOutput(path + ".start.json", startJson(made.start) + "\n");
         writeOutput(path + std::string(teach::kTraceExtension), teach::conformanceTrace(made));
         printText(fmt::format("{:<16}  {:>4} points  {}\n", input.name, made.points->size(),

@@ -9,7 +9,6 @@
 #include "input.h"
 #include "options.h"
 #include "output/answer.h"
-#include "output/piece_text.h"
 #include "output/sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/mesh/mesh_report.h"

@@ -17,7 +17,6 @@
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/spec/session_text.h"
 #include "verbs.h"
 
@@ -148,7 +147,7 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
     const std::string& output = arguments.output;
     const std::string session = arguments.beside(".sesession");
     const std::string test = arguments.beside(".sh");
-    require(writeMeshPly(output, reduced.file, {}), ExitCode::Internal);
+    writeMeshOutput(output, reduced.file, {});
     const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
     writeOutput(session, sessionOf(output, arguments.input, wanted, address));
     writeOutput(test, testText(output, arguments, wanted));

@@ -1,6 +1,5 @@
 // spiraling-edge run: triangulates points, and writes mesh, report and trace.
 #include <fmt/format.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cassert>
 #include <optional>
@@ -18,7 +17,6 @@
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/fault_fields.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/judge.h"
@@ -187,8 +185,7 @@ struct RunArguments {
     bool searchesPairs() const { return check || best || faultFields || !report.empty(); }
     /// Reports all mistakes that can be found before the work begins.
     void validate() const {
-        if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
-            throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
+        requireNoTerminal(output);
         if (output != "-" && meshFormatOf(output) == nullptr)
             throw Failure(ExitCode::Usage, "-o {}: only {} can be written", output,
                           listText(meshFormats(), &MeshFormat::extension, "and"));
@@ -271,18 +268,12 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     return ending == Ending::Finished && state.capped() ? Ending::Capped : ending;
 }
 
-void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh,
-                   const WriteOptions& options) {
-    if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
-    require(writeMesh(path, file, mesh, options), ExitCode::Internal);
-}
-
 /// Writes the mesh to the destination of -o, and records the path and the offset.
 void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
     outcome.output = arguments.output;
     if (arguments.output.empty()) return;
     const auto write = [&](const PointFile& points, std::span<const Triangle> mesh) {
-        writeMeshFile(arguments.output, points, mesh, arguments.writing);
+        writeMeshOutput(arguments.output, points, mesh, arguments.writing);
         if (arguments.output != "-")
             outcome.shift = shiftOf(*meshFormatOf(arguments.output), points, mesh);
     };
@@ -313,10 +304,8 @@ std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)
         return fmt::format("the run made no triangle of {}", counted(points, "point"));
-    const PrepareReport& prepared = outcome.prepared;
-    const std::size_t setAside = prepared.nonFinitePoints + prepared.zeroNormals +
-                                 prepared.duplicatePoints + prepared.noisyPoints + prepared.strays +
-                                 prepared.leftOut;
+    std::size_t setAside = 0;
+    for (const SetAside& each : setAsides()) setAside += outcome.prepared.*each.count;
     if (setAside <= outcome.mesh.usedPoints) return {};
     return fmt::format("more points were set aside ({}) than used ({})", setAside,
                        outcome.mesh.usedPoints);

@@ -1,6 +1,5 @@
 // spiraling-edge sample: even points on the isosurface of a shape or a volume.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -11,7 +10,6 @@
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
@@ -82,8 +80,7 @@ struct SampleArguments {
             throw Failure(ExitCode::Usage,
                           "give the number of points: -n N, or --spacing S above 0");
         if (output.empty()) throw Failure(ExitCode::Usage, "name a file with -o OUT.ply");
-        if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
-            throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
+        requireNoTerminal(output);
         // Points are made to be read again.
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
         if (output != "-" && (format == nullptr || !isReadable(*format)))
@@ -116,12 +113,6 @@ void addNeighbors(std::size_t k, PointFile& file) {
     PrepareOptions options;
     options.neighbors.reach = KNearest{k};
     file.neighbors = require(prepare(file, options), ExitCode::Internal).points.neighbors;
-}
-
-void writePoints(const std::string& path, const PointFile& file) {
-    if (path == "-") return writeOutput(path, meshPlyBytes(file, {}));
-    // The lists are half the result.
-    require(writeMesh(path, file, {}, {.normals = true}), ExitCode::Internal);
 }
 
 std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,
@@ -164,7 +155,8 @@ ExitCode sampleVerb(const Arguments& words) {
     PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);
     const double seconds = watch.lap();
     if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
-    writePoints(arguments.output, file);
+    // The normals are half the result.
+    writeMeshOutput(arguments.output, file, {}, {.normals = true});
     if (arguments.quiet) return ExitCode::Good;
     printNote(summary(arguments.input, file, measureSample(field, file), seconds));
     return ExitCode::Good;

@@ -15,7 +15,6 @@
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/sampling/volume.h"
@@ -172,8 +171,7 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     options.curvature = arguments.curvature;
     const PointFile file = samplePoints(readSurface(made.source, std::nullopt, arguments.limit),
                                         options, made.source, line);
-    if (!arguments.save.empty())
-        writeOutput(arguments.savedPath(row).string(), meshPlyBytes(file, {}));
+    if (!arguments.save.empty()) writeMeshOutput(arguments.savedPath(row).string(), file, {});
     made.points = file.position.size();
     made.wallPoints =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
