@@ -74,13 +74,6 @@ std::string padded(std::string text, std::size_t width) {
 
 using WordCounts = std::map<std::string, std::size_t>;
 
-std::string mostFrequentOf(const WordCounts& words) {
-    const auto most =
-        std::max_element(words.begin(), words.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == words.end() ? std::string() : most->first;
-}
-
 /// "t (3)"; "-" without any.
 std::string frequentText(const WordCounts& words) {
     const std::string most = mostFrequentOf(words);
@@ -103,8 +96,13 @@ std::optional<double> QuestionSummary::rightAtFirstShare() const {
     if (firsts == 0) return std::nullopt;
     return meanOf(static_cast<double>(rightAtFirst), firsts);
 }
-std::string QuestionSummary::mostFrequentWrong() const { return mostFrequentOf(wrong); }
-std::string QuestionSummary::mostFrequentMistake() const { return mostFrequentOf(mistakes); }
+
+std::string mostFrequentOf(const WordCounts& words) {
+    const auto most =
+        std::max_element(words.begin(), words.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == words.end() ? std::string() : most->first;
+}
 
 std::vector<QuestionSummary> summarize(std::span<const LessonResult> results) {
     std::map<std::tuple<std::string, std::string, std::size_t>, QuestionSummary> rows;

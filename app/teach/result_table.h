@@ -34,11 +34,11 @@ struct QuestionSummary {
     std::optional<double> rightAtFirstShare() const;
     double meanScore() const;
     double meanSeconds() const;
-    /// The most frequent wrong point, letter or number; empty if there is none.
-    std::string mostFrequentWrong() const;
-    /// The most frequent mistake at the first try; empty if there is none.
-    std::string mostFrequentMistake() const;
 };
+
+/// The most frequent of QuestionSummary::wrong or QuestionSummary::mistakes; empty if there is
+/// none.
+std::string mostFrequentOf(const std::map<std::string, std::size_t>& words);
 
 /// One row per question of each lesson, by title of the lesson, hash and step.
 std::vector<QuestionSummary> summarize(std::span<const LessonResult> results);

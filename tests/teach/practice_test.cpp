@@ -257,7 +257,7 @@ TEST_CASE("thirty results of practice make one row, with the section most often 
     CHECK(rows[0].people == 30);
     CHECK(rows[0].right >= 10);
     CHECK(rows[0].kind == "play");
-    CHECK(rows[0].mostFrequentWrong() == "6.5 advance");
+    CHECK(mostFrequentOf(rows[0].wrong) == "6.5 advance");
     CHECK(rows[0].wrong.at("6.5 advance") >= 10);
     CHECK_FALSE(rows[0].rightAtFirstShare().has_value());
 }

@@ -104,7 +104,7 @@ TEST_CASE("results are summed up per question, persons and rooms together") {
     REQUIRE(persons.size() == 1);
     CHECK(persons[0].people == 3);
     CHECK(persons[0].right == 1);
-    CHECK(persons[0].mostFrequentWrong() == "t");
+    CHECK(mostFrequentOf(persons[0].wrong) == "t");
     CHECK(persons[0].wrong.at("t") == 2);
     CHECK(persons[0].meanSeconds() == 12.5);
     LessonResult room = results[0];
@@ -119,7 +119,7 @@ TEST_CASE("results are summed up per question, persons and rooms together") {
     CHECK(all[0].rightAtFirstShare() == doctest::Approx(0.6));
     CHECK(all[0].mistakes.at("t") == 2);
     CHECK(all[0].mistakes.at("without q") == 1);
-    CHECK(all[0].mostFrequentMistake() == "t");
+    CHECK(mostFrequentOf(all[0].mistakes) == "t");
     CHECK(summaryCsv(all).find(",0.6,t,2,") != std::string::npos);
     results.push_back(results[0]);
     results.back().hash = "another";
