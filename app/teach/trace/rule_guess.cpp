@@ -57,14 +57,19 @@ Trace fansOf(const Trace& trace) {
     return fans;
 }
 
+/// matchTrace() under a changed setting.
+TraceMatch matchUnder(const RuleValue& setting, const Trace& trace, const SharedPoints& points,
+                      Params params, std::optional<TraceStage> upto) {
+    findRuleSetting(setting.name)->set(params, setting.value);
+    return matchTrace(trace, points, params, upto);
+}
+
 /// Keeps the settings that give the stages of the trace too, if any does.
 void preferSameStages(const Trace& trace, const SharedPoints& points, const Params& base,
                       std::optional<TraceStage> upto, std::vector<RuleValue>& whole) {
     std::vector<RuleValue> same;
     for (const RuleValue& each : whole) {
-        Params params = base;
-        findRuleSetting(each.name)->set(params, each.value);
-        if (matchTrace(trace, points, params, upto).whole) same.push_back(each);
+        if (matchUnder(each, trace, points, base, upto).whole) same.push_back(each);
     }
     if (!same.empty()) whole = std::move(same);
 }
@@ -86,9 +91,7 @@ Result<RuleGuess> guessRules(const Trace& trace, const SharedPoints& points, con
         const RuleValue& each = settings[i];
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(settings.size())))
             return Error{"cancelled"};
-        Params params = base;
-        findRuleSetting(each.name)->set(params, each.value);
-        const TraceMatch match = matchTrace(compared, points, params, upto);
+        const TraceMatch match = matchUnder(each, compared, points, base, upto);
         if (match.whole) guess.whole.push_back(each);
         if (match.alike <= guess.alike) continue;
         guess.alike = match.alike;
