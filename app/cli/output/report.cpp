@@ -39,20 +39,16 @@ Json trialJson(const Trial& trial) {
     return json;
 }
 
-/// Lines of the summary: the numbers before and of the best, and its options.
-std::string trialsText(const Trials& trials) {
+/// Adds lines of the summary: the numbers before and of the best, and its options.
+void addTrials(const Trials& trials, Answer& summary) {
     const Trial& first = trials.tried.front();
     const Trial& best = trials.tried[trials.best];
-    const auto line = [](const char* label, const std::string& text) {
-        return fmt::format("  {:<10} {}\n", label, text);
-    };
-    std::string text =
-        line("tried", counted(trials.tried.size() - 1, "change") + " of the settings") +
-        line("before", describe(first.verdict));
-    if (trials.best == 0) return text + line("best", "as given; no change is better");
-    text += line("best", describe(best.verdict)) + line("instead", insteadText(best.change));
-    const std::string losses = lossesText(best.verdict, first.verdict);
-    return losses.empty() ? text : text + line("but", losses);
+    summary.line("tried", counted(trials.tried.size() - 1, "change") + " of the settings");
+    summary.line("before", describe(first.verdict));
+    if (trials.best == 0) return summary.line("best", "as given; no change is better");
+    summary.line("best", describe(best.verdict));
+    summary.line("instead", insteadText(best.change));
+    summary.line("but", lossesText(best.verdict, first.verdict));
 }
 
 /// All trials with their numbers, in the order in which they were made, and the position of the
@@ -354,30 +350,26 @@ std::string shiftText(const RunOutcome& outcome) {
 }
 
 std::string summaryText(const RunOutcome& outcome) {
-    std::string text =
-        fmt::format("{}: {}, {}\n", printable(outcome.input), counted(outcome.mesh.points, "point"),
-                    meshSentence(outcome.mesh));
-    const auto addLine = [&](const char* label, const std::string& sentence) {
-        if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
-    };
-    if (outcome.trials) text += trialsText(*outcome.trials);
-    if (!outcome.columns.reason.empty()) addLine("columns", columnsSentence(outcome.columns));
-    addLine("kept", keptSentence(outcome.points));
-    addLine("set aside", setAsideSentence(outcome.prepared));
-    addLine("derived", derivedSentence(outcome.prepared.derived));
-    addLine("left over", leftOverSentence(outcome));
-    addLine("open", openSentence(outcome.mesh));
-    addLine("judged", outcome.judged);
-    addLine("defects", defectSentence(outcome.mesh));
+    Answer summary{fmt::format("{}: {}, {}\n", printable(outcome.input),
+                               counted(outcome.mesh.points, "point"), meshSentence(outcome.mesh))};
+    if (outcome.trials) addTrials(*outcome.trials, summary);
+    if (!outcome.columns.reason.empty()) summary.line("columns", columnsSentence(outcome.columns));
+    summary.line("kept", keptSentence(outcome.points));
+    summary.line("set aside", setAsideSentence(outcome.prepared));
+    summary.line("derived", derivedSentence(outcome.prepared.derived));
+    summary.line("left over", leftOverSentence(outcome));
+    summary.line("open", openSentence(outcome.mesh));
+    summary.line("judged", outcome.judged);
+    summary.line("defects", defectSentence(outcome.mesh));
     const std::size_t alerts = outcome.state.alerts.size();
-    if (alerts > 0) addLine("alerts", fmt::format("{}, listed by --report", alerts));
-    addLine("ended", endingSentence(outcome));
-    addLine("time", fmt::format("read {:.3f} s, prepare {:.3f} s, triangulate {:.3f} s",
-                                outcome.seconds.read, outcome.seconds.prepare,
-                                outcome.seconds.triangulate));
-    addLine("written", outcome.output.empty() ? "nothing; name a file with -o OUT.ply"
-                                              : printable(outcome.output));
-    return text;
+    if (alerts > 0) summary.line("alerts", fmt::format("{}, listed by --report", alerts));
+    summary.line("ended", endingSentence(outcome));
+    summary.line("time", fmt::format("read {:.3f} s, prepare {:.3f} s, triangulate {:.3f} s",
+                                     outcome.seconds.read, outcome.seconds.prepare,
+                                     outcome.seconds.triangulate));
+    summary.line("written", outcome.output.empty() ? "nothing; name a file with -o OUT.ply"
+                                                   : printable(outcome.output));
+    return summary.text;
 }
 
 }  // namespace se::cli

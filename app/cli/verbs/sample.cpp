@@ -121,14 +121,15 @@ std::string summary(const std::string& input, const PointFile& file, const Sampl
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
     const auto corners =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isCorner));
-    std::string text =
-        fmt::format("{}: {}", printable(input), counted(file.position.size(), "point"));
+    Answer summary{fmt::format("{}: {}", printable(input), counted(file.position.size(), "point"))};
     if (walls > 0)
-        text += fmt::format(", {} of them on walls, {}", walls, counted(corners, "corner"));
-    text += fmt::format("\n  spacing    {:.4g}, varying by {:.1f} %\n", quality.spacing,
-                        100.0 * quality.variation);
-    text += fmt::format("  off        {:.1g} spacings at most\n", quality.off);
-    return text + fmt::format("  time       {:.2f} s\n", seconds);
+        summary.text += fmt::format(", {} of them on walls, {}", walls, counted(corners, "corner"));
+    summary.text += "\n";
+    summary.line("spacing", fmt::format("{:.4g}, varying by {:.1f} %", quality.spacing,
+                                        100.0 * quality.variation));
+    summary.line("off", fmt::format("{:.1g} spacings at most", quality.off));
+    summary.line("time", fmt::format("{:.2f} s", seconds));
+    return summary.text;
 }
 
 }  // namespace
