@@ -6,7 +6,6 @@
 #include "output/sentences.h"
 #include "progress.h"
 #include "spiraling_edge/base/shell_word.h"
-#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::cli {
 
@@ -16,6 +15,17 @@ std::string classNames() {
     std::string names;
     for (const FailureClass& each : failureClasses()) appendPart(names, std::string(each.name));
     return names;
+}
+
+[[noreturn]] void noSuchFailure(std::span<const ClassTotal> totals, const FailureChoice& wanted,
+                                const std::string& input) {
+    const auto& total = totals[static_cast<std::size_t>(wanted.kind - failureClasses().data())];
+    const std::string has = total.all() ? counted(total.total, "failure")
+                                        : "only the " + amountText(total) + " failures listed";
+    throw Failure(
+        ExitCode::CheckFailed,
+        "{}: the run has {} of class {}; spiraling-edge why {} --failures lists those it has",
+        input, has, wanted.kind->name, shellPath(input));
 }
 
 }  // namespace
@@ -37,27 +47,6 @@ FailureChoice failureChoiceFrom(const std::string& text) {
     wanted.number = std::stoul(digits);
     return wanted;
 }
-
-State endOfRun(const PointSet& points, const Params& params) {
-    Stepper stepper(points, params);
-    stepper.run();
-    return stepper.takeState();
-}
-
-namespace {
-
-[[noreturn]] void noSuchFailure(std::span<const ClassTotal> totals, const FailureChoice& wanted,
-                                const std::string& input) {
-    const auto& total = totals[static_cast<std::size_t>(wanted.kind - failureClasses().data())];
-    const std::string has = total.all() ? counted(total.total, "failure")
-                                        : "only the " + amountText(total) + " failures listed";
-    throw Failure(
-        ExitCode::CheckFailed,
-        "{}: the run has {} of class {}; spiraling-edge why {} --failures lists those it has",
-        input, has, wanted.kind->name, shellPath(input));
-}
-
-}  // namespace
 
 MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& wanted,
                         const std::string& input) {

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/state.h"
 #include "spiraling_edge/why/failure_moments.h"
 
 namespace se::cli {
@@ -17,9 +15,6 @@ struct FailureChoice {
 
 /// Throws Failure if there is no such class, or N is no number.
 FailureChoice failureChoiceFrom(const std::string& text);
-
-/// State at the end of a run, or at the point where the user interrupted it.
-State endOfRun(const PointSet& points, const Params& params);
 
 /// The chosen failure. Throws Failure if the list of the run on `input` lacks it.
 MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& choice,

@@ -17,6 +17,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/run/reconstruct.h"
 #include "spiraling_edge/spec/session_text.h"
 #include "verbs.h"
 
@@ -193,15 +194,15 @@ ExitCode reduceVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
     requireNoStart(run.params.start, "reduce");
     const MeshFailure failure =
-        pickFailure(inspectWithTotals(run.points, endOfRun(run.points, run.params).mesh()), wanted,
-                    arguments.input.input());
+        pickFailure(inspectWithTotals(run.points, reconstruct(run.points, run.params).state.mesh()),
+                    wanted, arguments.input.input());
     const std::vector<Vec3> places = placesOf(run.points, failure);
     // Removed points leave a border: a loop counts only if it is the original one.
     const auto fails = [&](const PointFile& file) -> ReduceTry {
         const auto prepared = prepare(file, arguments.input.prepareOptions(file));
         if (!prepared) return {false, file.position.size()};
         const PointSet& points = prepared.value().points;
-        const State end = endOfRun(points, run.params);
+        const State end = reconstruct(points, run.params).state;
         const MeshInspection found = inspectWithTotals(points, end.mesh());
         const std::vector<MeshFailure>& all = found.failures;
         const bool still = std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
