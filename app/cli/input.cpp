@@ -11,19 +11,12 @@
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/why/what_if_check.h"
+#include "teach/lesson_runs.h"
 #include "teach/spec_json.h"
 
 namespace se::cli {
 namespace {
-
-PointFile buildScene(const std::string& id) {
-    const Scene* scene = findScene(id);
-    if (scene == nullptr) {
-        throw Failure(ExitCode::Input,
-                      "scene:{}: no such scene; `spiraling-edge scenes` lists the scenes", id);
-    }
-    return scene->build();
-}
 
 /// Message for inputs that are commonly mistaken for points, with what to do instead.
 void refuseOtherThings(const std::string& input) {
@@ -52,7 +45,7 @@ void refuseOtherThings(const std::string& input) {
 
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
-    if (isScene(input)) return buildScene(input.substr(kScenePrefix.size()));
+    if (isScene(input)) return require(teach::buildScene(input), ExitCode::Input);
     return require(isStandardInput(input) ? readStandardInput(limit)
                                           : readPoints(std::filesystem::path(input), limit),
                    ExitCode::Input);
@@ -103,12 +96,13 @@ const RunSpec& InputArguments::spec() const {
     return spec_.emplace(std::move(spec));
 }
 
-void InputArguments::requireStartFits(const PointSet& points, const GivenStart& start) const {
+void InputArguments::requirePossible(const PointSet& points, const Params& params) const {
     for (const char* key : {"crop", "thin"}) {
-        if (options_.has(key)) requireNoStart(start, std::string("--") + key);
+        if (options_.has(key)) requireNoStart(params.start, std::string("--") + key);
     }
-    require(requireStart(points, start), ExitCode::Input,
+    require(requireStart(points, params.start), ExitCode::Input,
             (startFile_.empty() ? nameOfInput(input_) : startFile_) + ": ");
+    require(requireWhatIfs(points, params), ExitCode::Usage, "--what-if ");
 }
 
 PointFile InputArguments::read(const ProgressLine& line) const {
@@ -134,7 +128,6 @@ PreparedInput InputArguments::prepare(PointFile file, const RunSpec& spec,
     Prepared prepared = runWithProgress("preparing", input_, line, [&](const Progress& progress) {
         return se::prepare(file, options, progress);
     });
-    requireStartFits(prepared.points, params.start);
     requirePossible(prepared.points, params);
     file.normal = prepared.points.normal;
     file.type = prepared.points.type;

@@ -66,9 +66,10 @@ class InputArguments {
     PrepareOptions prepareOptions(const PointFile& file) const {
         return prepareOptionsFrom(spec(), paramsFrom(spec()), file);
     }
-    /// Throws Failure(Input) if a run on `points` cannot begin with `start`; Failure(Usage) if a
-    /// piece was chosen, whose points have other numbers.
-    void requireStartFits(const PointSet& points, const GivenStart& start) const;
+    /// Throws Failure(Input) if a run on `points` cannot begin with its start; Failure(Usage) if it
+    /// has one although a piece was chosen, whose points have other numbers, or if a what-if has no
+    /// effect, or is refused.
+    void requirePossible(const PointSet& points, const Params& params) const;
 
     /// Reads the piece that the options choose; then prints what was kept to stderr, if messages
     /// are wanted. Throws Failure.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "output/output.h"
-#include "spiraling_edge/why/what_if_check.h"
 
 namespace se::cli {
 
@@ -23,10 +22,6 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
 RunSpec specOf(const SpecChange& given, RunSpec spec) {
     require(applyChange(given, spec), ExitCode::Usage);
     return spec;
-}
-
-void requirePossible(const PointSet& points, const Params& params) {
-    require(requireWhatIfs(points, params), ExitCode::Usage, "--what-if ");
 }
 
 }  // namespace se::cli

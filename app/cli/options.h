@@ -19,7 +19,4 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
 /// The spec of these values. Throws Failure(Usage) with the first that is not valid.
 RunSpec specOf(const SpecChange& given, RunSpec spec = {});
 
-/// Throws Failure(Usage) with the reason if a what-if of `params` has no effect, or is refused.
-void requirePossible(const PointSet& points, const Params& params);
-
 }  // namespace se::cli

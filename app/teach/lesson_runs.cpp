@@ -20,13 +20,6 @@
 namespace se::teach {
 namespace {
 
-Result<PointFile> buildSceneOf(const std::string& source) {
-    const Scene* scene = findScene(source.substr(kScenePrefix.size()));
-    if (scene == nullptr)
-        return Error{excerpt(source) + ": no such scene; spiraling-edge scenes lists them"};
-    return scene->build();
-}
-
 std::size_t countOf(Stage stage, const std::vector<Event>& events) {
     return static_cast<std::size_t>(
         std::count_if(events.begin(), events.end(),
@@ -49,16 +42,12 @@ std::string absenceText(RunCursor& cursor, const Address& address) {
            std::to_string(address.n);
 }
 
-Status goToShare(RunCursor& cursor, double share) {
+void goToShare(RunCursor& cursor, double share) {
     cursor.goToEnd();
-    if (share >= 1.0 || cursor.event() == nullptr) return success();
+    if (share >= 1.0 || cursor.event() == nullptr) return;
     const auto pivot = static_cast<std::uint32_t>(std::floor(share * cursor.pivot().pivot));
-    if (pivot == 0) {
-        cursor.goToStart();
-    } else {
-        cursor.goTo({pivot, Stage::Advance, 0}) || cursor.goTo({pivot, Stage::Pivot, 0});
-    }
-    return success();
+    if (pivot == 0) return cursor.goToStart();
+    cursor.goTo({pivot, Stage::Advance, 0}) || cursor.goTo({pivot, Stage::Pivot, 0});
 }
 
 std::string keyOf(const RunSpec& spec) {
@@ -82,6 +71,12 @@ Status goToAnswer(RunCursor& cursor, const StepSetting& setting) {
 
 }  // namespace
 
+Result<PointFile> buildScene(const std::string& source) {
+    const Scene* scene = findScene(source.substr(kScenePrefix.size()));
+    if (scene != nullptr) return scene->build();
+    return Error{excerpt(source) + ": no such scene; `spiraling-edge scenes` lists the scenes"};
+}
+
 Result<std::string> pointsSource(std::string source) {
     std::set<std::string> seen;
     while (source.ends_with(kLessonExtension)) {
@@ -98,7 +93,7 @@ Result<std::string> pointsSource(std::string source) {
 Result<PointFile> readLessonPoints(const std::string& source, const ByteLimit& limit) {
     const Result<std::string> input = pointsSource(source);
     if (!input) return input.error();
-    if (input.value().starts_with(kScenePrefix)) return buildSceneOf(input.value());
+    if (input.value().starts_with(kScenePrefix)) return buildScene(input.value());
     if (const auto seed = practiceSeed(input.value())) return practiceFile(practiceTask(*seed));
     return readPoints(std::filesystem::path(input.value()), limit);
 }
@@ -128,8 +123,9 @@ Status goToPlace(RunCursor& cursor, std::string_view place) {
     }
     if (place.ends_with('%')) {
         const auto share = numberIn<double>(place.substr(0, place.size() - 1));
-        return share ? goToShare(cursor, *share / 100.0)
-                     : Status(Error{excerpt(place) + ": expected a share such as 50%"});
+        if (!share) return Error{excerpt(place) + ": expected a share such as 50%"};
+        goToShare(cursor, *share / 100.0);
+        return success();
     }
     const auto address = addressFromString(place);
     if (!address) return Error{excerpt(place) + ": expected an address such as 9.sphere.2"};

@@ -16,6 +16,9 @@
 
 namespace se::teach {
 
+/// The points of scene:ID. Fails if there is no such scene.
+Result<PointFile> buildScene(const std::string& source);
+
 /// The points of an input: its own name, or for a lesson the input of that lesson. Fails if such
 /// lessons form a cycle, or if one of them is faulty.
 Result<std::string> pointsSource(std::string source);

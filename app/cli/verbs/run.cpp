@@ -400,8 +400,7 @@ ExitCode runVerb(const Arguments& words) {
     Prepared prepared =
         runWithProgress("preparing", named.source, line,
                         [&](const Progress& progress) { return prepare(file, options, progress); });
-    arguments.input.requireStartFits(prepared.points, outcome.params.start);
-    requirePossible(prepared.points, outcome.params);
+    arguments.input.requirePossible(prepared.points, outcome.params);
     if (arguments.searchesPairs()) {
         prepared.points.judge = withoutOpeningsToClose(
             runWithProgress("preparing", named.source, line,
