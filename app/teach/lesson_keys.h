@@ -1,5 +1,5 @@
-/// Keys of the blocks of a lesson: one table per block. A new key is a member in lesson.h and a
-/// row here.
+/// Keys of the blocks of a lesson, and the values that they can have: one table per block. A new
+/// key is a member in lesson.h and a row here.
 #pragma once
 
 #include <string_view>
@@ -19,6 +19,9 @@ struct LessonBlock {
 void readLessonBlock(const LessonBlock& block, Lesson& lesson, std::vector<LessonFault>& faults);
 void readStepBlock(const LessonBlock& block, LessonStep& step, std::vector<LessonFault>& faults);
 void readAskBlock(const LessonBlock& block, Question& question, std::vector<LessonFault>& faults);
+
+/// Faults of the values of a lesson that need no run: each value is one that its key can have.
+std::vector<LessonFault> syntaxFaults(const Lesson& lesson);
 
 /// A key, for help.
 struct LessonKey {

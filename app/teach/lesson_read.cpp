@@ -7,7 +7,6 @@
 
 #include "file_bytes.h"
 #include "lesson_keys.h"
-#include "lesson_syntax.h"
 #include "markdown_tree.h"
 #include "run_answers.h"
 #include "spiraling_edge/base/files.h"

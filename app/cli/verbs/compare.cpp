@@ -4,7 +4,6 @@
 #include <string>
 #include <tuple>
 
-#include "failure_choice.h"
 #include "input.h"
 #include "output/ledger_text.h"
 #include "output/sentences.h"
