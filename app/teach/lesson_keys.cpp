@@ -151,6 +151,34 @@ bool read(const toml::node& node, Target& target) {
     return readValue(node, target.*Member);
 }
 
+bool isFrame(std::string_view word) { return word == "all" || word == "pivot"; }
+bool isLayout(std::string_view word) {
+    return word == "debug" || word == "learn" || word == "present" || word == "compare";
+}
+bool isView(std::string_view word) { return findNamed(lessonViews(), word) != nullptr; }
+bool isKind(std::string_view word) { return findQuestionKind(word) != nullptr; }
+
+/// An address, a share such as "50%", or "0", the start of the run.
+bool isPlace(std::string_view text) {
+    if (text == "0") return true;
+    if (text.ends_with('%')) {
+        const auto share = numberIn<double>(text.substr(0, text.size() - 1));
+        return share && *share >= 0.0 && *share <= 100.0;
+    }
+    return addressFromString(text).has_value();
+}
+
+/// A key whose value is a text of this sort, or empty.
+template <auto Member, bool (*isOfSort)(std::string_view), typename Target>
+bool readSort(const toml::node& node, Target& target) {
+    return readValue(node, target.*Member) &&
+           ((target.*Member).empty() || isOfSort(target.*Member));
+}
+template <auto Member, typename Target>
+bool readPlace(const toml::node& node, Target& target) {
+    return readSort<Member, isPlace>(node, target);
+}
+
 /// Values of a field of the run, as words.
 bool addWords(const toml::node& node, std::string_view key, SpecChange& change) {
     std::vector<std::string> words;
@@ -230,6 +258,9 @@ bool readDecimalAnswer(const toml::node& node, Question& question) {
 
 bool readOptions(const toml::node& node, Lesson& lesson);
 
+constexpr std::string_view kPlace = "PIVOT[.STAGE[.N]], such as 9.sphere.2, or a share such as 50%";
+constexpr std::string_view kView = "one of front, back, left, right, top, bottom";
+
 constexpr std::array kLessonKeys{
     KeyRow<Lesson>{"version", "1", readVersion},
     KeyRow<Lesson>{"input", "a text: scene:ID, practice:SEED, or the path of a file",
@@ -238,17 +269,17 @@ constexpr std::array kLessonKeys{
     KeyRow<Lesson>{"rules", "the name of a set of rules", readRules<Lesson>},
     KeyRow<Lesson>{"rule", "a list of NAME=VALUE", readRule<Lesson>},
     KeyRow<Lesson>{"names", "a table of names and points, { p = 15 }", read<&Lesson::names>},
-    KeyRow<Lesson>{"view", "the name of a view", read<&Lesson::view>},
-    KeyRow<Lesson>{"layout", "the name of a layout", read<&Lesson::layout>},
+    KeyRow<Lesson>{"view", kView, readSort<&Lesson::view, isView>},
+    KeyRow<Lesson>{"layout", "one of debug, learn, present, compare",
+                   readSort<&Lesson::layout, isLayout>},
     KeyRow<Lesson>{"author", "a text", read<&Lesson::author>},
     KeyRow<Lesson>{"license", "a text", read<&Lesson::license>},
 };
 
 constexpr std::array kStepKeys{
     KeyRow<LessonStep>{"minutes", "a number", read<&LessonStep::minutes>},
-    KeyRow<LessonStep>{"at", "an address such as \"9.sphere.2\", or \"50%\"",
-                       read<&LessonStep::at>},
-    KeyRow<LessonStep>{"until", "an address", read<&LessonStep::until>},
+    KeyRow<LessonStep>{"at", kPlace, readPlace<&LessonStep::at>},
+    KeyRow<LessonStep>{"until", kPlace, readPlace<&LessonStep::until>},
     KeyRow<LessonStep>{"play", "a speed such as \"pivot 2/s\" (sub-step, pivot or event)",
                        readPlay},
     KeyRow<LessonStep>{"expect", "the outcome of the decision at `at`, such as \"removed\"",
@@ -264,24 +295,25 @@ constexpr std::array kStepKeys{
     KeyRow<LessonStep>{"what_if", "a list of lines such as \"20.reciprocal keep 38\"", readWhatIfs},
     KeyRow<LessonStep>{"compare", "the options in which the other run differs", readCompare},
     KeyRow<LessonStep>{"select", "one to three points", read<&LessonStep::select>},
-    KeyRow<LessonStep>{"view", "the name of a view", read<&LessonStep::view>},
+    KeyRow<LessonStep>{"view", kView, readSort<&LessonStep::view, isView>},
     KeyRow<LessonStep>{"camera", "a camera as Ctrl+C copies it, in '...'",
                        read<&LessonStep::camera>},
-    KeyRow<LessonStep>{"frame", "\"all\" or \"pivot\"", read<&LessonStep::frame>},
+    KeyRow<LessonStep>{"frame", "one of all, pivot", readSort<&LessonStep::frame, isFrame>},
     KeyRow<LessonStep>{"pin", "a list of layers", read<&LessonStep::pin>},
     KeyRow<LessonStep>{"hide", "a list of layers", read<&LessonStep::hide>},
 };
 
 constexpr std::array kAskKeys{
-    KeyRow<Question>{"kind", "a text", read<&Question::kind>},
-    KeyRow<Question>{"at", "an address such as \"9.sphere.2\", or \"50%\"", read<&Question::at>},
-    KeyRow<Question>{"until", "an address", read<&Question::until>},
+    KeyRow<Question>{"kind", "one of points, point, choice, number, play",
+                     readSort<&Question::kind, isKind>},
+    KeyRow<Question>{"at", kPlace, readPlace<&Question::at>},
+    KeyRow<Question>{"until", kPlace, readPlace<&Question::until>},
     KeyRow<Question>{"answer", "a text, a number, or a list of points", readDecimalAnswer},
     KeyRow<Question>{"options", "a list of texts, A to D", read<&Question::options>},
     KeyRow<Question>{"verdicts", "for each option the outcome for which it is right",
                      read<&Question::verdicts>},
     KeyRow<Question>{"within", "a number", read<&Question::within>},
-    KeyRow<Question>{"why", "an address", read<&Question::why>},
+    KeyRow<Question>{"why", kPlace, readPlace<&Question::why>},
     KeyRow<Question>{"unchecked", "true or false", read<&Question::unchecked>},
 };
 
@@ -350,18 +382,6 @@ void listKeys(std::string_view block, std::span<const KeyRow<Target>> rows,
     for (const KeyRow<Target>& row : rows) keys.push_back({block, row.name, row.expected});
 }
 
-// ---- values ----
-
-/// True for an address, a share such as "50%", and "0", the start of the run.
-bool isPlaceText(std::string_view text) {
-    if (text == "0") return true;
-    if (text.ends_with('%')) {
-        const auto share = numberIn<double>(text.substr(0, text.size() - 1));
-        return share && *share >= 0.0 && *share <= 100.0;
-    }
-    return addressFromString(text).has_value();
-}
-
 /// Faults of one block, by the lines of its keys.
 class BlockFaults {
   public:
@@ -370,21 +390,6 @@ class BlockFaults {
     void add(std::string_view key, std::string message) {
         faults_.push_back(
             {FaultSort::Malformed, lines_.of(key), std::string(key), std::move(message)});
-    }
-    void place(std::string_view key, std::string_view text) {
-        if (text.empty() || isPlaceText(text)) return;
-        add(key, "expected PIVOT[.STAGE[.N]], such as 9.sphere.2, or a share such as 50%");
-    }
-    /// Reports a value that is none of `names`.
-    template <typename Names>
-    void oneOf(std::string_view key, std::string_view value, const Names& names) {
-        if (value.empty() || std::find(names.begin(), names.end(), value) != names.end()) return;
-        add(key, "expected one of " + wordList(names, ""));
-    }
-    void view(std::string_view value) {
-        std::vector<std::string_view> names;
-        for (const LessonView& each : lessonViews()) names.push_back(each.name);
-        oneOf("view", value, names);
     }
     void names(const std::vector<NamedPoint>& names) {
         for (const NamedPoint& each : names) {
@@ -425,29 +430,18 @@ void checkAnswer(const Question& question, const QuestionKind& kind, BlockFaults
 
 void checkQuestion(const Question& question, std::vector<LessonFault>& all) {
     BlockFaults faults(question.lines, all);
-    faults.place("at", question.at);
-    faults.place("until", question.until);
-    faults.place("why", question.why);
-    std::vector<std::string_view> names;
-    for (const QuestionKind& each : questionKinds()) names.push_back(each.name);
     if (question.kind.empty()) {
         faults.add("kind", "missing: points, point, choice, number or play");
         return;
     }
-    faults.oneOf("kind", question.kind, names);
     checkOptions(question, faults);
     if (const QuestionKind* kind = findQuestionKind(question.kind))
         checkAnswer(question, *kind, faults);
 }
 
 void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
-    constexpr std::array<std::string_view, 2> kFrames{"all", "pivot"};
     BlockFaults faults(step.lines, all);
-    faults.place("at", step.at);
-    faults.place("until", step.until);
-    faults.view(step.view);
     faults.names(step.names);
-    faults.oneOf("frame", step.frame, kFrames);
     if (step.select.size() > 3) faults.add("select", "expected one to three points");
     const auto camera = jsonFromText<nlohmann::json>(
         step.camera, "expected JSON, as Ctrl+C copies it in the viewer");
@@ -458,7 +452,7 @@ void checkStep(const LessonStep& step, std::vector<LessonFault>& all) {
         if (!other) faults.add("compare", other.error().message);
     }
     for (const LessonLink& link : step.links) {
-        if (!isPlaceText(link.address)) {
+        if (!isPlace(link.address)) {
             all.push_back(
                 {FaultSort::Malformed, link.line, "",
                  "se:" + excerpt(link.address) + ": expected an address, such as se:9.sphere.2"});
@@ -490,15 +484,12 @@ std::vector<LessonKey> lessonKeys() {
 }
 
 std::vector<LessonFault> syntaxFaults(const Lesson& lesson) {
-    constexpr std::array<std::string_view, 4> kLayouts{"debug", "learn", "present", "compare"};
     std::vector<LessonFault> all;
     BlockFaults faults(lesson.lines, all);
     if (lesson.lines.of("version") == lesson.lines.block)
         faults.add("version", "missing: write version = 1");
     if (lesson.input.empty()) faults.add("input", "missing: scene:ID, or the path of a file");
-    faults.view(lesson.view);
     faults.names(lesson.names);
-    faults.oneOf("layout", lesson.layout, kLayouts);
     for (const LessonStep& step : lesson.steps) checkStep(step, all);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const Result<RunSpec> spec = runSpec(settingOf(lesson, i));

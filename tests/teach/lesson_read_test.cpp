@@ -96,7 +96,7 @@ TEST_CASE("bad lessons are refused with line, key and reason") {
         {lessonWith(""), "no step: begin one with `## Title`"},
         {lessonWith(stepWith("step", "untill = \"9.sphere.2\"")),
          "x.lesson.md:13: untill: no such key; the nearest is until"},
-        {lessonWith(stepWith("step", "at = 9")), ":13: at: expected an address"},
+        {lessonWith(stepWith("step", "at = 9")), ":13: at: expected PIVOT"},
         {lessonWith(stepWith("step", "at = \"9.spere.2\"")), ":13: at: expected PIVOT"},
         {lessonWith(stepWith("step", "at = \"101%\"")), ":13: at: expected PIVOT"},
         {lessonWith(stepWith("step", "minutes = -1")), ":13: minutes: expected a number"},
