@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -69,17 +70,8 @@ Json ruleJson(const RuleSetting& rule, double value) {
 constexpr std::size_t kMaxAlerts = 100;
 constexpr std::size_t kMaxFaults = 100;
 
-std::string_view endingName(Ending ending) {
-    switch (ending) {
-        case Ending::Finished:
-            return "finished";
-        case Ending::Capped:
-            return "capped";
-        case Ending::MaxPivots:
-            return "max_pivots";
-    }
-    return "";
-}
+/// Why the run ended, in the order of Ending.
+constexpr std::array<std::string_view, 3> kEndingNames{"finished", "capped", "max_pivots"};
 
 void addCounters(const Counters& counters, Json& json) {
     json["pivots"] = counters.pivots;
@@ -263,19 +255,13 @@ std::string faultCounts(const RunOutcome& outcome) {
 }
 
 std::string endingSentence(const RunOutcome& outcome) {
-    switch (outcome.ending) {
-        case Ending::Finished:
-            return "";
-        case Ending::Capped:
-            return fmt::format(
-                "stopped: more than {} triangles per point, the input is too tangled; see "
-                "docs/robust.md",
-                outcome.params.maxTrianglesPerPoint);
-        case Ending::MaxPivots:
-            return "stopped after " + counted(outcome.state.counters.pivots, "pivot") +
-                   ", as requested";
-    }
-    return "";
+    if (outcome.ending == Ending::MaxPivots)
+        return "stopped after " + counted(outcome.state.counters.pivots, "pivot") +
+               ", as requested";
+    if (outcome.ending == Ending::Finished) return "";
+    return fmt::format(
+        "stopped: more than {} triangles per point, the input is too tangled; see docs/robust.md",
+        outcome.params.maxTrianglesPerPoint);
 }
 
 /// The size of a given start; null without one.
@@ -315,7 +301,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["piece"] = keptJson(outcome.points);
     json["shift"] = Json();
     if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
-    json["stop_reason"] = endingName(outcome.ending);
+    json["stop_reason"] = kEndingNames[static_cast<std::size_t>(outcome.ending)];
     json["points"] = outcome.mesh.points;
     json["triangles"] = outcome.mesh.triangles;
     json["components"] = outcome.mesh.components;
