@@ -122,7 +122,7 @@ int boxDigits(const Facts& facts) {
     return static_cast<int>(std::min(digits, kMax));
 }
 
-void addPoints(const Facts& facts, Answer& answer) {
+void addFacts(const Facts& facts, Answer& answer) {
     const PointFile& file = facts.file;
     const Spacing& spacing = facts.spacing;
     const Vec3& low = facts.box.low;
@@ -176,7 +176,7 @@ void addNeighborhood(const Facts& facts, Answer& answer) {
                                                  : "none in the file: a run computes them");
 }
 
-void addMesh(const Facts& facts, Answer& answer) {
+void addTriangles(const Facts& facts, Answer& answer) {
     const MeshReport& mesh = facts.mesh;
     std::string names;
     answer.json["attributes"] = Json::array();
@@ -212,9 +212,9 @@ ExitCode infoVerb(const Arguments& words) {
     Answer answer{
         fmt::format("{}: {}\n", printable(input), counted(facts.file.position.size(), "point")),
         {{"input", input}}};
-    addPoints(facts, answer);
+    addFacts(facts, answer);
     addNeighborhood(facts, answer);
-    addMesh(facts, answer);
+    addTriangles(facts, answer);
     print(answer, json);
     return ExitCode::Good;
 }

@@ -50,12 +50,12 @@ std::string lineFor(const InvertedFailure& each) {
     return text;
 }
 
-/// The columns of the text, each with its inversion.
+/// Width of the column of a result.
 std::size_t widthOf(Inversion inversion) { return inversionName(inversion).size() + 3; }
 
 /// Adds how many failures of a class were tried, and how many had each result.
-void addCounts(const std::vector<InvertedFailure>& inverted, const FailureClass& kind,
-               Answer& answer) {
+void addInversions(const std::vector<InvertedFailure>& inverted, const FailureClass& kind,
+                   Answer& answer) {
     const std::size_t tried = countOf(inverted, kind);
     if (tried == 0) return;
     answer.text += fmt::format("{:<24}{:>7}", kind.name, tried);
@@ -75,7 +75,7 @@ Answer inversionsAnswer(const std::vector<InvertedFailure>& inverted) {
     for (const Inversion inversion : kInversions)
         answer.text += fmt::format("{:>{}}", inversionName(inversion), widthOf(inversion));
     answer.text += "\n";
-    for (const FailureClass& kind : failureClasses()) addCounts(inverted, kind, answer);
+    for (const FailureClass& kind : failureClasses()) addInversions(inverted, kind, answer);
     if (inverted.empty()) answer.text = "No failures found.\n";
     answer.json["proofs"] = Json::array();
     for (const InvertedFailure& each : inverted) {
