@@ -18,6 +18,28 @@ inline std::filesystem::path ownPlace(const std::string& name) {
            ("spiraling-edge-" + std::to_string(::getpid()) + "-" + name);
 }
 
+/// A new folder of this process alone, removed at the end with all in it.
+class OwnFolder {
+  public:
+    OwnFolder() : path_(ownPlace("folder-" + std::to_string(made()++))) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~OwnFolder() { std::filesystem::remove_all(path_); }
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  private:
+    static int& made() {
+        static int count = 0;
+        return count;
+    }
+    std::filesystem::path path_;
+};
+
 /// As loadInput(), without the file.
 inline Result<std::shared_ptr<const Model>> loadModel(const RunSpec& spec, LoadProgress& progress) {
     const Result<Loaded> loaded = loadInput(spec, progress);

@@ -36,7 +36,8 @@ struct KeptSession {
 
 TEST_CASE("A file that is read is replaced only by force, whatever it is called") {
     namespace fs = std::filesystem;
-    const fs::path folder = test::ownPlace("options-kept");
+    const test::OwnFolder own;
+    const fs::path& folder = own.path();
     fs::create_directories(folder / "frames");
     for (const char* name : {"p.ply", "s.json", "m.ply", "image.png", "t.lesson.md"})
         std::ofstream(folder / name) << "bytes";
@@ -85,7 +86,6 @@ TEST_CASE("A file that is read is replaced only by force, whatever it is called"
     fs::remove(folder / "frames/002.png");
     exported.exported->path = folder / "frames";
     CHECK(requireInputsKept(exported).ok());
-    fs::remove_all(folder);
 }
 
 TEST_CASE("Without a file there is a start page, and nothing to go to") {

@@ -6,6 +6,7 @@
 #include "layers/layer.h"
 #include "layout/overlays.h"
 #include "panel_state/side_panels.h"
+#include "point_files.h"
 #include "run/model.h"
 #include "run/strings.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
@@ -50,27 +51,10 @@ struct AlertApp : HeadlessApp {
 };
 
 /// A file with a hole: the sphere scene without a few points around a pole, read with short lists.
-std::string holedFile(const std::filesystem::path& path) {
-    const PointFile sphere = findScene("four-edge-hole")->build();
-    std::FILE* out = std::fopen(path.c_str(), "w");
-    for (std::size_t p = 0; p < sphere.position.size(); ++p) {
-        const Vec3& x = sphere.position[p];
-        const Vec3& n = sphere.normal[p];
-        std::fprintf(out, "%.17g %.17g %.17g %.17g %.17g %.17g\n", x.x, x.y, x.z, n.x, n.y, n.z);
-    }
-    std::fclose(out);
-    return path.string();
-}
-
 struct FailingFile {
-    std::filesystem::path path = ownPlace("failing.xyz");
-    FailingFile() { holedFile(path); }
-    ~FailingFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
-    }
-    FailingFile(const FailingFile&) = delete;
-    FailingFile& operator=(const FailingFile&) = delete;
+    OwnFolder folder;
+    std::filesystem::path path = folder / "failing.xyz";
+    FailingFile() { writePoints(path, findScene("four-edge-hole")->build()); }
 };
 
 }  // namespace
@@ -419,15 +403,11 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
     const HeadlessApp other("card-and-check");
     const std::filesystem::path path = other.folder / "points.xyz";
     // A patch that contradicts the rest, and others that are right.
-    const PointFile sphere = findScene("sphere")->build();
-    std::ofstream out(path);
-    out.precision(17);
+    PointFile sphere = findScene("sphere")->build();
     for (std::size_t p = 0; p < sphere.position.size(); ++p) {
-        const Vec3& x = sphere.position[p];
-        const Vec3 n = x.x > 0.6 ? -sphere.normal[p] : sphere.normal[p];
-        out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z << '\n';
+        if (sphere.position[p].x > 0.6) sphere.normal[p] *= -1.0;
     }
-    out.close();
+    writePoints(path, sphere);
     AlertApp app(path.string());
     const auto counted = [&] {
         const FinishedMesh mesh =

@@ -28,17 +28,15 @@ TEST_CASE("Links lead to steps of the page and to the web alone") {
 }
 
 TEST_CASE("An image is a part of the text, and its description if it cannot be read") {
-    const auto folder = test::ownPlace("page-images");
-    std::filesystem::create_directories(folder);
+    const test::OwnFolder folder;
     std::ofstream(folder / "a.png") << "abcd";
     PageLinks links;
-    links.folder = folder;
+    links.folder = folder.path();
     CHECK(pageText(textBlocks("![A \"ring\"](a.png)"), links)
               .find("<img alt=\"A &quot;ring&quot;\" src=\"data:image/png;base64,YWJjZA==\">") !=
           std::string::npos);
     CHECK(pageText(textBlocks("![A ring](b.png)"), links).find("<p>A ring</p>") !=
           std::string::npos);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("Base 64 is padded to four signs") {

@@ -1,12 +1,12 @@
 #include "jobs/doctor_job.h"
 #include "layers/layer.h"
 #include "open_session.h"
+#include "point_files.h"
 #include "scene/draw_list.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "spiraling_edge/scenes/scenes.h"
 
@@ -22,23 +22,13 @@ std::shared_ptr<const PointFile> sphere() {
 
 /// The sphere scene with two zero normals, as a file that is removed with this object.
 struct FlawedFile {
-    std::filesystem::path path = ownPlace("flawed.xyz");
+    OwnFolder folder;
+    std::filesystem::path path = folder / "flawed.xyz";
 
     FlawedFile() {
-        const auto file = sphere();
-        std::ofstream out(path);
-        for (std::size_t p = 0; p < file->position.size(); ++p) {
-            const Vec3& x = file->position[p];
-            const Vec3 n = p == 7 || p == 9 ? Vec3(0.0) : file->normal[p];
-            out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z
-                << '\n';
-        }
-    }
-    FlawedFile(const FlawedFile&) = delete;
-    FlawedFile& operator=(const FlawedFile&) = delete;
-    ~FlawedFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
+        PointFile file = *sphere();
+        file.normal[7] = file.normal[9] = Vec3(0.0);
+        writePoints(path, file);
     }
 };
 

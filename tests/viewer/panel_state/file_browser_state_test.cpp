@@ -39,7 +39,8 @@ TEST_CASE("Every format that can be read is offered") {
 }
 
 TEST_CASE("A folder is listed, folders first, one that cannot be read leaves the old list") {
-    const fs::path folder = test::ownPlace("browsing-test");
+    const test::OwnFolder own;
+    const fs::path& folder = own.path();
     fs::create_directories(folder / "z");
     for (const char* name : {"b.pcd", "a.ply", "c.png", ".hidden.ply"})
         std::ofstream(folder / name);
@@ -51,7 +52,6 @@ TEST_CASE("A folder is listed, folders first, one that cannot be read leaves the
     CHECK(browsing.error.find("missing") != std::string::npos);
     CHECK(browsing.folder == folder);
     CHECK(browsing.entries == expected);
-    fs::remove_all(folder);
 }
 
 TEST_CASE("The format of a saved mesh follows the name, and the name the format") {

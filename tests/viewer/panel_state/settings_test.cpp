@@ -94,16 +94,14 @@ TEST_CASE("Text that is no JSON object is an error, not a crash") {
 }
 
 TEST_CASE("Files go to the XDG folders, without a file there are defaults") {
-    const std::filesystem::path folder = test::ownPlace("settings-test");
-    std::filesystem::remove_all(folder);
-    setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    const test::OwnFolder folder;
+    setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
     CHECK(settingsPath() == folder / "spiraling-edge" / "settings.json");
     CHECK(readSettings(settingsPath()).complaints.empty());
     ViewSettings settings;
     settings.width = 999;
     REQUIRE(writeSettings(settingsPath(), {}, settings).ok());
     CHECK(readSettings(settingsPath()).width == 999);
-    std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", "relative", 1);
     CHECK(settingsPath() != std::filesystem::path("relative") / "spiraling-edge" / "settings.json");
     unsetenv("XDG_CONFIG_HOME");
@@ -114,13 +112,6 @@ namespace {
 /// A folder with one file of the program's own, removed at the end.
 class KeptFolder {
   public:
-    KeptFolder() {
-        remove_all(folder_);
-        create_directories(folder_);
-    }
-    ~KeptFolder() { remove_all(folder_); }
-    KeptFolder(const KeptFolder&) = delete;
-    KeptFolder& operator=(const KeptFolder&) = delete;
     std::filesystem::path file(const std::string& name = "settings.json") const {
         return folder_ / name;
     }
@@ -141,7 +132,7 @@ class KeptFolder {
     }
 
   private:
-    std::filesystem::path folder_ = test::ownPlace("kept-test");
+    test::OwnFolder folder_;
 };
 
 bool keptSays(const std::string& text, const std::string& part) {
@@ -348,9 +339,8 @@ TEST_CASE("Layout and recent files are read back as written") {
 }
 
 TEST_CASE("The state file is in the XDG folder, which is made with it") {
-    const std::filesystem::path folder = test::ownPlace("state-test");
-    std::filesystem::remove_all(folder);
-    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+    const test::OwnFolder folder;
+    setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");
     CHECK(readKeptState(statePath()) == KeptState{});
     const KeptState state{LayoutPreset::Learn, {"/a.ply"}, {}};
@@ -360,6 +350,5 @@ TEST_CASE("The state file is in the XDG folder, which is made with it") {
     file.open(statePath());
     REQUIRE(file.change(setState).ok());
     CHECK(readKeptState(statePath()) == state);
-    std::filesystem::remove_all(folder);
     unsetenv("XDG_STATE_HOME");
 }

@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "headless_app.h"
+#include "point_files.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -38,23 +38,13 @@ std::vector<std::string> names(const Diagnosis& diagnosis) {
     return list;
 }
 
-void write(const fs::path& path, const PointFile& file) {
-    std::ofstream out(path);
-    out.precision(17);
-    for (std::size_t p = 0; p < file.position.size(); ++p) {
-        const Vec3& x = file.position[p];
-        const Vec3& n = file.normal[p];
-        out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z << '\n';
-    }
-}
-
 /// A flawed sphere is open.
 struct FixApp : test::HeadlessApp {
     std::string path;
 
     explicit FixApp(const std::string& name)
         : test::HeadlessApp(name), path((folder / "f.xyz").string()) {
-        write(path, flawed());
+        test::writePoints(path, flawed());
         document.open(path);
         waitUntilDone();
         REQUIRE(session.ready());
@@ -133,7 +123,7 @@ TEST_CASE("Fixes that take most of the points are refused, and the open input st
         lines.position.emplace_back(i % 50, 1000.0 * (i / 50), 0.0);
         lines.normal.emplace_back(0.0, 0.0, 1.0);
     }
-    write(app.path, lines);
+    test::writePoints(app.path, lines);
     app.document.open(app.path);
     app.waitUntilDone();
     REQUIRE(app.finds("in_line"));

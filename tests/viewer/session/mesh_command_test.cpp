@@ -55,8 +55,7 @@ TEST_CASE("The command names the input and the mesh, each as one word of a shell
 }
 
 TEST_CASE("The command of a mesh that replaces the points says so") {
-    const fs::path folder = test::ownPlace("mesh-command-force");
-    fs::create_directories(folder);
+    const test::OwnFolder folder;
     const fs::path points = folder / "p.ply";
     std::ofstream(points) << "points";
     fs::create_symlink("p.ply", folder / "link.ply");
@@ -66,7 +65,6 @@ TEST_CASE("The command of a mesh that replaces the points says so") {
               run + shellQuoted(mesh.string()) + " --force");
     }
     CHECK(textOf(specOf(points.string()), {"m.ply"}) == run + "m.ply");
-    fs::remove_all(folder);
 }
 
 TEST_CASE("The command has every option in which the input differs from the defaults") {

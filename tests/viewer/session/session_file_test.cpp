@@ -15,16 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that is removed after the test.
-struct Folder {
-    fs::path path = test::ownPlace("session-test");
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-};
-
 void put(const fs::path& path, std::string_view text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
@@ -258,29 +248,29 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
 
 TEST_CASE(
     "Session files are distinguished from point files by extension or by their first character") {
-    const Folder folder;
-    put(folder.path / "a.json", "  \n{\"format\": 1}");
-    put(folder.path / "a.xyz", "0 0 0 0 0 1\n");
-    CHECK(looksLikeSession(folder.path / "missing.sesession"));
+    const test::OwnFolder folder;
+    put(folder / "a.json", "  \n{\"format\": 1}");
+    put(folder / "a.xyz", "0 0 0 0 0 1\n");
+    CHECK(looksLikeSession(folder / "missing.sesession"));
     CHECK(looksLikeSession("A.SESESSION"));
-    CHECK(looksLikeSession(folder.path / "a.json"));
-    CHECK_FALSE(looksLikeSession(folder.path / "a.xyz"));
-    CHECK_FALSE(looksLikeSession(folder.path / "missing.ply"));
-    CHECK_FALSE(looksLikeSession(folder.path));
+    CHECK(looksLikeSession(folder / "a.json"));
+    CHECK_FALSE(looksLikeSession(folder / "a.xyz"));
+    CHECK_FALSE(looksLikeSession(folder / "missing.ply"));
+    CHECK_FALSE(looksLikeSession(folder.path()));
 }
 
 TEST_CASE("Session files are written whole, and an unreadable one is an error with its path") {
-    const Folder folder;
-    const fs::path path = folder.path / "kitten.sesession";
+    const test::OwnFolder folder;
+    const fs::path path = folder / "kitten.sesession";
     REQUIRE(writeSessionFile(path, fullSession()).ok());
     const auto read = readSessionFile(path);
     REQUIRE(read.ok());
     CHECK(read.value().annotations.notes == fullSession().annotations.notes);
-    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
-    const auto missing = readSessionFile(folder.path / "missing.sesession");
+    CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+    const auto missing = readSessionFile(folder / "missing.sesession");
     REQUIRE_FALSE(missing.ok());
     CHECK(missing.error().message.find("missing.sesession") != std::string::npos);
-    CHECK_FALSE(writeSessionFile(folder.path / "no" / "folder.sesession", fullSession()).ok());
+    CHECK_FALSE(writeSessionFile(folder / "no" / "folder.sesession", fullSession()).ok());
 }
 
 TEST_CASE("The hash of an input is FNV-1a of its bytes") {
@@ -308,22 +298,22 @@ TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {
 }
 
 TEST_CASE("The comparison is kept: another run by its options, a mesh by its path") {
-    const Folder folder;
+    const test::OwnFolder folder;
     SessionFile s = fullSession();
     s.with = CompareWith::otherRun(s.input);
     s.with.run.rules = "paper";
     s.with.run.choices = {{"flip", true}};
     s.with.run.neighbors = {WithinRadius{0.25}, true, 0, true};
-    const auto run = sessionFromJson(sessionToJson(s, folder.path), "a.sesession", folder.path);
+    const auto run = sessionFromJson(sessionToJson(s, folder.path()), "a.sesession", folder.path());
     REQUIRE(run.ok());
     CHECK(run.value().with.kind == CompareWith::Kind::Run);
     CHECK(run.value().with.run.rules == "paper");
     CHECK(run.value().with.run.choices == s.with.run.choices);
     CHECK(std::get<WithinRadius>(run.value().with.run.neighbors.reach).radius == 0.25);
-    s.with = CompareWith::otherMesh((folder.path / "meshes" / "other.ply").string());
-    const std::string text = sessionToJson(s, folder.path);
+    s.with = CompareWith::otherMesh((folder / "meshes" / "other.ply").string());
+    const std::string text = sessionToJson(s, folder.path());
     CHECK(text.find("\"mesh\": \"meshes/other.ply\"") != std::string::npos);
-    const auto mesh = sessionFromJson(text, "a.sesession", folder.path);
+    const auto mesh = sessionFromJson(text, "a.sesession", folder.path());
     REQUIRE(mesh.ok());
     CHECK(mesh.value().with.path == s.with.path);
     CHECK(complaintOf(minimal(R"(, "compare": 3)")).find("compare") != std::string::npos);
@@ -332,14 +322,14 @@ TEST_CASE("The comparison is kept: another run by its options, a mesh by its pat
 }
 
 TEST_CASE("A session names regular files: no device, no pipe, no folder") {
-    const Folder folder;
-    put(folder.path / "points.xyz", "0 0 0\n");
-    fs::create_directories(folder.path / "folder");
+    const test::OwnFolder folder;
+    put(folder / "points.xyz", "0 0 0\n");
+    fs::create_directories(folder / "folder");
     const auto named = [&](const std::string& source, const std::string& more) {
-        put(folder.path / "a.sesession",
+        put(folder / "a.sesession",
             R"({"format": "spiraling-edge session", "version": 1, "input": {"source": ")" + source +
                 "\"}" + more + "}");
-        const auto read = readSessionFile(folder.path / "a.sesession");
+        const auto read = readSessionFile(folder / "a.sesession");
         return read ? std::string() : read.error().message;
     };
     CHECK(named("points.xyz", "").empty());
@@ -352,38 +342,39 @@ TEST_CASE("A session names regular files: no device, no pipe, no folder") {
     }
     CHECK(named("/dev/zero", "").find("\"input.source\"") != std::string::npos);
     CHECK(named("/dev/zero", "").find("/dev/zero") != std::string::npos);
-    fs::create_symlink("/dev/zero", folder.path / "zero.nrrd");
+    fs::create_symlink("/dev/zero", folder / "zero.nrrd");
     CHECK(named("sample:zero.nrrd,n=5", "").find("\"input.source\"") != std::string::npos);
     CHECK(named("points.xyz", R"(, "compare": {"mesh": "/dev/zero"})").find("\"compare.mesh\"") !=
           std::string::npos);
-    fs::create_symlink("/dev/zero", folder.path / "zero.sesession");
-    const auto device = readSessionFile(folder.path / "zero.sesession");
+    fs::create_symlink("/dev/zero", folder / "zero.sesession");
+    const auto device = readSessionFile(folder / "zero.sesession");
     REQUIRE_FALSE(device.ok());
     CHECK(device.error().message.find("regular file") != std::string::npos);
 }
 
 TEST_CASE("A given start is kept, and refused with its entry") {
-    const Folder folder;
+    const test::OwnFolder folder;
     SessionFile s = fullSession();
     s.input.start = {{{0, 2, 3}}, {{0, 2, 3}}, {7}, {{3, 0}}};
-    const auto read = sessionFromJson(sessionToJson(s, folder.path), "a.sesession", folder.path);
+    const auto read =
+        sessionFromJson(sessionToJson(s, folder.path()), "a.sesession", folder.path());
     REQUIRE(read.ok());
     CHECK(read.value().input.start == s.input.start);
-    s.original = sessionToJson(s, folder.path);
+    s.original = sessionToJson(s, folder.path());
     s.input.start = {};
-    CHECK(sessionToJson(s, folder.path).find("\"start\"") == std::string::npos);
+    CHECK(sessionToJson(s, folder.path()).find("\"start\"") == std::string::npos);
     CHECK(complaintOf(minimal(R"(, "options": {"start": {"rings": [[0, -1]]}})"))
               .find("\"options.start\": rings[0][1]: expected the number of a point") !=
           std::string::npos);
 }
 
 TEST_CASE("A compared trace is kept by its path") {
-    const Folder folder;
+    const test::OwnFolder folder;
     SessionFile s = fullSession();
-    s.with = CompareWith::otherFile((folder.path / "traces" / "mine.setrace").string());
-    const std::string text = sessionToJson(s, folder.path);
+    s.with = CompareWith::otherFile((folder / "traces" / "mine.setrace").string());
+    const std::string text = sessionToJson(s, folder.path());
     CHECK(text.find("\"trace\": \"traces/mine.setrace\"") != std::string::npos);
-    const auto read = sessionFromJson(text, "a.sesession", folder.path);
+    const auto read = sessionFromJson(text, "a.sesession", folder.path());
     REQUIRE(read.ok());
     CHECK(read.value().with.kind == CompareWith::Kind::Trace);
     CHECK(read.value().with.path == s.with.path);
