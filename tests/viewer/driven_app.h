@@ -1,0 +1,82 @@
+/// The program in memory, driven as by a user with keys, text and mouse; without a window.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "application.h"
+#include "offscreen.h"
+#include "panel_state/ui_state.h"
+
+namespace se::view::test {
+
+/// After every input it draws frames until nothing moves and no work is left.
+class DrivenApp {
+  public:
+    /// `arguments` as on the command line.
+    explicit DrivenApp(const std::vector<std::string>& arguments, glm::ivec2 size = {1280, 800});
+    ~DrivenApp();
+    DrivenApp(const DrivenApp&) = delete;
+    DrivenApp& operator=(const DrivenApp&) = delete;
+
+    /// False where there is no OpenGL: a test ends then.
+    explicit operator bool() const { return display_ != nullptr; }
+
+  private:
+    std::unique_ptr<Offscreen> display_;
+
+  public:
+    Application app;
+    UiState& ui;
+    Session& session;
+
+    /// Keys by their names, one after the other: "Ctrl+G Home".
+    void press(std::string_view chords);
+    void type(std::string_view text);
+    /// By the go-to box; by the palette of commands.
+    void goTo(std::string_view place);
+    void command(std::string_view words);
+    /// Buttons: 0 left, 1 right, 2 middle. Positions are in pixels.
+    void click(glm::vec2 at, int button = 0);
+    void drag(glm::vec2 from, glm::vec2 by, int button = 0);
+    void moveTo(glm::vec2 at);
+    void hold(int button, bool down);
+    void wheel(glm::vec2 at, float notches);
+    void doubleClick(glm::vec2 at);
+    /// Holds Ctrl for the mouse.
+    void holdCtrl(bool down);
+
+    /// An item that was drawn, such as "tab Dial"; see UiState::where.
+    bool shows(const std::string& item) const { return ui.where.count(item) > 0; }
+    /// A place within it, by shares of its size.
+    glm::vec2 in(const std::string& item, float x = 0.5F, float y = 0.5F);
+    void clickOn(const std::string& item, int button = 0) { click(in(item), button); }
+    /// Turns the wheel over an area until the item is well within it, and clicks on the item.
+    void reach(const std::string& area, const std::string& item);
+    void retype(const std::string& item, std::string_view text);
+
+    void settle();
+    void frames(int count);
+    void resize(glm::ivec2 size);
+    /// What the window shows now.
+    Picture picture();
+    /// A field of --state-dump, as text without quotes; a list is in JSON.
+    std::string operator[](std::string_view field) const;
+    std::string address() const { return toString(session.address()); }
+    CameraPose pose() { return app.camera().pose(); }
+    /// Saves the session as a file.
+    void save(const std::filesystem::path& path);
+
+  private:
+    glm::ivec2 size_;
+    std::unique_ptr<Target> target_;
+};
+
+/// Number of pixels that differ visibly.
+std::size_t differing(const Picture& a, const Picture& b);
+
+}  // namespace se::view::test

@@ -1,0 +1,327 @@
+/// The panels of the group Change as the mouse and the keyboard reach them: the doctor, preparing
+/// in another way, rules and forks.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+#include "driven_app.h"
+#include "open_session.h"
+#include "point_files.h"
+#include "run/strings.h"
+
+using namespace se;
+using namespace se::view;
+using test::differing;
+using test::DrivenApp;
+using test::OwnFolder;
+using test::writePoints;
+
+namespace {
+
+/// A jittered lattice, which ends at no wall, with a copy, and two normals that are zero.
+PointFile flawedLattice() {
+    PointFile file;
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 12; ++x) {
+            for (int copies = x == 9 && y == 9 ? 2 : 1; copies > 0; --copies) {
+                file.position.emplace_back(x + 0.11 * std::sin(7 * x + 3 * y),
+                                           y + 0.13 * std::sin(5 * x + 11 * y), 0.0);
+                file.normal.emplace_back(0.0, 0.0, x == 4 && y < 2 ? 0.0 : 1.0);
+            }
+        }
+    }
+    return file;
+}
+
+/// Two layers of a torus, as two scans that are not registered leave; without normals.
+std::string twoLayers(const std::filesystem::path& path) {
+    constexpr double kTurn = 6.283185307179586;
+    std::mt19937 chance(4);
+    const auto share = [&] { return static_cast<double>(chance()) / 4294967296.0; };
+    std::ofstream file(path);
+    for (int layer = 0; layer < 2; ++layer) {
+        for (int made = 0; made < 1500;) {
+            const double a = kTurn * share();
+            const double b = kTurn * share();
+            if (1.4 * share() > 1.0 + 0.4 * std::cos(b)) continue;
+            const double r = 0.4 + 0.07 * layer;
+            file << (1 + r * std::cos(b)) * std::cos(a) << ' '
+                 << (1 + r * std::cos(b)) * std::sin(a) << ' ' << r * std::sin(b) << '\n';
+            ++made;
+        }
+    }
+    return path.string();
+}
+
+}  // namespace
+
+TEST_CASE("Doctor: the panel opens for a finding alone, a click shows its points") {
+    const OwnFolder folder;
+    {
+        DrivenApp sound({"scene:torus"});
+        if (!sound) return;
+        CHECK(sound["findings"] == "[]");
+        CHECK(sound["open_tab"] != "Doctor");
+    }
+    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice()), "--layout", "learn"},
+                  {1600, 980});
+    CHECK(app["findings"] == R"(["duplicates","zero_normals","open_border"])");
+    CHECK(app["aside"] == R"({"copy":1})");
+    CHECK(app["open_tab"] == "Doctor");
+    CHECK(app["marked"] == "0");
+    app.clickOn("finding zero_normals");
+    CHECK(app["marked"] == "2");
+    const Picture marked = app.picture();
+    app.clickOn("finding zero_normals");  // again: the marks are cleared
+    CHECK(app["marked"] == "0");
+    CHECK(differing(marked, app.picture()) > 100);
+    app.clickOn("finding duplicates");
+    CHECK(app["marked"] == "1");
+    app.press("Esc");
+    CHECK(app["marked"] == "0");
+    app.clickOn("tab Rules");
+    CHECK(app["open_tab"] == "Rules");
+    app.command("doctor");
+    CHECK(app["open_tab"] == "Doctor");
+}
+
+TEST_CASE(
+    "Doctor: one finding is fixed by a click, undone and done again, the file used as it is") {
+    const OwnFolder folder;
+    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice()), "--layout", "learn"},
+                  {1600, 980});
+    if (!app) return;
+    const std::size_t points = app.session.model().points.size();
+    const auto isFixed = [&] {
+        return app["cures"] == R"(["zero_normals"])" && app["findings"] == R"(["open_border"])" &&
+               app.session.model().points.size() == points - 1;
+    };
+    const auto isAsItWas = [&] {
+        return app["cures"] == "[]" && app.session.model().points.size() == points;
+    };
+    app.goTo("20");
+    app.clickOn("fix zero_normals");
+    CHECK(isFixed());
+    CHECK(app.session.atEnd());
+    CHECK(app["aside"] == R"({"zero_normals":1})");
+    CHECK(app["mended"] ==
+          R"(["1 exact copy dropped","2 normals that were zero or not finite derived"])");
+    app.press("Esc Ctrl+Z");
+    CHECK(isAsItWas());
+    app.press("Ctrl+Y");
+    CHECK(isFixed());
+    app.clickOn("doctor as it is");
+    CHECK(isAsItWas());
+    app.press("Esc Ctrl+Z");
+    CHECK(isFixed());
+    app.press("Ctrl+Z");
+    CHECK(isAsItWas());
+    // Points dropped by a fix come back by a click.
+    app.clickOn("fix duplicates");
+    CHECK(app["cures"] == R"(["duplicates"])");
+    app.clickOn("return duplicates");
+    CHECK(isAsItWas());
+    CHECK(app.session.atEnd());
+    app.clickOn("copy zero_normals");
+    CHECK(app["notice"] == "Copied the command.");
+}
+
+TEST_CASE(
+    "Doctor: normals are scaled and flipped together, and the prepared choice replaces that") {
+    const OwnFolder folder;
+    PointFile flipped = test::spiralSphere(900);
+    for (Vec3& normal : flipped.normal) normal *= normal.z > 0.6 ? -1.0 : 2.0;
+    DrivenApp app({writePoints(folder / "flipped.xyz", flipped)}, {1600, 980});
+    if (!app) return;
+    CHECK(app["findings"].find(R"("unscaled_normals")") != std::string::npos);
+    CHECK(app["findings"].find(R"("flipped_normals")") != std::string::npos);
+    app.command("doctor");
+    app.clickOn("doctor fix all");
+    CHECK(app["mended"].find(" normals scaled to unit length\"") != std::string::npos);
+    CHECK(app["mended"].find(" normals flipped\"") != std::string::npos);
+    CHECK(app["findings"] == "[]");
+    app.press("Ctrl+Shift+R");
+    app.reach("region change", "prepare From the input##m");
+    app.clickOn("prepare ok");
+    CHECK(app["cures"].find("flipped_normals") == std::string::npos);
+}
+
+TEST_CASE("Doctor: two layers are thinned to one at the second click, since most points go") {
+    const OwnFolder folder;
+    DrivenApp app({twoLayers(folder / "layers.xyz"), "--layout", "learn", "--rules", "robust"},
+                  {1600, 980});
+    if (!app) return;
+    CHECK(app["findings"].find("two_layers") != std::string::npos);
+    CHECK(app["verdict"] != "the mesh is sound");
+    app.clickOn("fix two_layers");
+    CHECK(app["cures"] == "[]");
+    app.clickOn("fix two_layers");
+    CHECK(app["cures"] == R"(["two_layers"])");
+    CHECK(app["findings"].find("two_layers") == std::string::npos);
+    CHECK(app["verdict"] == "the mesh is sound");
+}
+
+TEST_CASE("Points set aside for noise are seen while their layer is on, and return by a click") {
+    const OwnFolder folder;
+    PointFile noisy = test::spiralSphere(1500);
+    std::mt19937 chance(5);
+    for (Vec3& position : noisy.position) {
+        double sum = -1.5;
+        for (int i = 0; i < 3; ++i) sum += static_cast<double>(chance()) / 4294967296.0;
+        position *= 1.0 + 0.18 * sum;
+    }
+    DrivenApp app({writePoints(folder / "noisy.xyz", noisy), "--rules", "robust"});
+    if (!app) return;
+    const std::string aside = app["aside"];
+    CHECK(aside.starts_with(R"({"noise":)"));
+    app.command("doctor");
+    const Picture marks = app.picture();
+    app.clickOn("tab Layers");
+    app.clickOn("layer aside");
+    CHECK(app["pins"].find(R"("aside":"off")") != std::string::npos);
+    CHECK(differing(marks, app.picture()) > 100);
+    app.clickOn("layer aside");
+    app.clickOn("tab Doctor");
+    app.clickOn("return noise");
+    CHECK(app["aside"] == "{}");
+    CHECK(app["choices"] == R"(["noise=off"])");
+    app.press("Ctrl+Z");
+    CHECK(app["aside"] == aside);
+}
+
+#ifdef SPIRALING_EDGE_CLI
+
+TEST_CASE("Fix and Save mesh write what run --best writes, closed holes what holewidth writes") {
+    const OwnFolder folder;
+    const std::string input = writePoints(folder / "sheet.xyz", test::holedSheet(20, 20));
+    const auto isWrittenBy = [&](const std::string& options) {
+        const std::string best = (folder / "best.ply").string();
+        const std::string command = SPIRALING_EDGE_CLI " run " + input + options + " -q -o " + best;
+        return std::system((command + " 2>/dev/null").c_str()) == 0 &&
+               readText(best) == readText(folder / "sheet-mesh.ply");
+    };
+    const auto saveMesh = [&](DrivenApp& app) {
+        app.press("Ctrl+E Ctrl+A");
+        app.type((folder / "sheet-mesh.ply").string());
+        app.press("Enter");
+        CHECK_FALSE(app.ui.fileBrowser);
+    };
+    {
+        DrivenApp app({input}, {1600, 980});
+        if (!app) return;
+        CHECK(app.session.atEnd());
+        CHECK(app["trial_best"].find("without") == std::string::npos);
+        app.press("F8");
+        app.clickOn("verdict fix");
+        CHECK(app["notice"].find("The place that was shown ") != std::string::npos);
+        saveMesh(app);
+        CHECK(isWrittenBy(" --best"));
+    }
+    std::filesystem::remove(folder / "sheet-mesh.ply");
+    DrivenApp app({input}, {1600, 980});
+    app.clickOn("verdict close holes");
+    app.type("12");
+    app.press("Enter");
+    saveMesh(app);
+    CHECK(isWrittenBy(" --rules robust --rule holewidth=12"));
+}
+
+#endif
+
+TEST_CASE("Prepare: fields are typed, choices clicked, and the earlier ones stay") {
+    DrivenApp app({"sample:plane,n=400"});
+    if (!app) return;
+    const auto spec = [&] { return app.session.input().spec(); };
+    CHECK(app["derived"] == R"(["neighbors"])");
+    app.goTo("p12");
+    app.press("Ctrl+Shift+R");
+    CHECK(app.ui.prepare.open);
+    CHECK(app["typing"] == "true");
+    app.type("0");
+    app.press("Enter");
+    CHECK(app.ui.prepare.open);
+    app.retype("prepare count", "9");
+    app.reach("region change", "prepare Derived from the positions");
+    app.reach("region change", "prepare The box around all points");
+    app.clickOn("prepare ok");
+    CHECK_FALSE(app.ui.prepare.open);
+    CHECK(app["derived"] == R"(["neighbors","normals","types"])");
+    CHECK(app.session.atStart());
+    CHECK(app.session.selected() == 12);
+    app.press("Ctrl+Shift+R Esc Esc");
+    CHECK_FALSE(app.ui.prepare.open);
+    CHECK(app.session.selected() == 12);
+    // By keyboard alone: the first field has it, Enter prepares.
+    app.press("Ctrl+Shift+R");
+    app.type("7");
+    app.press("Enter");
+    CHECK(spec().neighbors.reach == decltype(NeighborOptions::reach){KNearest{7}});
+    CHECK(app["derived"] == R"(["neighbors","normals","types"])");
+    app.press("Ctrl+Shift+R");
+    app.reach("region change", "prepare spacings");
+    app.type("1.5");
+    app.press("Enter");
+    CHECK_FALSE(app.ui.prepare.open);
+    // Normals that face a scanner are flipped ones; it takes three numbers.
+    app.press("Ctrl+Shift+R");
+    app.reach("region change", "prepare From the input##m");
+    app.reach("region change", "prepare scanner");
+    app.type("0");
+    app.press("Enter");
+    CHECK(app.ui.prepare.open);
+    app.reach("region change", "prepare scanner");
+    for (const auto& [share, text] : {std::pair{0.16F, "5"}, std::pair{0.84F, "-3"}}) {
+        app.click(app.in("prepare scanner", share, 0.5F));
+        app.type(text);
+    }
+    app.press("Enter");
+    CHECK_FALSE(app.ui.prepare.open);
+    CHECK(spec().scanner == Vec3(5.0, 0.0, -3.0));
+    CHECK(spec().normals == NormalSource::Oriented);
+    CHECK(spec().neighbors.reach == decltype(NeighborOptions::reach){WithinSpacings{1.5}});
+}
+
+TEST_CASE("Rules: a filter finds a switch, a click runs again, its reset takes it back") {
+    DrivenApp app({"scene:torus", "--goto", "60.sphere.1"}, {1600, 980});
+    if (!app) return;
+    app.command("rules switches");
+    CHECK(app.shows("effect tie"));
+    app.clickOn("rules filter");
+    app.type("walls passed");
+    app.clickOn("rule walls");
+    CHECK(app["choices"] == R"(["walls=off"])");
+    app.clickOn("reset walls");
+    CHECK(app["choices"] == "[]");
+    app.retype("rules filter", "maxgap");
+    app.retype("rule maxgap", "95");
+    app.press("Enter");
+    CHECK(app["choices"] == R"(["maxgap=95"])");
+    app.press("Esc Ctrl+Z");
+    CHECK(app["message"].starts_with("Undone: rule maxgap."));
+    app.press("Ctrl+Y");
+    app.clickOn("rules reset all");
+    CHECK(app["choices"] == "[]");
+}
+
+TEST_CASE("What if: a fork by a click and back to the true run, a wrong list is refused") {
+    DrivenApp app({"scene:torus", "--goto", "60.emit.1"}, {1600, 980});
+    if (!app) return;
+    app.command("what if forks");
+    app.clickOn("what if here");
+    CHECK(app["what_if"].starts_with("[\"60.guard drop "));
+    // Beside the run without it, by one click.
+    app.press("Ctrl+D");
+    app.clickOn("compare true run");
+    CHECK(app["compare_other"] == "no what-ifs");
+    app.press("Ctrl+D");
+    app.clickOn("true run");
+    CHECK(app["what_if"] == "[]");
+    app.reach("region change", "what if list");
+    app.press("Ctrl+A");
+    app.type("1 1");
+    app.reach("region change", "what if neighbors");
+    CHECK(app["message"].find("Point 1 is in the list twice.") != std::string::npos);
+}

@@ -1,0 +1,244 @@
+/// The panels of the group Find, the card with the verdict and the pins, as the mouse reaches them.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+#include "commands/alert_actions.h"
+#include "driven_app.h"
+#include "open_session.h"
+#include "point_files.h"
+
+using namespace se;
+using namespace se::view;
+using test::differing;
+using test::DrivenApp;
+
+namespace {
+
+/// The first item that was drawn with such a name.
+std::string itemNamed(const DrivenApp& app, const std::string& beginning) {
+    const auto found = app.ui.where.lower_bound(beginning);
+    const bool there = found != app.ui.where.end() && found->first.starts_with(beginning);
+    return there ? found->first : std::string{};
+}
+
+}  // namespace
+
+TEST_CASE("Alerts: clicks lead to the moments of one, and F8 frames its place") {
+    DrivenApp app({"scene:four-edge-hole"}, {1600, 980});
+    if (!app) return;
+    CHECK(app["open_tab"] == "Paper");
+    app.clickOn("tab Alerts");
+    app.reach("region find", "alert created");
+    CHECK(app.address().starts_with("54.emit."));
+    CHECK_FALSE(app.session.noticedHere().empty());
+    app.reach("region find", "alert unavoidable");
+    CHECK(app.address() == "54.sphere.1");
+    app.reach("region find", "alert first touched");
+    CHECK(app.session.record().pivot < 80);
+    app.press("F8 F8");
+    CHECK(app["message"] == "This is the last place.");
+    app.press("Esc");
+    CHECK(app["alert"].empty());
+    const Picture before = app.picture();
+    app.press("F8");
+    CHECK(app["place"] == "1");
+    CHECK(app.session.atEnd());
+    CHECK(differing(before, app.picture()) > 500);
+    CHECK(app.session.selection().kind != SelectionKind::None);
+    app.press("Esc");
+    CHECK(app["alert"].empty());
+    CHECK(app.session.selection().kind == SelectionKind::None);
+}
+
+TEST_CASE("Alerts: the rule that prevents one is tried beside the run, then in it, at the camera") {
+    DrivenApp app({"scene:four-edge-hole"}, {1600, 980});
+    if (!app) return;
+    app.press("F8");
+    const int alerts = std::stoi(app["alerts"]);
+    app.reach("region find", "alert remedies");
+    const std::string remedy = itemNamed(app, "remedy ");
+    REQUIRE_FALSE(remedy.empty());
+    const std::string at = app.address();
+    app.reach("region find", "beside" + remedy.substr(remedy.find(' ')));
+    CHECK(app["compare_with"] == "run");
+    CHECK(app["compare_done"] == "true");
+    CHECK(app.address() == at);
+    app.press("Ctrl+D");
+    const CameraPose pose = app.pose();
+    app.reach("region find", remedy);
+    CHECK(std::stoi(app["alerts"]) < alerts);
+    CHECK(app.session.atEnd());
+    CHECK(app.pose() == pose);
+}
+
+TEST_CASE("The card with the verdict leads to the worst place, its reason, the fix and the file") {
+    const test::OwnFolder folder;
+    DrivenApp app({test::writePoints(folder / "failing.xyz", test::holedSheet(14, 2))},
+                  {1600, 980});
+    if (!app) return;
+    const std::string before = app["verdict"];
+    CHECK(before.find("place") != std::string::npos);
+    CHECK(app["place"] == "0");
+    CHECK(app["trials_ended"] == "true");
+    app.clickOn("verdict worst");
+    CHECK(app["place"] == "1");
+    CHECK_FALSE(app["alert"].empty());
+    CHECK(app["open_tab"] == "Alerts");
+    app.clickOn("verdict why");
+    CHECK(app["open_tab"] == "Ledger");
+    CHECK_FALSE(app["trial_best"].empty());
+    // The pointer on Fix, or on its numbers, shows on the mesh what changes.
+    for (const char* name : {"verdict fix", "verdict numbers"}) {
+        CHECK(app["tinted"] == "0");
+        app.moveTo(app.in(name));
+        app.settle();
+        CHECK(std::stoi(app["tinted"]) > 0);
+        app.moveTo(app.in("region view", 0.7F, 0.8F));
+        app.settle();
+    }
+    CHECK(app["tinted"] == "0");
+    app.clickOn("verdict fix");
+    CHECK(app["verdict"] != before);
+    CHECK(app.session.atEnd());
+    CHECK(app["message"].find("; before, " + before + ".") != std::string::npos);
+    app.clickOn("verdict save");
+    CHECK(app.ui.fileBrowser);
+    app.press("Esc");
+    app.clickOn("verdict steps");
+    CHECK(app.session.atStart());
+    app.press("End");
+    app.clickOn("verdict close");
+    app.press("End");
+    CHECK_FALSE(app.shows("verdict card"));
+}
+
+TEST_CASE("From afar a pin stands for a place, and a click on it goes there") {
+    DrivenApp app({"scene:noise"});
+    if (!app) return;
+    app.press("End 1 Shift+F");
+    CHECK_FALSE(app.shows("pin 1"));
+    for (int i = 0; i < 8; ++i) app.wheel(app.in("region view", 0.7F, 0.8F), -1.0F);
+    const CameraPose far = app.pose();
+    app.clickOn("pin 1");
+    CHECK(app["place"] == "1");
+    CHECK(app["message"].starts_with("Place 1 of "));
+    CHECK_FALSE(app.pose() == far);
+    CHECK_FALSE(app.shows("pin 1"));
+}
+
+TEST_CASE("Breakpoints: a line is edited in place, its menu removes one, a lasso makes one") {
+    DrivenApp app({"scene:figure-12", "--goto", "0"});
+    if (!app) return;
+    app.goTo("35.split.1");
+    app.press("F9 Esc");
+    app.command("breakpoints");
+    CHECK(app["open_tab"] == "Breakpoints");
+    app.retype("breakpoint 1", "stage=join");
+    app.press("Enter");
+    CHECK(app["breakpoints"] == R"(["stage=join"])");
+    CHECK(app["breakpoint_hits"] != "[null]");
+    CHECK(app["breakpoint_hits"] != "[0]");
+    app.press("Esc Home F5");
+    CHECK(app.address().find(".join.1") != std::string::npos);
+    app.goTo("p40");
+    app.press("F9");
+    CHECK(app["breakpoints"] == R"(["stage=join","point=40"])");
+    app.clickOn("breakpoint 2 options");
+    app.clickOn("breakpoint 2 away");
+    CHECK(app["breakpoints"] == R"(["stage=join"])");
+    app.press("Esc Esc");
+    // Ctrl and a left drag around points.
+    app.holdCtrl(true);
+    glm::vec2 at = app.in("region view", 0.35F, 0.35F);
+    app.moveTo(at);
+    app.hold(0, true);
+    for (const glm::vec2 by :
+         {glm::vec2(160, 0), glm::vec2(0, 160), glm::vec2(-160, 0), glm::vec2(0, -120)}) {
+        app.moveTo(at + 0.5F * by);
+        app.moveTo(at += by);
+    }
+    app.hold(0, false);
+    app.holdCtrl(false);
+    app.settle();
+    CHECK(app["breakpoints"].starts_with(R"(["stage=join","among=)"));
+    CHECK_FALSE(app.session.highlights().marked().empty());
+}
+
+TEST_CASE("Watch: a number is added by clicks, and a click in its plot goes there") {
+    DrivenApp app({"scene:figure-12", "--goto", "100%"});
+    if (!app) return;
+    const int end = static_cast<int>(app.session.record().pivot);
+    app.command("watch");
+    CHECK(app["open_tab"] == "Watch");
+    app.clickOn("add watch");
+    app.clickOn("watch term ring");
+    CHECK(app["watches"] == R"(["ring"])");
+    CHECK(app["watch_values"] != "[null]");
+    app.clickOn("watch plot 1");
+    CHECK(std::abs(static_cast<int>(app.session.record().pivot) - end / 2) <= 2);
+}
+
+TEST_CASE("Ledger: the box takes a query, clicks copy it, go to its cause and to a line") {
+    DrivenApp app({"scene:stranded-point"});
+    if (!app) return;
+    app.press("W");
+    app.type("point 32");
+    app.press("Enter");
+    CHECK(app.session.selected() == 32);
+    app.press("Esc Esc");
+    app.goTo("p32");
+    app.press("W");
+    app.clickOn("ledger copy");
+    CHECK(app["notice"].starts_with("Copied the answer"));
+    app.clickOn("ledger cause");
+    CHECK(app.address() == "73.sort.8");
+    app.press("[");
+    const std::string here = app.address();
+    CHECK(here != "73.sort.8");
+    app.press("]");
+    app.clickOn("line " + here);
+    CHECK(app.address() == here);
+    // An edge of no points leaves the answer of the one before.
+    for (const char* typed : {"12,40", "12,4000"}) {
+        app.retype("ledger box", typed);
+        app.press("Enter");
+        CHECK(app.session.selection() == Selection::ofEdge(12, 40));
+    }
+}
+
+TEST_CASE("A right click in the view queries what is there") {
+    DrivenApp app({"scene:stranded-point", "--goto", "60", "--focus"});
+    if (!app) return;
+    app.press("Esc");
+    app.command("frame pivot");
+    app.click(app.in("region view"));
+    REQUIRE(app.session.selection().kind == SelectionKind::Point);
+    const Selection there = app.session.selection();
+    app.press("Esc");
+    app.click(app.in("region view"), 1);
+    app.clickOn("menu why");
+    CHECK(app.session.selection() == there);
+    CHECK(app["ledger"].find(selectionText(there)) != std::string::npos);
+}
+
+TEST_CASE("Query: a click on a line goes there, bars of the charts lead to lists") {
+    DrivenApp app({"scene:stranded-point"});
+    if (!app) return;
+    app.press("Ctrl+F");
+    app.type("stage=sphere refused");
+    app.press("Enter Home F3 F3");
+    const std::string second = app.address();
+    app.press("Shift+F3");
+    app.clickOn("line " + second);
+    CHECK(app.address() == second);
+    app.command("charts");
+    app.clickOn("bar refusals sort");
+    CHECK(app["open_tab"] == "Query");
+    CHECK(app["query"].find(R"("line":"stage=sort refused")") != std::string::npos);
+    app.command("closest decisions");
+    app.press("Home");
+    const Picture plain = app.picture();
+    app.clickOn("tint margin");
+    CHECK(differing(plain, app.picture()) > 500);
+}
