@@ -8,16 +8,10 @@
 #   click 480 300                 # in pixels of the window
 #   stop                          # Ctrl+Q, and a good exit code
 #
-# With SE_OFFSCREEN, the path of the library of offscreen_glfw.cpp, the program runs as it is on a window without a
-# display: many scenarios beside each other, on any machine. Without it a scenario runs on a virtual display.
-#
 # Exits with 0 on success, 77 (skipped) if a tool is missing, and reports the state on failure.
 set -u
 viewer=$(realpath "$1")
-offscreen=${SE_OFFSCREEN:-}
-tools=(compare)
-[ -n "$offscreen" ] || tools=(Xvfb xdotool compare import)
-for tool in "${tools[@]}"; do
+for tool in Xvfb xdotool compare import; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 
@@ -32,7 +26,7 @@ window=
 state=$work/state.json
 cleanup() {
     [ -n "$program" ] && kill "$program" 2>/dev/null
-    [ -n "$server" ] && [ "$server" != none ] && kill "$server" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null
     rm -rf "$work"
 }
 trap cleanup EXIT
@@ -43,34 +37,14 @@ fail() {
     exit 1
 }
 
-if [ -n "$offscreen" ]; then
-    # The words that these two get are what the library understands.
-    xdotool() {
-        local IFS=$'\t' answer
-        printf '%s\n' "$*" >&5
-        [[ $1 != get* ]] || { read -r -t 60 answer <&6 && printf '%s\n' "$answer"; }
-    }
-    import() {
-        xdotool import "$3"
-        read -r -t 60 <&6
-    }
-fi
-
 # A separate display of SIZE (1700x1000); the program finds an empty home.
 display() {
-    if [ -n "$offscreen" ]; then
-        server=none
-        mkfifo "$work/input" "$work/answers"
-        exec 5<>"$work/input" 6<>"$work/answers"
-        export SE_INPUT=$work/input SE_ANSWERS=$work/answers
-    else
-        mkfifo "$work/number"
-        Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
-        server=$!
-        local number
-        read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
-        export DISPLAY=:$number
-    fi
+    mkfifo "$work/number"
+    Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
+    server=$!
+    local number
+    read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
+    export DISPLAY=:$number
     unset WAYLAND_DISPLAY
     export HOME=$work/home XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_CACHE_HOME=$work/cache
     mkdir -p "$HOME" "$XDG_CONFIG_HOME" "$XDG_STATE_HOME" "$XDG_CACHE_HOME"
@@ -82,18 +56,17 @@ start() {
     rm -f "$state"
     local sized=(--size "${size:-1280x800}")
     [ "${size:-}" != kept ] || sized=()
-    LD_PRELOAD=$offscreen "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
+    "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
     for _ in $(seq $looks); do
         kill -0 "$program" 2>/dev/null || fail "the program ends at once"
-        window=this
-        [ -n "$offscreen" ] || window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
+        window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
         [ -n "$window" ] && [ -f "$state" ] && break
         rest
     done
     [ -n "$window" ] || fail "no window appears"
-    [ -n "$offscreen" ] || xdotool windowfocus --sync "$window"
+    xdotool windowfocus --sync "$window"
 }
 
 # stop: Ctrl+Q; the program quits with exit code 0.
@@ -116,7 +89,6 @@ stop() {
 # looks the state does not come.
 looks=2400
 pause=0.05
-[ -z "$offscreen" ] || pause=0.02 looks=6000
 # poll COMMAND...: calls it until it succeeds. Fails at the end, or when the program is gone.
 poll() {
     local look

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A lesson as a student goes through it: from the start page, step by step, a question answered
-# wrong and right, by click and by keys, nothing told before it is answered, the result saved; then
-# as a teacher does: bookmarks become a lesson, the file is edited while it is open.
+# A lesson as a student goes through it: from the start page, step by step, a question answered wrong
+# and right, the result saved; then as a teacher does: bookmarks become a lesson, the file is edited
+# while it is open.
 . "$(dirname "$0")/harness.sh"
 
 # The tour: one click on the start page, and from Help.
@@ -24,7 +24,6 @@ says question open; says address 1.sort.12
 press F11; press End; says address 1.sort.12
 press ctrl+p; type_text "charts"; press Return; says notice "Answer the question first, or show its answer."
 press Escape
-picture open
 read -r x y < <(center "lesson answer field")
 click "$x" "$y"; type_text "3, 4, 99"; says given "3, 4, 99"
 press ctrl+a; type_text "3, 4, 8"; says marked 3; says answered_right ""
@@ -36,96 +35,6 @@ says right_answer "3, 4, 5, 6, 7"
 says address 1.sphere.11
 grep -q '"right": true' "$work/mine.result.json" || fail "the result is not saved"
 grep -q '"tries": 2' "$work/mine.result.json" || fail "the tries are not counted"
-# A step further: one point by a click in the view.
-press Next Next; says lesson_step 4; says question open
-click_on "lesson show"; says question shown; says right_answer 2; says address 1.advance.1
-stop
-
-# Hands of a room, in Present by the keys of a remote control.
-start lesson:spiral --step 2 --layout present
-says layout present; says question open
-press Next; says question shown; says address 1.sphere.11
-press Next; says lesson_step 3; press Prior; says lesson_step 2; says question shown
-stop
-
-# The second run of `compare` has the names of the lesson.
-cat >"$work/names.lesson.md" <<LESSON
-# Names
-\`\`\`se lesson
-version = 1
-input = "scene:torus"
-names = { here = 0, there = 534 }
-\`\`\`
-## Two runs
-Beside each other.
-\`\`\`se step
-at = "1.sphere.1"
-compare = "--rule next=start"
-\`\`\`
-LESSON
-start "$work/names.lesson.md"
-says layout compare; says decision ".*there.*"; says other_decision ".*there.*"
-picture names
-stop
-
-# Letters choose an option, Enter answers; the button keeps its place after a wrong answer.
-start lesson:removal --step 6
-says question open; press a; says given A
-place=$(field "lesson answer")
-press Return; says answered_right false; says question open
-[ "$(field "lesson answer")" = "$place" ] || fail "the button Answer moves"
-press b Return; says answered_right true; says question shown
-stop
-
-# A step that compares stays in Present.
-start lesson:spiral --step 9 --layout present
-says layout present; says compare_done true
-read -r _ _ w _ < <(field "region other view" | tr -d '[],')
-[ "$w" -eq 640 ] || fail "the second view is $w pixels wide"
-press Prior; says lesson_step 8; says layout present; says compare_with null
-stop
-
-# With a question open nothing tells of what follows: two lessons whose runs part after it.
-for run in a b; do
-    rule=
-    [ $run = b ] && rule='rule = ["sphere=off"]'
-    cat >"$work/same.lesson.md" <<LESSON
-# One of two runs
-\`\`\`se lesson
-version = 1
-input = "scene:figure-2"
-$rule
-\`\`\`
-## Which stay?
-Mark them.
-\`\`\`se ask
-at = "1.sort.12"
-until = "1.advance.1"
-kind = "number"
-answer = "count:enter"
-\`\`\`
-LESSON
-    start "$work/same.lesson.md"
-    says question open; says address 1.sort.12; says settled true; says moving false
-    move_to 10 790
-    picture "$run"
-    grep -v '_seconds\|input_events\|motions' "$state" >"$work/$run.state"
-    stop
-done
-cmp "$work/a.state" "$work/b.state" || fail "the state tells of what follows: $(diff "$work/a.state" "$work/b.state")"
-[ "$(differing a b 0)" = 0 ] || fail "the picture tells of what follows"
-
-# A pivot to play: by clicks and keys, wrong first, then another one.
-start
-press ctrl+p; type_text "practice a pivot"; press Return
-says lesson "Practice 1"; says question open; says moving false
-press f; click_on "move keep"
-solution=$("$(dirname "$viewer")/spiraling-edge" practice --seed 1 --solution | grep '^[a-z]' | sed 's/ *#.*//' | paste -sd ';')
-click_on "lesson answer field"; type_text "next 0"; press Return
-says answered_right false; says question open; says tries 1
-click_on "lesson answer field"; press ctrl+a; type_text "$solution"; press Return
-says answered_right true; says question shown
-click_on "lesson another"; says lesson "Practice 2"; says question open
 stop
 
 # A teacher: two bookmarks become a lesson; the open file is read again when it changes.

@@ -21,6 +21,16 @@ grep -q "999999" "$work/err.txt" || fail "the message does not name the place"
 [ $? -eq 2 ] || fail "a missing folder does not lead to exit code 2"
 grep -q "there is no folder" "$work/err.txt" || fail "the message does not say that the folder is missing"
 
+# Also with what is no session, no points, or more than the memory holds.
+echo '{"format": 1}' >"$work/bad.sesession"
+"$viewer" "$work/bad.sesession" 2>"$work/err.txt"
+[ $? -eq 3 ] || fail "a bad session does not lead to exit code 3"
+grep -q 'bad\.sesession.*format.*expected' "$work/err.txt" || fail "the message does not say what was expected"
+"$viewer" - --screenshot "$work/x.png" </dev/null 2>"$work/err.txt"
+[ $? -eq 3 ] && grep -q "standard input: is empty" "$work/err.txt" || fail "an empty standard input is no error"
+(ulimit -v 3000000; "$viewer" /dev/zero --most-bytes 100000000000 --screenshot "$work/x.png" 2>"$work/err.txt")
+[ $? -eq 3 ] && grep -q "Out of memory" "$work/err.txt" || fail "the end of the memory is no error"
+
 # A picture of a session shows its position, any other picture the end of the run.
 program_beside=$(dirname "$viewer")/spiraling-edge
 if [ -x "$program_beside" ]; then
@@ -72,9 +82,24 @@ stop
 [ "$(field address)" = "40.sphere.2" ] || fail "the state was not written on leaving"
 [ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config writes settings"
 
-# The size of the window is kept.
-size=kept start scene:grid; says phase ready; resize 1100 700; stop
-size=kept start scene:grid; says phase ready
+# Size and layout of the window are kept.
+size=kept start scene:grid; says phase ready; press F2; says layout learn; resize 1100 700; stop
+size=kept start scene:grid; says phase ready; says layout learn
 poll is_wide 1100 || fail "the window opens with another size: $(field "region drawer")"
+stop
+start scene:grid --reset-layout; says layout debug; stop
+start scene:grid; says layout debug; stop
+# The pointer does not move for a number of frames.
+timeout 600 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
+
+# Points of a pipe; reloading takes them from memory, and a session cannot refer to them.
+mkfifo "$work/pipe"
+awk 'BEGIN { for (i = 0; i < 300; ++i) { z = 1 - (2 * i + 1) / 300; r = sqrt(1 - z * z)
+     x = r * cos(i * 2.39996323); y = r * sin(i * 2.39996323); print x, y, z, x, y, z } }' >"$work/pipe" &
+stdin=$work/pipe start -
+says input "standard input"; says points 300; says pivot 0
+press End; leaves pivot 0
+press ctrl+r; says input "standard input"; says points 300; says pivot 0
+press ctrl+s; says notice ".*came from standard input.*"
 stop
 well
