@@ -292,7 +292,7 @@ TEST_CASE("A piece that the command line chooses is kept by a session") {
     const std::string session = (folder / "cut.sesession").string();
     std::string kept;
     {
-        DrivenApp app({points, "--crop=-9,-9,0,9,9,9", "--thin", "0.1"});
+        DrivenApp app({points, "--crop=-9,-9,0,9,9,9", "--thin", "0.2"});
         if (!app) return;
         kept = app["points"];
         CHECK(std::stoi(kept) < 300);
