@@ -10,14 +10,18 @@
 
 namespace se::view::test {
 
-/// Positions with normals as XYZ; the path.
+/// Positions as XYZ, with normals where there are some; the path.
 inline std::string writePoints(const std::filesystem::path& path, const PointFile& file) {
     std::ofstream out(path);
     out.precision(17);
     for (std::size_t p = 0; p < file.position.size(); ++p) {
         const Vec3& x = file.position[p];
-        const Vec3& n = file.normal[p];
-        out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z << '\n';
+        out << x.x << ' ' << x.y << ' ' << x.z;
+        if (!file.normal.empty()) {
+            const Vec3& n = file.normal[p];
+            out << ' ' << n.x << ' ' << n.y << ' ' << n.z;
+        }
+        out << '\n';
     }
     return path.string();
 }

@@ -241,7 +241,9 @@ TEST_CASE("On the start page keys of a run do nothing, and a tile opens its scen
     app.press("F10 F5 F Enter Space 1 Ctrl+B Ctrl+Z Ctrl+S Home");
     CHECK(app["start_page"] == "true");
     CHECK_FALSE(app.ui.fileBrowser);
-    app.clickOn("start file.new.shape");
+    // Without waiting until the points of the page have spread.
+    app.moveTo(app.in("start file.new.shape"));
+    for (const bool down : {true, false}) app.hold(0, down);
     CHECK(app.ui.growth.open);
     app.press("Esc");
     app.clickOn("tile figure-1");
