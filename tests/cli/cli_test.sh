@@ -1500,6 +1500,15 @@ sphere_with_normals() {
         printf \"%.9f %.9f %.9f %.9f %.9f %.9f\\n\", x, y, z, $1 } }"
 }
 
+a_run_is_called_sound_when_that_was_checked() {
+    expect 0 run scene:sphere --rules robust --check
+    says err "none: the mesh is sound"
+    expect 0 run scene:sphere --rules robust
+    ! grep -q sound err || fail "soundness that was not checked is told"
+    expect 1 run scene:torus --check
+    ! grep -q sound err || fail "a mesh with faults is called sound"
+}
+
 check_counts_what_the_run_says() {
     sphere_with_normals "x, y, z" >right.xyz
     sphere_with_normals "f * x, f * y, f * z" >flipped.xyz

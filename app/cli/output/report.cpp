@@ -347,6 +347,8 @@ std::string summaryText(const RunOutcome& outcome) {
     summary.line("open", openSentence(outcome.mesh));
     summary.line("judged", outcome.judged);
     summary.line("defects", defectSentence(outcome.mesh));
+    if (outcome.pairs && outcome.verdict.isSound())
+        summary.line("faults", "none: the mesh is sound");
     const std::size_t alerts = outcome.state.alerts.size();
     if (alerts > 0) summary.line("alerts", fmt::format("{}, listed by --report", alerts));
     summary.line("ended", endingSentence(outcome));
