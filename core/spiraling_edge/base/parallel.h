@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -27,9 +28,11 @@ inline constexpr bool kHasThreads = true;
 /// reaches the caller.
 class Workers {
   public:
-    /// Calls work() in a thread of its own. Everything it uses must outlive this object.
+    /// Calls work() in a thread of its own. Everything it uses must outlive this object. Requires
+    /// kHasThreads.
     template <typename Work>
     void start(Work&& work) {
+        assert(kHasThreads);
         running_.push_back(std::async(std::launch::async, std::forward<Work>(work)));
     }
     /// Waits for all of them; then rethrows the first exception, in the order of start(). The

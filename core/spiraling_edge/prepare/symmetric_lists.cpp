@@ -1,5 +1,5 @@
 /// Each list gets the points that list its point without being listed by it, by counting, and is
-/// sorted again, in parallel by blocks of points. O(list entries times longest list).
+/// sorted again, in parallel by blocks of points. O(list entries log longest list).
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -11,22 +11,50 @@ namespace se {
 
 namespace {
 
-/// Calls add(q, p) for each point p and each q in its list that does not list p.
-template <typename Add>
-void forEachOneWay(const NeighborLists& lists, const Add& add) {
-    for (Index p = 0; p < lists.size(); ++p) {
-        for (const Index q : lists[p]) {
-            const auto back = lists[q];
-            if (std::find(back.begin(), back.end(), p) == back.end()) add(q, p);
+/// The question whether a list has an entry: answered by a scan, or in long lists by a search among
+/// sorted copies.
+class Entries {
+  public:
+    explicit Entries(const NeighborLists& lists) : lists_(lists) {
+        constexpr std::size_t kScanned = 64;
+        std::size_t longest = 0;
+        for (Index p = 0; p < lists.size(); ++p) longest = std::max(longest, lists[p].size());
+        if (longest <= kScanned) return;
+        sorted_ = lists;
+        for (Index p = 0; p < lists.size(); ++p) {
+            std::sort(sorted_.ids.begin() + sorted_.offset[p],
+                      sorted_.ids.begin() + sorted_.offset[p + std::size_t{1}]);
         }
     }
-}
+    /// Calls add(q, p) for each point p and each q in its list that does not list p.
+    template <typename Add>
+    void forEachOneWay(const Add& add) const {
+        for (Index p = 0; p < lists_.size(); ++p) {
+            for (const Index q : lists_[p])
+                if (!has(q, p)) add(q, p);
+        }
+    }
+
+  private:
+    bool has(Index p, Index q) const {
+        if (!sorted_.ids.empty()) {
+            const auto list = sorted_[p];
+            return std::binary_search(list.begin(), list.end(), q);
+        }
+        const auto list = lists_[p];
+        return std::find(list.begin(), list.end(), q) != list.end();
+    }
+
+    const NeighborLists& lists_;
+    NeighborLists sorted_;
+};
 
 /// The lists with the inverse of each entry, in any order.
 NeighborLists withInverses(const NeighborLists& lists) {
     NeighborLists both;
     both.offset.assign(lists.size() + 1, 0);
-    forEachOneWay(lists, [&](Index q, Index) { ++both.offset[q + std::size_t{1}]; });
+    const Entries entries(lists);
+    entries.forEachOneWay([&](Index q, Index) { ++both.offset[q + std::size_t{1}]; });
     for (Index p = 0; p < lists.size(); ++p) {
         both.offset[p + std::size_t{1}] +=
             both.offset[p] + static_cast<std::uint32_t>(lists[p].size());
@@ -37,7 +65,7 @@ NeighborLists withInverses(const NeighborLists& lists) {
         std::copy(lists[p].begin(), lists[p].end(), both.ids.begin() + next[p]);
         next[p] += static_cast<std::uint32_t>(lists[p].size());
     }
-    forEachOneWay(lists, [&](Index q, Index p) { both.ids[next[q]++] = p; });
+    entries.forEachOneWay([&](Index q, Index p) { both.ids[next[q]++] = p; });
     return both;
 }
 

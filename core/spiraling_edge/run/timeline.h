@@ -93,9 +93,9 @@ class Timeline {
     /// Steps after the last pivot are run only if `pivot` is beyond it. Stops early, before the
     /// target, if `keepGoing` returns false (called at intervals).
     void seek(std::uint32_t pivot, const std::function<bool()>& keepGoing = {});
-    /// Makes what is left of the run, for the visitor and the end. Steps after the last pivot that
-    /// are not known yet are not kept, since those of a large run take as much memory as all the
-    /// rest: a seek to one of them makes them again. Stops early as seek() does.
+    /// Makes what is left of the run, for the visitor and the end. Steps after the last pivot are
+    /// not kept, unless a seek has come to one of them, since those of a large run take as much
+    /// memory as all the rest: a later seek makes them again. Stops early as seek() does.
     void makeRest(const std::function<bool()>& keepGoing = {});
     /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
     /// to pivot - 1 complete pivots. Empty if the run is shorter.
