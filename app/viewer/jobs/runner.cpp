@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
-#include <limits>
 
 #include "spiraling_edge/run/reading.h"
 
@@ -17,7 +16,6 @@ namespace se::view {
 
 namespace {
 
-constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 /// Time after a request during which another one is expected.
 constexpr std::chrono::milliseconds kLinger{200};
 /// Longest time between two slices of making the run.
