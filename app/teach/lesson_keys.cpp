@@ -259,6 +259,7 @@ bool readDecimalAnswer(const toml::node& node, Question& question) {
 bool readOptions(const toml::node& node, Lesson& lesson);
 
 constexpr std::string_view kPlace = "PIVOT[.STAGE[.N]], such as 9.sphere.2, or a share such as 50%";
+constexpr std::string_view kKind = "one of points, point, choice, number, play";
 constexpr std::string_view kView = "one of front, back, left, right, top, bottom";
 
 constexpr std::array kLessonKeys{
@@ -304,8 +305,7 @@ constexpr std::array kStepKeys{
 };
 
 constexpr std::array kAskKeys{
-    KeyRow<Question>{"kind", "one of points, point, choice, number, play",
-                     readSort<&Question::kind, isKind>},
+    KeyRow<Question>{"kind", kKind, readSort<&Question::kind, isKind>},
     KeyRow<Question>{"at", kPlace, readPlace<&Question::at>},
     KeyRow<Question>{"until", kPlace, readPlace<&Question::until>},
     KeyRow<Question>{"answer", "a text, a number, or a list of points", readDecimalAnswer},
@@ -431,7 +431,7 @@ void checkAnswer(const Question& question, const QuestionKind& kind, BlockFaults
 void checkQuestion(const Question& question, std::vector<LessonFault>& all) {
     BlockFaults faults(question.lines, all);
     if (question.kind.empty()) {
-        faults.add("kind", "missing: points, point, choice, number or play");
+        faults.add("kind", "missing: " + std::string(kKind));
         return;
     }
     checkOptions(question, faults);

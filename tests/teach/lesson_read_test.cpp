@@ -9,6 +9,7 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "teach/lesson_keys.h"
+#include "teach/question.h"
 
 namespace se::teach {
 namespace {
@@ -30,6 +31,15 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 }  // namespace
+
+TEST_CASE("A kind or a view that is unknown is answered by all that there are") {
+    const std::string kind = faultOf(lessonWith(stepWith("ask", "kind = \"word\"")));
+    for (const QuestionKind& each : questionKinds())
+        CHECK(kind.find(" " + std::string(each.name)) != std::string::npos);
+    const std::string view = faultOf(lessonWith(stepWith("step", "view = \"above\"")));
+    for (const LessonView& each : lessonViews())
+        CHECK(view.find(" " + std::string(each.name)) != std::string::npos);
+}
 
 TEST_CASE("a lesson is read with title, text, steps, minutes and lines") {
     const std::string text =

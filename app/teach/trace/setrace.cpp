@@ -83,7 +83,7 @@ TracePivot pivotOfLine(const JsonEntry& line, std::size_t points, std::size_t nu
     if (line.has("ends")) pivot.ends = line.at("ends").truth();
     const std::string expected = pivot.fan ? faultOfFan(pivot) : "";
     if (!expected.empty()) {
-        line.at("fan").fail(expected + " at pivot " + std::to_string(number) + " (point " +
+        line.at("fan").fail(expected + ", at pivot " + std::to_string(number) + " (point " +
                             std::to_string(pivot.p) + ")");
     }
     return pivot;
@@ -111,9 +111,10 @@ Trace traceOfHeader(const JsonEntry& head) {
         head.fail("the header {\"setrace\": 1, \"points\": N, \"hash\": ...}");
     if (head.at("setrace").json() != 1) head.at("setrace").fail("version 1");
     Trace trace;
-    trace.points = head.at("points").count();
-    if (trace.points == 0 || trace.points >= kNone)
+    const nlohmann::json& points = head.at("points").json();
+    if (!points.is_number_unsigned() || points == 0 || points >= kNone)
         head.at("points").fail("the number of points of the input");
+    trace.points = points.get<std::size_t>();
     if (head.has("hash")) trace.hash = head.at("hash").text();
     return trace;
 }

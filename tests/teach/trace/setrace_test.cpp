@@ -62,15 +62,16 @@ TEST_CASE("a malformed trace is refused with line and field") {
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3,2]}\n") == "none");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,6,2]}\n") ==
           "x.setrace: line 2: fan[1]: expected the number of a point, from 0 to 5, got 6");
-    CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[3,2]}\n") ==
-          "x.setrace: line 2: fan: expected points from first, 1, to last, 2 at pivot 1 (point 0), "
-          "got [3,2]");
+    CHECK(
+        traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[3,2]}\n") ==
+        "x.setrace: line 2: fan: expected points from first, 1, to last, 2, at pivot 1 (point 0), "
+        "got [3,2]");
     CHECK(traceFault("\n{\"p\":-1,\"first\":1,\"last\":2,\"fan\":[]}\n") ==
           "x.setrace: line 3: p: expected the number of a point, from 0 to 5, got -1");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"fan\":[]}\n") ==
           "x.setrace: line 2: last: expected the number of a point, from 0 to 5, it is missing");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,0,2]}\n") ==
-          "x.setrace: line 2: fan: expected no p, which every triangle has anyway at "
+          "x.setrace: line 2: fan: expected no p, which every triangle has anyway, at "
           "pivot 1 (point 0), got [1,0,2]");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":[1,3") ==
           "x.setrace: line 2: expected one JSON object, got "
@@ -84,7 +85,7 @@ TEST_CASE("a malformed trace is refused with line and field") {
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":2,\"fan\":7}\n") ==
           "x.setrace: line 2: fan: expected a list of points, got 7");
     CHECK(traceFault("{\"p\":0,\"first\":1,\"last\":1,\"fan\":[1]}\n") ==
-          "x.setrace: line 2: fan: expected two points or more, or [] for none at pivot 1 "
+          "x.setrace: line 2: fan: expected two points or more, or [] for none, at pivot 1 "
           "(point 0), got [1]");
 }
 
