@@ -188,15 +188,19 @@ Answer answerOf(const RunFailureSearch& found, std::size_t limit) {
     for (std::size_t i = 0; i < found.failures.size(); ++i) rowOf[found.failures[i].position] = i;
     addPlaces(found.places, found.all, rowOf, found.places.size(), answer.json);
     answer.json["failures"] = Json::array();
-    for (const RunFailure& each : found.failures)
-        answer.json["failures"].push_back(answerOf(each).json);
+    std::vector<std::string> texts;
+    for (const RunFailure& each : found.failures) {
+        Answer failure = answerOf(each);
+        answer.json["failures"].push_back(std::move(failure.json));
+        texts.push_back(std::move(failure.text));
+    }
     for (std::size_t i = 0; i < totals.size(); ++i) {
         const FailureClass& kind = failureClasses()[i];
         if (totals[i].total == 0) continue;
         answer.text += classText(kind, totals[i]) + "\n";
         std::size_t shown = 0;
-        for (const RunFailure& each : found.failures) {
-            if (each.failure.kind == &kind && shown++ < limit) answer.text += answerOf(each).text;
+        for (std::size_t f = 0; f < texts.size(); ++f) {
+            if (found.failures[f].failure.kind == &kind && shown++ < limit) answer.text += texts[f];
         }
     }
     return answer;

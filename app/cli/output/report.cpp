@@ -70,8 +70,17 @@ Json ruleJson(const RuleSetting& rule, double value) {
 constexpr std::size_t kMaxAlerts = 100;
 constexpr std::size_t kMaxFaults = 100;
 
-/// Why the run ended, in the order of Ending.
-constexpr std::array<std::string_view, 3> kEndingNames{"finished", "capped", "max_pivots"};
+std::string_view nameOf(Ending ending) {
+    switch (ending) {
+        case Ending::Finished:
+            return "finished";
+        case Ending::Capped:
+            return "capped";
+        case Ending::MaxPivots:
+            return "max_pivots";
+    }
+    return {};
+}
 
 void addCounters(const Counters& counters, Json& json) {
     json["pivots"] = counters.pivots;
@@ -301,7 +310,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["piece"] = keptJson(outcome.points);
     json["shift"] = Json();
     if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
-    json["stop_reason"] = kEndingNames[static_cast<std::size_t>(outcome.ending)];
+    json["stop_reason"] = nameOf(outcome.ending);
     json["points"] = outcome.mesh.points;
     json["triangles"] = outcome.mesh.triangles;
     json["components"] = outcome.mesh.components;

@@ -149,7 +149,7 @@ std::span<const FailureClass> meshClasses() {
     return {all.begin(), end};
 }
 
-/// A class with its failures; in text the first few.
+/// Adds a class with the first of its failures.
 void addClass(const CheckArguments& arguments, const FailureClass& kind, const ClassTotal& total,
               const std::vector<MeshFailure>& failures, std::string& text) {
     if (total.total == 0) return;

@@ -259,7 +259,7 @@ Answer askFailures(const WhyArguments& arguments, const std::optional<FailureCho
 /// Answer about the subject, the ring, the charts, the closest decisions or those of a query.
 Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& ring,
               const DecisionQuery& query, const PreparedInput& run, ProgressLine& line) {
-    /// By a search that takes the run, and these values.
+    // A search that takes the run, and these values.
     const auto ask = [&](const auto& search, const auto&... values) {
         return answerOf(searched(arguments, "asking", line, [&](const Progress& progress) {
             return search(run.points, run.params, values..., progress);
