@@ -131,7 +131,7 @@ done < <(git ls-tree --name-only HEAD 2>/dev/null)
 no 'ImGui::(TextWrapped|PushTextWrapPos)' "wrap text by panels/widgets/widgets.h" "${viewer[@]}"
 
 # Every source is in a list.
-while read -r file; do breach "in no CMakeLists.txt: $file"; done < <(python3 - <<'PYTHON'
+while read -r file; do breach "in no CMakeLists.txt: $file"; done < <(python3 - <<'PYTHON' || echo 'the check itself fails'
 import pathlib, re
 for folder in map(pathlib.Path, ("core", "app", "tests")):
     named = {p.parent: set(re.findall(r"[\w-]+\.cpp", p.read_text())) for p in folder.rglob("CMakeLists.txt")}
@@ -144,7 +144,7 @@ PYTHON
 
 # A source includes what it uses of GLM, or a header of ours does: builds that compile many sources
 # as one do not tell.
-while read -r file; do breach "does not include its part of GLM: $file"; done < <(python3 - <<'PYTHON'
+while read -r file; do breach "does not include its part of GLM: $file"; done < <(python3 - <<'PYTHON' || echo 'the check itself fails'
 import functools, pathlib, re
 PARTS = {"geometric": "dot|cross|length|distance|normalize", "common": "abs|floor|ceil|round|min|max|clamp|mix"}
 ROOTS = [pathlib.Path(p) for p in ("core", "core/sampling", "app", "app/viewer")]
