@@ -19,7 +19,7 @@ namespace se::view::test {
 
 namespace {
 
-/// As the program reads them.
+/// The options that the program reads from a command line.
 Options optionsOf(const std::vector<std::string>& arguments) {
     std::vector<const char*> words = {"spiraling-edge-viewer", "--no-config"};
     for (const std::string& each : arguments) words.push_back(each.c_str());
@@ -31,9 +31,12 @@ Options optionsOf(const std::vector<std::string>& arguments) {
     return options;
 }
 
+/// A display in memory; null where there is no OpenGL.
 std::unique_ptr<Offscreen> openedDisplay() {
     auto made = Offscreen::create({8, 8});
-    return made ? std::move(made.value()) : nullptr;
+    if (made) return std::move(made.value());
+    MESSAGE("skipped: " << made.error().message);
+    return nullptr;
 }
 
 /// Dear ImGui gets our numbers of keys.
@@ -85,8 +88,11 @@ ViewSettings settingsOf(const Options& options) {
 }  // namespace
 
 DrivenApp::DrivenApp(const std::vector<std::string>& arguments, glm::ivec2 size)
+    : DrivenApp(optionsOf(arguments), size) {}
+
+DrivenApp::DrivenApp(const Options& options, glm::ivec2 size)
     : display_(openedDisplay()),
-      app(optionsOf(arguments), settingsOf(optionsOf(arguments))),
+      app(options, settingsOf(options)),
       ui(app.commands().ui),
       session(app.session()),
       size_(size) {
@@ -134,6 +140,7 @@ void DrivenApp::press(std::string_view chords) {
 
 void DrivenApp::type(std::string_view text) {
     for (const char sign : text) {
+        REQUIRE(static_cast<unsigned char>(sign) < 0x80U);
         app.character(static_cast<unsigned char>(sign));
         ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(sign));
     }
@@ -217,6 +224,7 @@ glm::vec2 DrivenApp::in(const std::string& item, float x, float y) {
 void DrivenApp::reach(const std::string& area, const std::string& item) {
     float before = -1.0F;
     for (int i = 0; i < 60; ++i) {
+        REQUIRE(shows(area));
         const Rect room = ui.where.at(area);
         const float margin = std::min(55.0F, 0.3F * room.size.y);
         // What is far below is not drawn.
@@ -265,8 +273,9 @@ void DrivenApp::save(const std::filesystem::path& path) {
 }
 
 std::size_t differing(const Picture& a, const Picture& b) {
+    REQUIRE(a.rgba.size() == b.rgba.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i + 3 < a.rgba.size() && i + 3 < b.rgba.size(); i += 4) {
+    for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
         int most = 0;
         for (std::size_t k = i; k < i + 3; ++k) {
             most = std::max(most, std::abs(int(a.rgba[k]) - int(b.rgba[k])));

@@ -1,8 +1,8 @@
 /// The program in memory, driven as by a user with keys, text and mouse; without a window.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,7 +14,8 @@
 
 namespace se::view::test {
 
-/// After every input it draws frames until nothing moves and no work is left.
+/// The program and its user: after every input, frames are drawn until nothing moves and no work is
+/// left.
 class DrivenApp {
   public:
     /// `arguments` as on the command line.
@@ -27,6 +28,8 @@ class DrivenApp {
     explicit operator bool() const { return display_ != nullptr; }
 
   private:
+    DrivenApp(const Options& options, glm::ivec2 size);
+
     std::unique_ptr<Offscreen> display_;
 
   public:
@@ -37,7 +40,7 @@ class DrivenApp {
     /// Keys by their names, one after the other: "Ctrl+G Home".
     void press(std::string_view chords);
     void type(std::string_view text);
-    /// By the go-to box; by the palette of commands.
+    /// Entries of the go-to box and of the palette of commands.
     void goTo(std::string_view place);
     void command(std::string_view words);
     /// Buttons: 0 left, 1 right, 2 middle. Positions are in pixels.

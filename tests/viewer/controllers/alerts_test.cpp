@@ -50,7 +50,7 @@ struct AlertApp : HeadlessApp {
     }
 };
 
-/// A file with a hole: the sphere scene without a few points around a pole, read with short lists.
+/// A file whose mesh has a hole of four, in a folder of its own.
 struct FailingFile {
     OwnFolder folder;
     std::filesystem::path path = folder / "failing.xyz";

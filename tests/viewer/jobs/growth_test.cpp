@@ -64,6 +64,15 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     CHECK(growth.picture()->step == Sampler::allSteps());
 }
 
+TEST_CASE("Scattering millions of particles does not block, and is cancelled on the way") {
+    Growth growth;
+    growth.start(torus(5'000'000));
+    growth.poll();
+    CHECK(growth.phase() == GrowthPhase::Finding);
+    growth.cancel();
+    CHECK(growth.picture() == nullptr);
+}
+
 TEST_CASE("Played particles are shown on their way, and stop on request") {
     Growth growth;
     growth.start(torus(200));

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "driven_app.h"
 #include "open_session.h"
@@ -60,4 +61,59 @@ TEST_CASE("New points: saved they are those of the command line, used they are a
     CHECK(app.ui.growth.open);
     app.press("Esc");
     CHECK(app.session.record().pivot == 1);
+}
+
+namespace {
+
+/// A ball in a volume of 9 x 9 x 9 bytes, brightest in its middle.
+std::string volumeBytes() {
+    std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n";
+    for (int z = -4; z < 5; ++z) {
+        for (int y = -4; y < 5; ++y) {
+            for (int x = -4; x < 5; ++x) {
+                const int value = 100 - 5 * (x * x + y * y + z * z);
+                bytes.push_back(static_cast<char>(value > 0 ? value : 0));
+            }
+        }
+    }
+    return bytes;
+}
+
+std::string written(const std::filesystem::path& path, std::string_view bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+    return path.string();
+}
+
+}  // namespace
+
+TEST_CASE("New points of a volume: an isovalue is asked for, a cut file is refused by its name") {
+    const OwnFolder folder;
+    const std::string ball = written(folder / "ball.nrrd", volumeBytes());
+    const std::string cut = written(folder / "cut.nrrd", volumeBytes().substr(0, 300));
+    {
+        DrivenApp app({"--new", ball, "-n", "300"});
+        if (!app) return;
+        CHECK(app["growth_complaint"].find("has no isovalue") != std::string::npos);
+    }
+    {
+        DrivenApp app({"--new", ball, "--iso", "50", "-n", "300", "--steps", "12"});
+        CHECK(app["growth_step"] == "12");
+        CHECK(app["growth_points"] == "300");
+        CHECK(app["growth"] == "paused");
+    }
+    {
+        DrivenApp app({"scene:sphere"});
+        app.press("Ctrl+Shift+N");
+        CHECK(app.ui.fileBrowser);
+        app.type(ball);
+        app.press("Enter");
+        CHECK_FALSE(app.ui.fileBrowser);
+        CHECK(app["growth_complaint"].find("has no isovalue") != std::string::npos);
+        app.press("Esc");
+        CHECK_FALSE(app.ui.growth.open);
+        CHECK(app.session.ready());
+    }
+    DrivenApp app({"--new", cut, "--iso", "50"});
+    CHECK(app["growth_complaint"].find("cut.nrrd") != std::string::npos);
+    CHECK(app["growth_complaint"].find("expected") != std::string::npos);
 }

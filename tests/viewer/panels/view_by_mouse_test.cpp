@@ -296,6 +296,13 @@ TEST_CASE("A piece that the command line chooses is kept by a session") {
         if (!app) return;
         kept = app["points"];
         CHECK(std::stoi(kept) < 300);
+#ifdef SPIRALING_EDGE_CLI
+        const std::string report = (folder / "report.json").string();
+        REQUIRE(std::system((SPIRALING_EDGE_CLI " run " + points +
+                             " --crop=-9,-9,0,9,9,9 --thin 0.2 -q --report " + report)
+                                .c_str()) == 0);
+        CHECK(readText(report).value().find("\n  \"points\": " + kept + ",") != std::string::npos);
+#endif
         app.save(session);
     }
     DrivenApp again({session});

@@ -48,4 +48,17 @@ click_on "export cancel"; says export_working false; says export_complaint 'Canc
 press Escape; says export_dialog false
 stop
 
+# Steps of the open lesson, at another speed, without captions; fields only where they count.
+rm ./*.gif
+start lesson:removal --step 3; says lesson_step 3; says address '9\.sphere\.2'
+press ctrl+shift+e; says export_dialog true
+for field in speed captions steps; do denies "export $field" '.+'; done
+click_on "export gif"; click_on "export lesson"
+click_on "export steps"; type_text "1,3"; click_on "export speed"; press ctrl+a; type_text 0
+click_on "export go"; says export_complaint '0: expected frames per second, from 0\.1 to 60'
+click_on "export speed"; press ctrl+a; type_text 4; click_on "export captions"
+click_on "export go"; says export_dialog false; says message 'Saved 2 frames as .*\.gif\.'
+says lesson_step 3; says address '9\.sphere\.2'
+[ "$(identify -format '%T ' ./*9-sphere-2.gif)" = "25 25 " ] || fail "the speed is another: $(identify -format '%T ' ./*.gif)"
+stop
 well

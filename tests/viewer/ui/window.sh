@@ -28,6 +28,13 @@ echo '{"format": 1}' >"$work/bad.sesession"
 grep -q 'bad\.sesession.*format.*expected' "$work/err.txt" || fail "the message does not say what was expected"
 "$viewer" - --screenshot "$work/x.png" </dev/null 2>"$work/err.txt"
 [ $? -eq 3 ] && grep -q "standard input: is empty" "$work/err.txt" || fail "an empty standard input is no error"
+ln -s /dev/zero "$work/zero.nrrd"
+printf 'NRRD0001\ntype: float\ndimension: 3\nsizes: 4 4 4\nencoding: raw\nendian: little\ndata file: zero.nrrd\n' >"$work/a.nhdr"
+printf '{"format": "spiraling-edge session", "version": 1, "input": {"source": "sample:a.nhdr,n=100,iso=0"}}' >"$work/zero.sesession"
+"$viewer" "$work/zero.sesession" --screenshot "$work/x.png" 2>"$work/err.txt"
+[ $? -eq 3 ] && grep -q "expected a regular file" "$work/err.txt" || fail "a device is read as a volume"
+"$viewer" scene:torus --with "$work/nothing.ply" --screenshot "$work/x.png" 2>"$work/err.txt" && fail "a missing mesh is no error"
+grep -q 'nothing\.ply' "$work/err.txt" || fail "the message does not name the missing mesh"
 (ulimit -v 3000000; "$viewer" /dev/zero --most-bytes 100000000000 --screenshot "$work/x.png" 2>"$work/err.txt")
 [ $? -eq 3 ] && grep -q "Out of memory" "$work/err.txt" || fail "the end of the memory is no error"
 
@@ -39,6 +46,9 @@ if [ -x "$program_beside" ]; then
     [ "$(field address)" = "40.sphere.2" ] || fail "render SESSION shows '$(field address)'"
     "$program_beside" render "$work/a.sesession" -o "$work/x.png" --goto 7 --state-dump "$state" || fail "render of a session fails"
     [[ $(field address) == 7.* ]] || fail "render SESSION --goto 7 shows '$(field address)'"
+    "$program_beside" sample torus -n 300 -q -o "$work/torus.ply" || fail "no points are sampled"
+    "$viewer" - --goto 100% --screenshot "$work/stdin.png" < <(cat "$work/torus.ply") || fail "no picture of standard input"
+    [ -s "$work/stdin.png" ] || fail "no picture of standard input"
     "$program_beside" render scene:sphere -o "$work/x.png" --state-dump "$state" || fail "render of a scene fails"
     [ "$(field pivot)" -gt 100 ] || fail "render of a scene shows '$(field address)', not the end"
 fi
