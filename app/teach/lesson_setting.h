@@ -36,7 +36,7 @@ std::vector<PointName> pointNames(const std::vector<NamedPoint>& names);
 /// The point of a name, or of a number as text; kNone if it is neither.
 Index pointOf(std::string_view word, const std::vector<NamedPoint>& names);
 
-/// "99: there are 50 points, from 0".
+/// "99: there are 50 points, from 0"; `word` names the point that is absent.
 std::string absentPointText(const std::string& word, std::size_t count);
 
 /// The names of points, or their numbers.

@@ -65,7 +65,7 @@ class DrivenApp {
     void settle();
     void frames(int count);
     void resize(glm::ivec2 size);
-    /// What the window shows now.
+    /// The picture that the window shows now.
     Picture picture();
     /// A field of --state-dump, as text without quotes; a list is in JSON.
     std::string operator[](std::string_view field) const;

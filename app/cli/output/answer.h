@@ -1,4 +1,4 @@
-/// What a verb has found, as text and as JSON.
+/// Answers of verbs, as text and as JSON.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-/// What is wrong with a mesh, in words and as JSON: the verdict, failures and their places, and the
+/// Faults of a mesh, in words and as JSON: the verdict, failures and their places, and the
 /// number of each class, where only the first are listed.
 #pragma once
 

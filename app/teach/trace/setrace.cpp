@@ -48,7 +48,7 @@ TraceJson jsonOfSteps(const std::vector<RingStep>& steps) {
 
 // ---- reading ------------------------------------------------------------------------------------
 
-/// What the fan of a pivot should be; empty if it is that.
+/// Expectation that the fan of a pivot does not meet; empty if it meets all.
 std::string faultOfFan(const TracePivot& pivot) {
     const std::vector<Index>& fan = *pivot.fan;
     if (fan.empty()) return {};
