@@ -90,12 +90,11 @@ bool Application::poll() {
         options_.atDifference = !found->meshes.same() || found->alignment().diverge;
         actions::askOfComparison(commands_, CompareAsk::FirstDifference);
     }
+    followTask();
     // The lists of a figure are those of its drawing, and nothing is to be mended.
     const bool figure = session_.ready() && !session_.model().params.start.empty();
-    if (session_.takeProblemFound() && !figure && !ui_.lesson.walk.isOpen()) {
-        ui_.tab.wanted = kDoctorTab;
-        ui_.tab.byFinding = true;
-    }
+    if (session_.takeProblemFound() && !figure && !ui_.lesson.walk.isOpen())
+        ui_.column.note(Task::Input);
     const bool notice = !session_.messages().notice().empty();
     return std::exchange(noticed_, notice) != notice || changed || compared || taught;
 }
@@ -287,7 +286,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     imgui_->beginFrame();
     areas_ = areasIn(glm::vec2(size));
     const PanelRects& rects = areas_;
-    ui_.navigation.drawerFolded = rects.drawerFolded;
+    ui_.navigation.stripFolded = rects.stripFolded;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
     ui_.viewEms = rects.view.size / imgui_->em();
     if (ui_.growth.open) {

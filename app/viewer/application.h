@@ -119,8 +119,8 @@ class Application {
     const Command* commandFor(const KeyChord& chord) const;
     bool isOfLesson(const Command& command) const;
     void play(double seconds);
-    PanelSizes panelSizes() const;
-    bool showsLesson() const;
+    WindowState windowState() const;
+    void followTask();
     float scaleIn(glm::ivec2 size) const;
     void placeCamera(const PanelRects& rects);
     void moveCamera();
@@ -167,8 +167,11 @@ class Application {
     int alertFrames_ = 0;
     /// Size of the view in which a decision that is opened was framed; 0: none is being opened.
     glm::vec2 framedIn_{0.0F};
-    PanelRects areas_;  ///< As last drawn.
-    int redraws_ = 0;   ///< Number of frames to draw even if nothing changes.
+    PanelRects areas_;       ///< As last drawn.
+    std::string taskOf_;     ///< Source of the input that the column was reset for.
+    bool finished_ = false;  ///< The finished mesh was shown in the frame before.
+    bool judged_ = false;    ///< Its faults were known.
+    int redraws_ = 0;        ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

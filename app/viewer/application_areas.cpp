@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "application.h"
+#include "commands/command_actions.h"
 
 namespace se::view {
 
@@ -29,32 +30,37 @@ float Application::scaleIn(glm::ivec2 size) const {
     return present ? std::max(scale, std::min(fitting, kLargest)) : scale;
 }
 
-/// Learn shows a step of a lesson.
-bool Application::showsLesson() const {
-    constexpr auto kUnderstand = static_cast<std::size_t>(PanelGroup::Understand);
-    return ui_.lesson.walk.isOpen() && ui_.layoutPreset == LayoutPreset::Learn &&
-           (ui_.tab.learn[kUnderstand] == kLessonTab || ui_.lesson.hides());
+WindowState Application::windowState() const {
+    WindowState state;
+    state.layoutPreset = ui_.layoutPreset;
+    state.strip = ui_.navigation.strips;
+    state.sizes = ui_.settings.panels;
+    state.sheet = ui_.column.sheet;
+    state.finished = session_.ready() && session_.atEnd();
+    state.lesson = ui_.lesson.walk.isOpen();
+    const bool asks = state.lesson && ui_.lesson.walk.question() != nullptr;
+    state.captionEms = asks ? ui_.lesson.captionEms : 0.0F;
+    state.beside = ui_.compare.isIn(LayoutPreset::Present);
+    // The lesson is needed for the answer.
+    if (ui_.lesson.hides()) state.sizes.folded = false;
+    return state;
 }
 
-/// The user's sizes. A line in Find leaves its room to an open panel of Change; in Learn the dial
-/// belongs to Understand, and leaves its room to the other groups and to a lesson.
-PanelSizes Application::panelSizes() const {
-    constexpr float kTabsOfFind = 26.0F;
-    PanelSizes sizes = ui_.settings.panels;
-    sizes.quiet = ui_.panelsQuiet;
-    sizes.lesson = ui_.lesson.walk.isOpen();
-    const bool asks = sizes.lesson && ui_.lesson.walk.question() != nullptr;
-    sizes.caption = asks ? ui_.lesson.captionEms : 0.0F;
-    sizes.beside = ui_.compare.isIn(LayoutPreset::Present);
-    const auto asked = [&](PanelGroup group) {
-        return ui_.tab.asked[static_cast<std::size_t>(group)];
-    };
-    const bool lesson = showsLesson();
-    if (ui_.tab.group == PanelGroup::Find || ui_.tab.group == PanelGroup::Change || lesson)
-        sizes.of(Splitter::LearnDial) = -1.0F;
-    float& find = sizes.of(Splitter::Find);
-    if (find <= 0.0F && asked(PanelGroup::Change) && !asked(PanelGroup::Find)) find = kTabsOfFind;
-    return sizes;
+/// What happens in the run calls for a panel, unless the user has picked one.
+void Application::followTask() {
+    const std::string& source = session_.input().spec().source;
+    if (std::exchange(taskOf_, source) != source && !ui_.lesson.walk.isOpen()) {
+        ui_.column.reset();
+        if (ui_.layoutPreset == LayoutPreset::Compare) actions::openPart(commands_, kComparePart);
+        finished_ = false;
+        judged_ = false;
+    }
+    const bool finished = session_.ready() && session_.atEnd();
+    if (std::exchange(finished_, finished) != finished && finished)
+        ui_.column.suggest(Task::Faults);
+    const AlertSearch& alerts = session_.alerts().search();
+    if (std::exchange(judged_, alerts.done()) != alerts.done() && alerts.done() && !alerts.sound())
+        ui_.column.note(Task::Faults);
 }
 
 PanelRects Application::areasIn(glm::vec2 size) const {
@@ -62,14 +68,20 @@ PanelRects Application::areasIn(glm::vec2 size) const {
     if (ui_.picture.viewAlone) {
         const bool two = ui_.layoutPreset == LayoutPreset::Compare;
         const float dial = std::clamp(kDialShare * size.x, kDialLeast * em, kDialMost * em);
-        return viewAlone(size, {ui_.picture.caption ? std::round(kCaption * em) : 0.0F,
+        // Each of two views has its own caption, in it.
+        const bool below = ui_.picture.caption && !two;
+        return viewAlone(size, {below ? std::round(kCaption * em) : 0.0F,
                                 two ? std::round(kViewTitle * em) : 0.0F,
                                 ui_.picture.dial ? std::round(dial) : 0.0F});
     }
     if (ui_.growth.open) return computePageRects(size, em);
-    const bool folds = showsLesson() && ui_.navigation.drawer == DrawerChoice::Auto;
-    return computePanelRects(size, em, ui_.layoutPreset,
-                             folds ? DrawerChoice::Folded : ui_.navigation.drawer, panelSizes());
+    PanelRects rects = computePanelRects(size, em, windowState());
+    // The start page replaces all panels.
+    if (session_.startPage()) {
+        rects.view = {{0.0F, rects.menu.size.y}, size - glm::vec2(0.0F, rects.menu.size.y)};
+        rects.narration = {};
+    }
+    return rects;
 }
 
 }  // namespace se::view

@@ -281,7 +281,7 @@ Status ExportRun::addShapes(ExportFrame& frame) {
         views[1].labels = ui().labels[1];
     }
     FrameDial dial;
-    if (areas.dialApart) {
+    if (areas.dial.size.x > 0.0F) {
         const DecisionState& picture = session().picture();
         dial = {makeDial(session().shown(), picture, picture.event ? &*picture.event : nullptr),
                 areas.dial, session().names()};

@@ -159,7 +159,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
-    app.add_option("--layout", raw.layout, "Layout of the window: debug, learn, present or compare")
+    app.add_option("--layout", raw.layout,
+                   "Layout of the window: debug, present or compare; learn: the panel Lesson")
         ->check(CLI::IsMember({"debug", "learn", "present", "compare"}));
     app.add_flag("--reset-layout", o.resetLayout, "Start with the default layout");
     app.add_option("--mesh-style", raw.meshStyle,
@@ -450,6 +451,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);
     o.layout = layoutPresetFromName(raw.layout);
+    o.lessons = opensLessons(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
     o.stateDump = raw.stateDump;

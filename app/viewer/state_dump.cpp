@@ -49,7 +49,7 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
                     {"lanes", lanesAt(session.overview().laneChanges, session.record().pivot)}};
     out["highlighted_ring"] = indexOrNull(session.highlights().chosenRing());
     out["lit_ring"] = indexOrNull(session.highlights().litRing());
-    out["drawer"] = nav.drawerFolded ? "folded" : "open";
+    out["strips"] = nav.stripFolded ? "folded" : "open";
 }
 
 /// Lines with the known number of hits; expressions with their values here.
@@ -338,7 +338,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"asks", ui_.leaving.asked},
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},
-             {"open_tab", ui_.tab.title},
+             {"task", std::string(rowOf(ui_.column.task).title)},
+             {"part", ui_.column.part},
              {"address_line", ui_.addressLine},
              {"pivot_arrow", ui_.where.count("pivot arrow") > 0},
              {"layers", json::array()},

@@ -230,12 +230,26 @@ void DrivenApp::reach(const std::string& area, const std::string& item) {
         // What is far below is not drawn.
         const float at = shows(item) ? in(item).y : room.max().y;
         const bool above = at < room.min.y + margin;
-        const bool atItsEnd = shows(item) && at == before && at < room.max().y - 20.0F;
+        const bool atItsEnd = shows(item) && at == before && at < room.max().y - 12.0F;
         if ((!above && at <= room.max().y - margin) || atItsEnd) return clickOn(item);
         before = at;
-        wheel(in(area, 0.85F, 0.6F), above ? 0.5F : -0.5F);
+        // A list may scroll within an area that scrolls: the margin belongs to the area alone.
+        const float notches = above ? 0.5F : -0.5F;
+        const float whole = shows(item) ? in(item).y : 0.0F;
+        wheel(in(area, 0.985F, 0.6F), notches);
+        if (!shows(item) || in(item).y == whole) wheel(in(area, 0.85F, 0.85F), notches);
     }
-    FAIL(item << " does not come into sight");
+    const Rect room = ui.where.at(area);
+    FAIL(item << " does not come into sight: it is at " << (shows(item) ? in(item).y : -1.0F)
+              << ", the area from " << room.min.y << " to " << room.max().y);
+}
+
+void DrivenApp::part(const std::string& title) {
+    const PartRow* row = partNamed(title);
+    REQUIRE(row != nullptr);
+    if (ui.column.task != row->task || !shows("part " + title))
+        clickOn("rail " + std::string(rowOf(row->task).title));
+    if (!isOpen(ui.settings.parts, *row)) reach("region column", "part " + title);
 }
 
 void DrivenApp::retype(const std::string& item, std::string_view text) {

@@ -53,7 +53,9 @@ class DrivenApp {
     /// Holds Ctrl for the mouse.
     void holdCtrl(bool down);
 
-    /// An item that was drawn, such as "tab Dial"; see UiState::where.
+    /// Clicks on the task of a part of the column, and on its title if it is folded.
+    void part(const std::string& title);
+    /// An item that was drawn, such as "rail Step"; see UiState::where.
     bool shows(const std::string& item) const { return ui.where.count(item) > 0; }
     /// A place within it, by shares of its size.
     glm::vec2 in(const std::string& item, float x = 0.5F, float y = 0.5F);

@@ -26,7 +26,7 @@ struct KeptSession {
             {"scene:torus"},
             specChange({{"rules", "printed"}, {"switches", "fill=on"}, {"neighbors", "16"}}));
         s.place.address = "12.sort.2";
-        s.layout = LayoutPreset::Learn;
+        s.layout = LayoutPreset::Present;
         REQUIRE(writeSessionFile(path, s).ok());
     }
     ~KeptSession() { std::filesystem::remove(path); }

@@ -156,7 +156,7 @@ void showPlace(CommandContext& context, std::size_t place) {
     if (!session.atEnd()) session.moves().toEnd();
     context.ui.requests.frameAlert = true;
     context.ui.alerts.reveal = true;
-    context.ui.tab.wanted = kAlertsTab;
+    actions::showPart(context, kAlertsPart);
     session.messages().say(verdictSentence(alerts));
 }
 

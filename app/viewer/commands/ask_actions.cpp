@@ -20,7 +20,8 @@ std::string behindTheList(const FoundDecisions& found, const Session& session) {
 
 }  // namespace
 
-using actions::openTab;
+using actions::openPart;
+using actions::showPart;
 
 void askWhy(CommandContext& c, const Selection& what) {
     if (!c.session.ready() || what.kind == SelectionKind::None) return;
@@ -32,7 +33,7 @@ void askWhy(CommandContext& c, const Selection& what) {
     }
     c.ui.ledger.seen = what;
     c.ui.ledger.complaint.clear();
-    openTab(c, kLedgerTab);
+    showPart(c, kLedgerPart);
     const Questions& questions = c.session.questions();
     const bool known = questions.subject() == what &&
                        (questions.ledger().busy() || questions.ledger().answer() != nullptr);
@@ -43,7 +44,7 @@ void askWhy(CommandContext& c, const RingAddress& ring) {
     if (!c.session.ready()) return;
     c.ui.ledger.seen = c.session.selection();
     c.ui.ledger.complaint.clear();
-    openTab(c, kLedgerTab);
+    showPart(c, kLedgerPart);
     c.session.questions().askWhy(ring);
 }
 
@@ -76,7 +77,7 @@ void findTyped(CommandContext& c) {
 
 void askQuery(CommandContext& c, const std::string& line) {
     c.ui.query.typed = line;
-    openTab(c, kQueryTab);
+    openPart(c, kQueryPart);
     findTyped(c);
 }
 
@@ -88,7 +89,7 @@ void askWhySelected(CommandContext& c) {
     if (c.ui.layoutPreset == LayoutPreset::Compare)
         return c.session.messages().say(
             "Select a point, an edge or a triangle to ask both runs about.");
-    openTab(c, kLedgerTab);
+    showPart(c, kLedgerPart);
     c.ui.ledger.wantsKeyboard = true;
 }
 
@@ -115,13 +116,13 @@ void toCause(CommandContext& c) {
 }
 
 void openQuery(CommandContext& c) {
-    openTab(c, kQueryTab);
+    openPart(c, kQueryPart);
     c.ui.query.shown = QueryList::Found;
     c.ui.query.wantsKeyboard = true;
 }
 
 void openClosest(CommandContext& c) {
-    openTab(c, kQueryTab);
+    openPart(c, kQueryPart);
     c.ui.query.shown = QueryList::Closest;
 }
 

@@ -201,7 +201,7 @@ void openPrepare(C& c) {
     c.ui.prepare.take(c.session.input().spec(), c.session.model());
     c.ui.prepare.shown = c.session.generation();
     c.ui.prepare.wantsKeyboard = true;
-    openTab(c, kPrepareTab);
+    openPart(c, kPreparePart);
 }
 
 void toMark(C& c, int direction) {
@@ -220,14 +220,20 @@ void toMark(C& c, int direction) {
                       : "There is no split, join, seed, alert or bookmark before this one.");
 }
 
+void step(C& c) {
+    pause(c);
+    c.ui.column.suggest(Task::Step);
+}
+
 void playOrPause(C& c) {
+    c.ui.column.suggest(Task::Step);
     // A long move to the next event must not continue after the pause.
     if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.moves().cancel();
     c.playback.toggle();
 }
 
 void stepByUnit(C& c, int direction) {
-    pause(c);
+    step(c);
     playSteps(c, direction);
 }
 
@@ -240,11 +246,29 @@ void setLoop(C& c, const char* end, void (PlayLoop::*set)(const Address& address
 
 void toggle(C& c, LayerId layer) { toggleLayer(c.ui.settings.layers, layer, c.session.stage()); }
 
+namespace {
+
+/// The comparison stays in sight while both runs are stepped through; then the panel before it is
+/// there again.
+void followLayout(C& c, LayoutPreset before) {
+    Column& column = c.ui.column;
+    const bool compares = c.ui.layoutPreset == LayoutPreset::Compare;
+    if (compares == (before == LayoutPreset::Compare)) return;
+    if (!compares) return column.takeBack();
+    column.keep();
+    column.open(*partNamed(kComparePart));
+    setOpen(c.ui.settings.parts, *partNamed(kComparePart), true);
+    column.chosen = true;
+}
+
+}  // namespace
+
 void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
-    c.ui.layoutPreset = layoutPreset;
+    const LayoutPreset before = std::exchange(c.ui.layoutPreset, layoutPreset);
     c.ui.blank = BlankScreen::None;
     const LayoutPresetRow& row = rowOf(layoutPreset);
     c.ui.follow = row.follows;
+    followLayout(c, before);
     c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 
@@ -261,24 +285,38 @@ void toggleSpotlight(C& c) {
     c.ui.spotlight = !c.ui.spotlight;
 }
 
-void openTab(C& c, std::string_view tab) {
-    const bool none =
-        c.ui.layoutPreset == LayoutPreset::Present || c.ui.layoutPreset == LayoutPreset::Compare;
-    if (none) applyLayoutPreset(c, LayoutPreset::Debug);
-    c.ui.tab.wanted = tab;
+void showPart(C& c, std::string_view title) {
+    const PartRow* part = partNamed(title);
+    assert(part != nullptr);
+    if (c.ui.layoutPreset == LayoutPreset::Present) applyLayoutPreset(c, LayoutPreset::Debug);
+    setOpen(c.ui.settings.parts, *part, true);
+    c.ui.settings.panels.folded = false;
+    c.ui.column.open(*part);
+}
+
+void openPart(C& c, std::string_view title) {
+    showPart(c, title);
+    c.ui.column.chosen = true;
+}
+
+void pickTask(C& c, Task task) {
+    Column& column = c.ui.column;
+    const bool again = column.task == task && !c.ui.settings.panels.folded;
+    if (c.ui.layoutPreset == LayoutPreset::Present) applyLayoutPreset(c, LayoutPreset::Debug);
+    c.ui.settings.panels.folded = again;
+    column.sheet = column.task != task || !column.sheet;
+    column.choose(task);
 }
 
 void turnSection(C& c, int direction) {
     constexpr double kTurn = 15.0;
     c.ui.section.turn(kTurn * direction);
-    if (c.ui.tab.title != kSectionTab) openTab(c, kSectionTab);
+    const bool shown =
+        c.ui.column.task == Task::Step && isOpen(c.ui.settings.parts, *partNamed(kSectionPart));
+    if (!shown) openPart(c, kSectionPart);
 }
 
-void foldGroups(C& c) {
-    const bool folded = c.ui.settings.panels.folded || c.ui.panelsQuiet;
-    c.ui.settings.panels.folded = !folded;
-    if (folded) c.ui.tab.asked.fill(true);
-}
+void foldColumn(C& c) { c.ui.settings.panels.folded = !c.ui.settings.panels.folded; }
 
 void goToBirth(C& c) {
     if (!c.session.ready()) return;

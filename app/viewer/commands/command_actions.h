@@ -53,6 +53,8 @@ void resetRules(CommandContext& c);
 void clearWhatIfs(CommandContext& c);
 /// To the next (+1) or previous (-1) mark of the run or bookmark.
 void toMark(CommandContext& c, int direction);
+/// Pauses, and shows the decision unless the user has picked another task.
+void step(CommandContext& c);
 void playOrPause(CommandContext& c);
 void stepByUnit(CommandContext& c, int direction);
 void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
@@ -60,13 +62,18 @@ void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 void blankScreen(CommandContext& c, BlankScreen with);
 /// Dims all but the neighborhood of the pivot in the layout Present, or stops.
 void toggleSpotlight(CommandContext& c);
-/// Opens a panel; if no panels are shown, in the layout that has all of them.
-void openTab(CommandContext& c, std::string_view tab);
+/// Opens the part of the column with the result of an action, in Present in the layout that has a
+/// column: the next step shows the decision again. Requires a title of partRows().
+void showPart(CommandContext& c, std::string_view title);
+/// The user opens a part: it stays.
+void openPart(CommandContext& c, std::string_view title);
+/// The user picks a task of the rail; the open one folds the column.
+void pickTask(CommandContext& c, Task task);
 /// Turns the plane of the section by 15 degrees, counterclockwise (+1) or clockwise (-1), and opens
 /// its panel.
 void turnSection(CommandContext& c, int direction);
-/// Folds Find and Change to their tabs, or unfolds them.
-void foldGroups(CommandContext& c);
+/// Folds the column to its rail, or unfolds it.
+void foldColumn(CommandContext& c);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 

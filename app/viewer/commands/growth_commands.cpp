@@ -38,7 +38,7 @@ bool isAside(const Command& command) {
            command.id == "file.prepare" || command.id.starts_with("view.layout.") ||
            command.id.starts_with("view.mesh.") || command.id == "view.doctor" ||
            command.id == "view.breakpoints" || command.id == "view.watch" ||
-           command.id == "view.drawer" || command.id == "view.groups" ||
+           command.id == "view.strips" || command.id == "view.column" ||
            command.id == "view.legend";
 }
 

@@ -76,14 +76,6 @@ Fit fitOf(const PaletteEntry& entry, std::string_view filter, std::span<const st
     return hasAll(text, words) ? Fit::Elsewhere : Fit::None;
 }
 
-void showPanel(CommandContext& context, std::string_view title) {
-    // Learn lacks these two.
-    const bool debugOnly = title == "Steps" || title == "Rings";
-    if (debugOnly && context.ui.layoutPreset == LayoutPreset::Learn)
-        actions::applyLayoutPreset(context, LayoutPreset::Debug);
-    actions::openTab(context, title);
-}
-
 }  // namespace
 
 std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels) {
@@ -131,7 +123,7 @@ void choose(const PaletteEntry& entry, CommandContext& context) {
         case PaletteEntry::Kind::Action:
             return runCommand(*findCommand(entry.id), context);
         case PaletteEntry::Kind::Panel:
-            return showPanel(context, entry.id);
+            return actions::openPart(context, entry.id);
         case PaletteEntry::Kind::Scene:
             context.ui.requests.open =
                 isSample(entry.id) ? std::string(entry.id) : sceneSource(entry.id);

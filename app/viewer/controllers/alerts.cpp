@@ -89,11 +89,6 @@ void AlertController::poll() {
     const bool file = !isScene(source) && !isSample(source);
     if (!fresh || !file || !interactive_ || document_.placed()) return;
     opened_ = openOnVerdict(c_);
-    // Problems of the input come first: the doctor has the tab.
-    if (opened_ && c_.ui.tab.wanted.empty() && c_.ui.tab.title != kDoctorTab) {
-        c_.ui.tab.wanted = kAlertsTab;
-        c_.ui.tab.byFinding = true;
-    }
 }
 
 void AlertController::reportChange() {
@@ -138,14 +133,13 @@ void AlertController::chooseOfGallery() {
         [&](const RunFailure& a, const RunFailure& b) { return rate(a) < rate(b); });
     if (best == failures.end() || rate(*best) == 0) return;
     session.alerts().choose(static_cast<std::size_t>(best - failures.begin()));
-    if (c_.ui.tab.wanted.empty()) c_.ui.tab.wanted = "Paper";
 }
 
 void AlertController::showAsked() {
     Session& session = c_.session;
     const std::string name = std::exchange(asked_, {});
     const auto alert = alertNamed(session.alerts().search(), name);
-    c_.ui.tab.wanted = kAlertsTab;
+    actions::showPart(c_, kAlertsPart);
     // At the position that was named, if one was.
     std::optional<AlertMoment> moment;
     if (!document_.placed()) moment = AlertMoment::Created;

@@ -75,6 +75,7 @@ void DocumentController::begin(const Options& options) {
     if (options.session) takeLooks(*options.session, options.sessionPath);
     if (options.with) with_ = options.with;
     if (options.layout) c_.ui.layoutPreset = *options.layout;
+    if (options.lessons) c_.ui.column.choose(Task::Lesson);
     keptLayout_ = c_.ui.layoutPreset;
     if (options.input.source.empty()) return;
     arrival_.pending = true;
@@ -183,9 +184,6 @@ void DocumentController::open(const std::string& path) {
     }
     expectArrival(path);
     aimAtScene(path);
-    // A figure is read beside its rule.
-    if (figureOfSource(path) != nullptr && c_.ui.layoutPreset == LayoutPreset::Debug)
-        actions::applyLayoutPreset(c_, LayoutPreset::Learn);
     openInput(std::move(spec));
 }
 
@@ -220,6 +218,7 @@ void DocumentController::takeLooks(const SessionFile& file, const std::string& p
     UiState& ui = c_.ui;
     if (file.layers) ui.settings.layers = *file.layers;
     if (file.layout) ui.layoutPreset = keptLayout_ = *file.layout;
+    if (file.lessons) ui.column.choose(Task::Lesson);
     putBack(file.annotations, ui);
     ui.query.typed = file.query;
     ui.sessionPath = path;

@@ -114,8 +114,9 @@ void LessonController::take(OpenedLesson lesson) {
     const std::optional<LayoutPreset> layout = layoutPresetFromName(walk().lesson().layout);
     const bool stays =
         c_.ui.layoutPreset == LayoutPreset::Present || std::exchange(layoutGiven_, false) || again;
-    if (!stays) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Learn));
-    c_.ui.tab.wanted = kLessonTab;
+    if (!stays) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Debug));
+    c_.ui.follow = true;
+    c_.ui.column.choose(Task::Lesson);
     if (isLessonFile(walk().source())) document_.note(walk().source());
     goTo(std::exchange(toStep_, std::nullopt).value_or(kept));
 }
@@ -210,7 +211,7 @@ void LessonController::enter() {
     const bool plays = std::exchange(playsOnArrival_, false);
     if (walk().asks()) {
         session.setHorizon(home_);
-        if (c_.ui.layoutPreset == LayoutPreset::Compare) c_.ui.layoutPreset = LayoutPreset::Learn;
+        if (c_.ui.layoutPreset == LayoutPreset::Compare) c_.ui.layoutPreset = LayoutPreset::Debug;
         return;
     }
     if (walk().state().shown) return show();
@@ -331,6 +332,8 @@ void LessonController::close() {
     opening_.cancel();
     leaveStep();
     if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
+    c_.ui.follow = rowOf(c_.ui.layoutPreset).follows;
+    c_.ui.column.reset();
     const std::uint64_t next = panel().nextPractice;
     panel() = {};
     panel().nextPractice = next;

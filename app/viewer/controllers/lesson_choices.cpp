@@ -51,7 +51,7 @@ void LessonChoices::putBack() {
     // The user may have chosen another layout meanwhile.
     if (!before || c_.ui.layoutPreset != LayoutPreset::Compare) return;
     c_.ui.layoutPreset = *before;
-    c_.ui.tab.wanted = kLessonTab;
+    c_.ui.column.choose(Task::Lesson);
 }
 
 }  // namespace se::view

@@ -50,6 +50,7 @@ struct Options {
     std::optional<MeshStyle> meshStyle;
     std::optional<PointTint> pointTint;
     std::optional<LayoutPreset> layout;
+    bool lessons = false;           ///< The column opens at Lesson.
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: the built-in ones.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;

@@ -12,8 +12,7 @@ std::size_t placeOf(KeyStop stop) { return static_cast<std::size_t>(stop); }
 
 std::string_view keyStopName(KeyStop stop) {
     constexpr std::array<std::string_view, kKeyStopCount> kNames = {
-        "view",      "steps", "rings",       "ring points", "tabs",  "content",
-        "find tabs", "find",  "change tabs", "change",      "files", "scenes"};
+        "view", "rail", "content", "steps", "rings", "ring points", "files", "scenes"};
     return kNames[placeOf(stop)];
 }
 

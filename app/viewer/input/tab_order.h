@@ -10,21 +10,8 @@ namespace se::view {
 
 /// In the order of Tab. The view has the keyboard where no panel has; files and scenes are on
 /// the start page, which replaces it.
-enum class KeyStop : std::uint8_t {
-    View,
-    Steps,
-    Rings,
-    RingPoints,
-    Tabs,
-    Content,
-    FindTabs,
-    Find,
-    ChangeTabs,
-    Change,
-    Files,
-    Scenes
-};
-inline constexpr std::size_t kKeyStopCount = 12;
+enum class KeyStop : std::uint8_t { View, Rail, Content, Steps, Rings, RingPoints, Files, Scenes };
+inline constexpr std::size_t kKeyStopCount = 8;
 
 std::string_view keyStopName(KeyStop stop);
 

@@ -1,7 +1,6 @@
-/// Areas of the panels, from the size of the window and of the text. Plain arithmetic.
+/// Areas of the window, from its size and that of the text. Plain arithmetic.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 
@@ -20,51 +19,54 @@ struct Rect {
     }
 };
 
-/// The drawer with the strips under the view. Auto: folded in a low window.
-enum class DrawerChoice : std::uint8_t { Auto, Folded, Open };
-
-/// Handle of a splitter, which the user drags; empty where there is none.
-struct SplitterPlace {
-    Rect handle;
-    bool sideways = false;  ///< Moves left and right, else up and down.
-    float from = 0.0F;      ///< Edge of the part that it resizes, in pixels.
-    float sign = 1.0F;      ///< -1: the part grows towards lower coordinates.
-};
+/// The strip below the view. Auto: its lanes are folded on a finished run and in a low window.
+enum class StripChoice : std::uint8_t { Auto, Folded, Open };
 
 struct PanelRects {
     Rect menu;
-    Rect transport;
-    Rect left;   ///< Steps and rings, in Learn the groups; empty in a narrow window.
-    Rect rings;  ///< Lower part of `left`; empty: the rings are a tab.
-    Rect dial;   ///< Above the right column, in Learn below the left; empty: the dial is a tab.
-    Rect right;
-    Rect find;    ///< Below Steps and the view; empty: the groups share a column.
-    Rect change;  ///< Beside `find`.
     Rect view;
+    /// The sentence below the view, where it does not lie in it (Present, pages, a phone's shape).
     Rect narration;
-    Rect drawer;
-    Rect status;
-    bool dialApart = false;     ///< The dial has an area of its own.
-    bool narrow = false;        ///< One side column only.
-    bool drawerFolded = false;  ///< It holds the RUN strip alone.
-    bool groupsApart = false;   ///< `find` and `change` are there.
-    std::array<SplitterPlace, kSplitterCount> splitters{};
+    Rect column;  ///< The panel of the task; empty: it is folded.
+    Rect rail;    ///< The tasks: right of the column, or in a phone's shape below all.
+    Rect strip;   ///< Below the view: its parts follow, each empty where there is no room for it.
+    Rect transport;
+    Rect pivotStrip;  ///< The decisions of the pivot; empty on a finished run.
+    Rect figures;     ///< The most important counts of the run.
+    Rect runStrip;    ///< The lanes of the run; in a folded strip a line of it.
+    Rect stageStrip;
+    Rect left;                 ///< The form of a page.
+    Rect dial;                 ///< Beside a view alone.
+    Rect splitter;             ///< Handle between view and column.
+    bool phone = false;        ///< A phone's shape: one column, of which the sheet takes half.
+    bool stripFolded = false;  ///< The run is a line beside the transport.
     LayoutPreset layoutPreset = LayoutPreset::Debug;
-    /// Height of the line with the address at the top of the narration; 0: the status bar has it.
+    /// Height of the line with the address at the top of the narration; 0: it has none.
     float addressLine = 0.0F;
-    float caption =
-        1.0F;  ///< Size of the text below the view, relative to that of the Debug layout.
+    float caption = 1.0F;  ///< Size of the text below the view, relative to that over it.
 
     // Compare: `view` and `narration` are those of the open run.
     Rect title;  ///< Above the view.
     Rect otherView;
     Rect otherTitle;
-    Rect otherNarration;
 
-    // Parts of the drawer; the last two are empty if it is folded.
-    Rect runStrip;
-    Rect pivotStrip;
-    Rect stageStrip;
+    glm::vec2 window{0.0F};  ///< Size of all.
+
+    /// The views, with the titles above them, span this height from the top.
+    float viewsTop() const { return title.size.y > 0.0F ? title.min.y : view.min.y; }
+    bool captionInView() const { return narration.size.y <= 0.0F; }
+};
+
+/// What the areas depend on beside sizes.
+struct WindowState {
+    LayoutPreset layoutPreset = LayoutPreset::Debug;
+    StripChoice strip = StripChoice::Auto;
+    PanelSizes sizes;
+    bool sheet = false;     ///< In a phone's shape: the sheet is pulled up.
+    bool finished = false;  ///< The finished mesh is shown: no pivot has decisions.
+    bool lesson = false;    ///< In Present: the text of a lesson is the caption, without the strip.
+    float captionEms = 0.0F;  ///< Height of the caption in em, within limits; 0: the usual one.
+    bool beside = false;      ///< In Present: a second view beside the first.
 };
 
 /// A page with a form and controls of its own: menu, left column, view, and below it the narration
@@ -85,12 +87,9 @@ struct BesideView {
 /// The view alone, or the two views of Compare: no other area has a size.
 PanelRects viewAlone(glm::vec2 size, const BesideView& beside = {});
 
-/// The view never gets less than 40 % of the width. Learn has all side panels in the left column,
-/// the dial below; Present has no panel but view, caption and the strip of the run: the other areas
-/// are empty. Compare has two views, beside or above each other, whichever gives them more room.
-PanelRects computePanelRects(glm::vec2 size, float em,
-                             LayoutPreset layoutPreset = LayoutPreset::Debug,
-                             DrawerChoice drawer = DrawerChoice::Auto,
-                             const PanelSizes& sizes = {});
+/// Menu above, column and rail to the right, strip below; the view has the rest. Present has no
+/// panel but view, caption and the lanes of the run. Compare has two views, beside or above each
+/// other, whichever gives them more room.
+PanelRects computePanelRects(glm::vec2 size, float em, const WindowState& state = {});
 
 }  // namespace se::view

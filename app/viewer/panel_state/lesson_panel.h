@@ -29,7 +29,6 @@ struct LessonPanel {
     std::string follow;                 ///< The address of a link that was clicked; empty: none.
     std::string saveResult;             ///< The file to save the answers in; empty: none.
     std::string saveLesson;             ///< The file to save bookmarks in, as a lesson.
-    bool showsRuns = false;             ///< In Compare: the column shows the runs, not the lesson.
     float captionEms = 0.0F;            ///< Height of the text in Present, in its largest type.
     bool countsHands = false;           ///< Of the question: the fields for hands are open.
 

@@ -64,9 +64,8 @@ PanelSizes panelSizesIn(const json& object) {
     PanelSizes sizes;
     const auto found = object.find("panels");
     if (found == object.end() || !found->is_object()) return sizes;
-    for (std::size_t i = 0; i < kSplitterCount; ++i)
-        sizes.ems[i] = fieldIn(*found, std::string(kSplitterNames[i]).c_str(), 1.0F, 1000.0F, 0.0F);
-    const auto folded = found->find("folded");
+    sizes.column = fieldIn(*found, "column", 1.0F, 1000.0F, 0.0F);
+    const auto folded = found->find("columnFolded");
     sizes.folded = folded != found->end() && folded->is_boolean() && folded->get<bool>();
     return sizes;
 }
@@ -74,11 +73,20 @@ PanelSizes panelSizesIn(const json& object) {
 /// Only what the user has changed.
 json toJson(const PanelSizes& sizes) {
     json object = json::object();
-    for (std::size_t i = 0; i < kSplitterCount; ++i) {
-        if (sizes.ems[i] > 0.0F) object[std::string(kSplitterNames[i])] = sizes.ems[i];
-    }
-    if (sizes.folded) object["folded"] = true;
+    if (sizes.column > 0.0F) object["column"] = sizes.column;
+    if (sizes.folded) object["columnFolded"] = true;
     return object;
+}
+
+FoldedParts foldedPartsIn(const json& object) {
+    FoldedParts parts;
+    const auto found = object.find("parts");
+    if (found == object.end() || !found->is_object()) return parts;
+    for (const PartRow& part : partRows()) {
+        const auto open = found->find(std::string(part.title));
+        if (open != found->end() && open->is_boolean()) setOpen(parts, part, open->get<bool>());
+    }
+    return parts;
 }
 
 ViewSettings settingsFrom(const json& object) {
@@ -95,6 +103,7 @@ ViewSettings settingsFrom(const json& object) {
         s.names = names->get<bool>();
     }
     s.panels = panelSizesIn(object);
+    s.parts = foldedPartsIn(object);
     s.keys = keysIn(object, s.complaints);
     s.up = upAxisFromName(wordIn(object, "up"));
     // The default of the program that wrote the file was not chosen; that of 0.1.0 was flat.
@@ -117,6 +126,7 @@ json toJson(const ViewSettings& s) {
                    {"names", s.names},   {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     if (const json panels = toJson(s.panels); !panels.empty()) object["panels"] = panels;
+    if (!s.parts.empty()) object["parts"] = s.parts;
     object["meshStyle"] = rowOf(s.meshStyle).name;
     object["usualMeshStyle"] = rowOf(ViewSettings{}.meshStyle).name;
     object["pointTint"] = rowOf(s.pointTint).name;

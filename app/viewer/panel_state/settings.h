@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "column.h"
 #include "input/key_map.h"
 #include "layers/layer.h"
 #include "layout/panel_sizes.h"
@@ -34,6 +35,7 @@ struct ViewSettings {
     bool legend = true;
     bool names = true;  ///< Points of figures have the paper's letters.
     PanelSizes panels;
+    FoldedParts parts;  ///< Of the column.
     KeyMap keys;
     std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
     MeshStyle meshStyle = MeshStyle::Faults;

@@ -1,5 +1,4 @@
-/// The panels of the side columns and of the drawer: the titles of their tabs, and what each
-/// remembers. Plain values, no ImGui.
+/// What the panels of the column and the strips remember. Plain values, no ImGui.
 #pragma once
 
 #include <array>
@@ -19,40 +18,6 @@
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
-
-// Titles of panels that commands open.
-inline constexpr const char* kLessonTab = "Lesson";
-inline constexpr const char* kDoctorTab = "Doctor";  ///< Opens by itself if it has found a problem.
-inline constexpr const char* kBreakpointsTab = "Breakpoints";
-inline constexpr const char* kWatchTab = "Watch";
-inline constexpr const char* kAlertsTab = "Alerts";
-inline constexpr const char* kRulesTab = "Rules";
-inline constexpr const char* kSectionTab = "Section";
-inline constexpr const char* kWhatIfTab = "What if";
-inline constexpr const char* kPrepareTab = "Prepare";
-inline constexpr const char* kLedgerTab = "Ledger";
-inline constexpr const char* kQueryTab = "Query";
-inline constexpr const char* kChartsTab = "Charts";
-
-/// Panels that share a row of tabs, by what the user wants to do.
-enum class PanelGroup : std::uint8_t { Steps, Understand, Find, Change };
-inline constexpr std::size_t kPanelGroupCount = 4;
-
-/// The open tabs.
-struct OpenTab {
-    /// By group; empty: the first one.
-    using ByGroup = std::array<std::string, kPanelGroupCount>;
-
-    std::string title;   ///< The one opened last.
-    std::string wanted;  ///< To be opened in the next frame; empty: unchanged.
-    /// By a finding, not by the user: below the view one line says so, and the view keeps its size.
-    bool byFinding = false;
-    ByGroup open;
-    ByGroup learn;                              ///< In the layout Learn.
-    PanelGroup group = PanelGroup::Understand;  ///< Shown where several groups share a column.
-    /// Whether the tab was opened: until then it is one line.
-    std::array<bool, kPanelGroupCount> asked{};
-};
 
 /// The inputs of a painting of the lanes.
 struct LaneInputs {
@@ -91,22 +56,23 @@ class CursorWatch {
 };
 
 struct Navigation {
-    DrawerChoice drawer = DrawerChoice::Auto;
-    bool drawerFolded = false;  ///< As last laid out.
+    StripChoice strips = StripChoice::Auto;
+    bool stripFolded = false;  ///< As last laid out.
     StripWindow strip;
     PaintedLanes lanes;
     CursorWatch stripWatch;
     StepTree steps;
     CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
-    CursorWatch paperWatch;
     Index pointedAt = kNone;    ///< The point under the pointer, determined again in every frame.
     Index pointedRing = kNone;  ///< The ring under the pointer, determined again in every frame.
     CursorWatch ringWatch;
-    long ringShift = 0;  ///< Offset of the ring strip, in points.
+    bool opensLayers = false;  ///< The menu of the layers is to be opened in this frame.
+    bool opensNotes = false;   ///< The menu of the bookmarks and notes, too.
+    long ringShift = 0;        ///< Offset of the ring strip, in points.
 
-    /// Folds the drawer if it is open, otherwise opens it, regardless of the height of the window.
-    void toggleDrawer() { drawer = drawerFolded ? DrawerChoice::Open : DrawerChoice::Folded; }
+    /// Folds the strip below the view to its first row if it is open, otherwise opens all of it.
+    void toggleStrips() { strips = stripFolded ? StripChoice::Open : StripChoice::Folded; }
 };
 
 struct AlertsPanel {
@@ -114,20 +80,18 @@ struct AlertsPanel {
     bool reveal = false;               ///< The list scrolls to the chosen alert.
 };
 
-/// The card over the view that sums up the finished mesh.
 /// A request to close holes, answered when the new mesh has been checked.
 struct HoleClosing {
     double width = 0.0;      ///< The largest hole to close, scene units.
     std::size_t before = 0;  ///< Open loops before.
 };
 
-struct VerdictCard {
-    bool closed = false;  ///< By the user, until another input is opened.
+/// The part that sums up the finished mesh.
+struct VerdictPart {
     bool fixing = false;  ///< The best settings are applied when all are tried.
     /// The pointer is on Fix, or on its numbers: the view shows what it changes. Determined again
     /// in every frame.
     bool pointedAt = false;
-    bool faded = false;  ///< The pointer is on Fix of the card, as last drawn: it hides less.
     std::optional<HoleClosing> closing;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "column.h"
 #include "compare_page.h"
 #include "export_form.h"
 #include "file_browser_state.h"
@@ -89,7 +90,7 @@ struct UiState {
     Bookmarks bookmarks;
     std::vector<Breakpoint> breakpoints;
     AlertsPanel alerts;
-    VerdictCard verdict;
+    VerdictPart verdict;
     DoctorPanel doctor;
     WatchPanel watch;
     Lasso lasso;
@@ -121,13 +122,14 @@ struct UiState {
     /// Dial", "strip run"
     /// ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
-    OpenTab tab;
-    bool panelsQuiet = false;  ///< Find and Change show a line alone, as last drawn.
-    std::string addressLine;   ///< Line above the caption; empty: none.
-    LookBack look;             ///< Whether the state before the decision is shown.
-    double clock = 0.0;        ///< Seconds, summed over the frames.
-    FactsCache facts;          ///< Of the selection.
-    DoubleClickFilter click;   ///< In the view; it may be the first half of a double click.
+    Column column;
+    /// Share of the view's height that the caption covers at its lower edge, as last drawn.
+    float coveredBelow = 0.0F;
+    std::string addressLine;  ///< Line above the caption; empty: none.
+    LookBack look;            ///< Whether the state before the decision is shown.
+    double clock = 0.0;       ///< Seconds, summed over the frames.
+    FactsCache facts;         ///< Of the selection.
+    DoubleClickFilter click;  ///< In the view; it may be the first half of a double click.
     std::array<char, 64> ruleFilter{};
     WhatIfForm whatIf;
 };

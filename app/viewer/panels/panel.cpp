@@ -21,18 +21,18 @@ namespace se::view {
 template <class State>
 State& PanelContext::state() const {
     UiState& ui = commands.ui;
-    return std::get<State&>(
-        std::tie(ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.tab, ui.watch, ui.browsing,
-                 ui.click, ui.compare, ui.exported, ui.facts, ui.goTo, ui.growth, ui.lasso,
-                 ui.leaving, ui.ledger, ui.lesson, ui.look, ui.mesh, ui.move, ui.navigation,
-                 ui.palette, ui.piece, ui.prepare, ui.query, ui.section, ui.startPage,
-                 ui.subjectMenu, ui.typing, ui.verdict, ui.viewDrag, ui.walk, ui.whatIf));
+    return std::get<State&>(std::tie(
+        ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.column, ui.watch, ui.browsing,
+        ui.click, ui.compare, ui.exported, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving,
+        ui.ledger, ui.lesson, ui.look, ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
+        ui.prepare, ui.query, ui.section, ui.startPage, ui.subjectMenu, ui.typing, ui.verdict,
+        ui.viewDrag, ui.walk, ui.whatIf));
 }
 
 template AlertsPanel& PanelContext::state() const;
 template Bookmarks& PanelContext::state() const;
 template DoctorPanel& PanelContext::state() const;
-template OpenTab& PanelContext::state() const;
+template Column& PanelContext::state() const;
 template WatchPanel& PanelContext::state() const;
 template std::vector<Breakpoint>& PanelContext::state() const;
 template CommandPalette& PanelContext::state() const;
@@ -59,7 +59,7 @@ template SectionPanel& PanelContext::state() const;
 template StartPage& PanelContext::state() const;
 template SubjectMenu& PanelContext::state() const;
 template TypingWait& PanelContext::state() const;
-template VerdictCard& PanelContext::state() const;
+template VerdictPart& PanelContext::state() const;
 template ViewDrag& PanelContext::state() const;
 template WhatIfForm& PanelContext::state() const;
 
@@ -77,99 +77,30 @@ std::string PanelContext::key(const Command& command) const {
 
 namespace {
 
-constexpr auto kSidePanels = std::to_array<SidePanel>({
-    {"Steps", PanelGroup::Steps, drawSteps},
-    {kLessonTab, PanelGroup::Understand, drawLesson},
-    {"Dial", PanelGroup::Understand, drawDial},
-    {"Inspect", PanelGroup::Understand, drawInspect},
-    {"Paper", PanelGroup::Understand, drawPaper},
-    {kSectionTab, PanelGroup::Understand, drawSection},
-    {"Layers", PanelGroup::Understand, drawLayerSwitches},
-    {"Notes", PanelGroup::Understand, drawNotes},
-    {"Rings", PanelGroup::Understand, drawRings},
-    {kAlertsTab, PanelGroup::Find, drawAlerts, alertsLine},
-    {kLedgerTab, PanelGroup::Find, drawLedger},
-    {kQueryTab, PanelGroup::Find, drawQuery},
-    {kBreakpointsTab, PanelGroup::Find, drawBreakpoints},
-    {kWatchTab, PanelGroup::Find, drawWatch},
-    {kChartsTab, PanelGroup::Find, drawCharts},
-    {kDoctorTab, PanelGroup::Change, drawDoctor, doctorLine},
-    {kRulesTab, PanelGroup::Change, drawRules},
-    {kWhatIfTab, PanelGroup::Change, drawWhatIf},
-    {kPrepareTab, PanelGroup::Change, drawPrepare},
-});
-
 constexpr const char* kHiddenNote =
     "The other panels are hidden until the question is answered, or its answer shown.";
 
-constexpr std::array kAllGroups = {PanelGroup::Steps, PanelGroup::Understand, PanelGroup::Find,
-                                   PanelGroup::Change};
-
-/// The column on the left: steps above rings.
-void drawLeftColumn(const PanelContext& context) {
-    Rect steps = context.rects.left;
-    steps.size.y -= context.rects.rings.size.y;
-    if (beginRegion("Steps", steps)) drawSteps(context);
-    ImGui::End();
-    if (context.rects.rings.size.y <= 0.0F) return;
-    if (beginRegion("Rings", context.rects.rings)) drawRings(context);
-    ImGui::End();
-}
-
-/// Learn has the groups on the left.
-void drawLearnColumn(const PanelContext& context) {
-    if (beginRegion("##learn", context.rects.left))
-        drawGroups(context, std::span(kAllGroups).subspan(1));
-    ImGui::End();
-}
-
-void drawDialColumn(const PanelContext& context) {
-    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse))
-        drawDial(context);
-    ImGui::End();
-}
-
-/// A narrow window has all groups here.
-void drawRightColumn(const PanelContext& context) {
-    const PanelRects& l = context.rects;
-    const std::size_t first = l.narrow ? 0 : 1;
-    const std::size_t count = l.groupsApart ? 1 : kAllGroups.size() - first;
-    if (beginRegion("##right", l.right))
-        drawGroups(context, std::span(kAllGroups).subspan(first, count));
-    ImGui::End();
-}
-
-/// While a question is open: the lesson at its usual place, and no other panel.
-void drawColumnsOfQuestion(const PanelContext& context) {
-    const PanelRects& l = context.rects;
+/// Panels around the view; Present has the strip alone, and during a question there is none but the
+/// lesson.
+void drawAround(const PanelContext& context) {
+    if (context.rects.layoutPreset == LayoutPreset::Present) return drawStrip(context);
     drawMenuBar(context);
-    const bool right = l.layoutPreset == LayoutPreset::Debug;
-    if (beginRegion(right ? "##right" : "##learn", right ? l.right : l.left)) drawLesson(context);
+    drawColumn(context);
+    if (!context.state<LessonPanel>().hides()) {
+        drawRail(context);
+        return drawStrip(context);
+    }
+    if (beginRegion("##rail", context.rects.rail)) {
+    }
     ImGui::End();
-    if (beginRegion("##hidden", l.drawer)) dimText(kHiddenNote);
+    if (beginRegion("##strip", context.rects.strip)) dimText(kHiddenNote);
     ImGui::End();
-}
-
-/// Panels around the view; Present has none of them.
-void drawColumns(const PanelContext& context) {
-    if (context.rects.layoutPreset == LayoutPreset::Present) return;
-    if (context.state<LessonPanel>().hides()) return drawColumnsOfQuestion(context);
-    drawMenuBar(context);
-    drawTransport(context);
-    drawStatusBar(context);
-    if (context.rects.layoutPreset == LayoutPreset::Compare) return drawCompareColumn(context);
-    openWantedTab(context);
-    if (context.rects.dialApart) drawDialColumn(context);
-    if (context.rects.layoutPreset == LayoutPreset::Learn) return drawLearnColumn(context);
-    if (!context.rects.narrow) drawLeftColumn(context);
-    drawRightColumn(context);
-    if (context.rects.groupsApart) drawLowerGroups(context);
 }
 
 /// A window above those of the regions and below menus and tooltips, which takes no input.
 ImDrawList* beginOverRegions(const PanelContext& context) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
-    ImGui::SetNextWindowSize({context.rects.menu.size.x, context.rects.status.max().y});
+    ImGui::SetNextWindowSize(toVec2(context.rects.window));
     ImGui::Begin("##borders", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
@@ -184,34 +115,25 @@ void drawBorders(const PanelContext& context) {
     ImDrawList* list = beginOverRegions(context);
     // The window clips at its padding.
     list->PushClipRectFullScreen();
-    const auto horizontal = [&](float y) {
-        list->AddRectFilled({0.0F, y}, {l.menu.size.x, y + 1.0F}, color);
+    const auto horizontal = [&](float y, float from, float to) {
+        list->AddRectFilled({from, y}, {to, y + 1.0F}, color);
     };
-    const float top = l.title.size.y > 0.0F ? l.title.min.y : l.view.min.y;
-    const float lower = l.groupsApart ? l.find.min.y : l.drawer.min.y;
     const auto vertical = [&](float x, float from, float to) {
         list->AddRectFilled({x, from}, {x + 1.0F, to}, color);
     };
-    horizontal(l.transport.max().y);
-    horizontal(l.drawer.min.y);
-    horizontal(l.status.min.y);
-    if (l.left.size.x > 0.0F) vertical(l.left.max().x, top, lower);
-    if (l.right.size.x > 0.0F) vertical(l.right.min.x, top, l.drawer.min.y);
-    if (l.otherView.min.x > l.view.min.x) {
-        // In Present the caption below is that of both views.
-        const bool two = l.otherNarration.size.x > 0.0F;
-        vertical(l.otherView.min.x, top, two ? lower : l.narration.min.y);
+    const float width = l.window.x;
+    horizontal(l.menu.max().y, 0.0F, width);
+    for (const Rect& each : {l.strip, l.narration})
+        if (each.size.y > 0.0F) horizontal(each.min.y, each.min.x, each.max().x);
+    if (l.phone) {
+        horizontal(l.rail.min.y, 0.0F, width);
+        if (l.column.size.y > 0.0F) horizontal(l.column.min.y, 0.0F, width);
+    } else {
+        for (const Rect& each : {l.column, l.rail})
+            if (each.size.x > 0.0F) vertical(each.min.x, each.min.y, each.max().y);
     }
-    if (l.groupsApart) vertical(l.change.min.x, lower, l.drawer.min.y);
-    const auto above = [&](const Rect& area) {
-        list->AddRectFilled(toVec2(area.min), {area.max().x, area.min.y + 1.0F}, color);
-    };
-    if (l.dialApart) above(l.layoutPreset == LayoutPreset::Learn ? l.dial : l.right);
-    if (l.rings.size.y > 0.0F) above(l.rings);
-    if (l.groupsApart) above({l.find.min, {l.right.min.x, 0.0F}});
-    list->AddRectFilled(toVec2(l.narration.min),
-                        {l.narration.max().x + l.otherNarration.size.x, l.narration.min.y + 1.0F},
-                        color);
+    if (l.otherView.min.x > l.view.min.x)
+        vertical(l.otherView.min.x, l.viewsTop(), l.otherView.max().y);
     list->PopClipRect();
     ImGui::End();
 }
@@ -226,6 +148,13 @@ void drawDivider(const PanelContext& context) {
                                                   toU32(context.palette.border));
 }
 
+/// The dial beside the view of a picture.
+void drawDialBeside(const PanelContext& context) {
+    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse))
+        drawDial(context);
+    ImGui::End();
+}
+
 /// The view of a picture, with what is chosen beside it.
 void drawPictureAlone(const PanelContext& context) {
     drawView(context);
@@ -233,8 +162,8 @@ void drawPictureAlone(const PanelContext& context) {
         drawComparedViews(context);
         drawDivider(context);
     }
-    if (context.rects.dialApart) drawDialColumn(context);
-    if (context.ui().picture.caption) drawNarration(context);
+    if (context.rects.dial.size.x > 0.0F) drawDialBeside(context);
+    drawNarration(context);
 }
 
 /// Over everything.
@@ -248,28 +177,15 @@ void drawBlankScreen(const PanelContext& context) {
 
 }  // namespace
 
-std::span<const SidePanel> sidePanels() { return kSidePanels; }
-
-PanelPlace placeOf(const PanelRects& rects, const SidePanel& panel) {
-    const bool debug = rects.layoutPreset == LayoutPreset::Debug;
-    const bool apart = (panel.draw == drawDial && rects.dialApart) ||
-                       (panel.draw == drawRings && rects.rings.size.y > 0.0F) ||
-                       (panel.draw == drawSteps && debug && !rects.narrow);
-    if (apart) return PanelPlace::Apart;
-    const bool left = panel.draw == drawSteps || panel.draw == drawRings;
-    return left && !debug ? PanelPlace::Nowhere : PanelPlace::Tab;
-}
-
 void drawPanels(const PanelContext& context) {
     context.state<Navigation>().pointedAt = kNone;
-    context.state<VerdictCard>().pointedAt = false;
+    context.state<VerdictPart>().pointedAt = false;
     context.state<KeyWalk>().begin();
     context.state<Navigation>().pointedRing = kNone;
     context.where() = {
-        {"region view", context.rects.view},           {"region left", context.rects.left},
-        {"region dial", context.rects.dial},           {"region right", context.rects.right},
-        {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer},
-        {"region find", context.rects.find},           {"region change", context.rects.change}};
+        {"region view", context.rects.view},           {"region column", context.rects.column},
+        {"region rail", context.rects.rail},           {"region strip", context.rects.strip},
+        {"region narration", context.rects.narration}, {"region left", context.rects.left}};
     keepSteps(context);
     if (context.ui().picture.viewAlone) return drawPictureAlone(context);
     const bool growth = context.state<GrowthPage>().open;
@@ -281,19 +197,16 @@ void drawPanels(const PanelContext& context) {
         drawMenuBar(context);
         drawStartPage(context);
     } else {
-        drawColumns(context);
+        drawAround(context);
         drawView(context);
         if (context.rects.otherView.size.x > 0.0F) drawComparedViews(context);
         drawNarration(context);
-        if (!context.state<LessonPanel>().hides()) drawDrawer(context);
+        drawSplitter(context);
     }
-    if (!startPage && !growth) drawSplitters(context);
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().coversView()) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
-    if (!growth && !context.state<PieceTool>().on && !context.state<LessonPanel>().hides())
-        drawVerdict(context);
     if (!growth && !startPage) drawPieceStrip(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);

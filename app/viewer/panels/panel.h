@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -67,16 +68,18 @@ void drawMenuBar(const PanelContext& context);
 void drawStartPage(const PanelContext& context);
 /// Replaces all panels while new points spread; the open input waits.
 void drawGrowthPage(const PanelContext& context);
-void drawTransport(const PanelContext& context);
+/// The strip below the view: transport, cells of the pivot, lanes of the run.
+void drawStrip(const PanelContext& context);
+/// The box with the address, in the menu bar.
+void drawGoTo(const PanelContext& context, float width);
 /// The scene with its overlays, in a window of that name.
 void drawView(const PanelContext& context, const char* window = "##view");
-/// The column, the titles, the second view and its sentence of the layout Compare.
-void drawCompareColumn(const PanelContext& context);
+/// The titles and the second view of the layout Compare.
 void drawComparedViews(const PanelContext& context);
-/// The decision of the context's session, in a window of that name.
-void drawNarration(const PanelContext& context, const char* window = "##narration");
-void drawDrawer(const PanelContext& context);
-void drawStatusBar(const PanelContext& context);
+/// The decision of the context's session: below the view, or on a plate in it, whose place is
+/// empty if there is nothing to say.
+void drawNarration(const PanelContext& context);
+std::optional<Rect> drawCaption(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
 /// The guide, or what this program is.
 void drawHelp(const PanelContext& context);
@@ -88,14 +91,16 @@ void drawFileBrowser(const PanelContext& context);
 void drawSubjectMenu(const PanelContext& context);
 /// The question whether to save annotations before the session is left.
 void drawLeaveQuestion(const PanelContext& context);
-/// The card that sums up the finished mesh, with what to do next.
+/// The sum of the finished mesh, with what to do next.
 void drawVerdict(const PanelContext& context);
 /// The strip of the tool for a piece of a scan, while it is on.
 void drawPieceStrip(const PanelContext& context);
 /// Notices: loading, failed, or a long move in progress.
 void drawNotices(const PanelContext& context);
 
-// Contents of the side columns.
+// Parts of the column, and of menus.
+/// The choice of another run, and where the two differ.
+void drawCompare(const PanelContext& context);
 void drawSteps(const PanelContext& context);
 void drawRings(const PanelContext& context);
 /// The step of the open lesson, or the list of lessons.
@@ -114,8 +119,6 @@ void drawBreakpoints(const PanelContext& context);
 void drawWatch(const PanelContext& context);
 /// Points that take no part in the run, by reason; nothing if there are none. Requires an open run.
 void drawAside(const PanelContext& context);
-/// The best settings that were tried, and a button of this name that takes them.
-void drawBestTrial(const PanelContext& context, const std::string& name);
 /// Findings of the doctor.
 void drawDoctor(const PanelContext& context);
 /// Failures of the run.
@@ -150,31 +153,18 @@ void queryHelp(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 
-/// One panel with a tab.
-struct SidePanel {
+/// How a part of the column is drawn: the row of partRows() with that title.
+struct PartPanel {
     const char* title;
-    PanelGroup group;
     void (*draw)(const PanelContext& context);
-    /// The line that sums it up until the user opens it, in Find and Change. Null: none.
-    std::string (*line)(const PanelContext& context) = nullptr;
+    /// False: the part is not there now. Null: it always is.
+    bool (*isThere)(const PanelContext& context) = nullptr;
 };
-std::span<const SidePanel> sidePanels();
-std::string alertsLine(const PanelContext& context);
-std::string doctorLine(const PanelContext& context);
-
-/// Where a panel stands.
-enum class PanelPlace : std::uint8_t { Tab, Apart, Nowhere };
-PanelPlace placeOf(const PanelRects& rects, const SidePanel& panel);
-/// Opens the requested tab, at the beginning of a frame.
-void openWantedTab(const PanelContext& context);
-/// Whether both Find and Change show a line alone.
-bool groupsAreQuiet(const PanelContext& context);
-/// A column with the tabs of these groups: if there are several, with a row that chooses one.
-void drawGroups(const PanelContext& context, std::span<const PanelGroup> groups);
-/// The areas of Find and Change.
-void drawLowerGroups(const PanelContext& context);
-/// The handles between areas, which the user drags; a double click resets the size.
-void drawSplitters(const PanelContext& context);
+/// The rail of tasks, and the parts of the open one.
+void drawColumn(const PanelContext& context);
+void drawRail(const PanelContext& context);
+/// The handle between view and column, which the user drags; a double click resets the width.
+void drawSplitter(const PanelContext& context);
 
 /// Draws all panels.
 void drawPanels(const PanelContext& context);

@@ -7,10 +7,8 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<LayoutPresetRow, 4> kLayoutPresets = {{
-    {LayoutPreset::Debug, "debug", "Debug", "All panels."},
-    {LayoutPreset::Learn, "learn", "Learn",
-     "The rule beside a large view, the decision in large type. F2: next layout.", true},
+constexpr std::array<LayoutPresetRow, 3> kLayoutPresets = {{
+    {LayoutPreset::Debug, "debug", "Debug", "View, column and strip."},
     {LayoutPreset::Present, "present", "Present",
      "Only view, caption and run. F2 brings the panels back; all keys work.", true},
     {LayoutPreset::Compare, "compare", "Compare",
@@ -26,6 +24,7 @@ const LayoutPresetRow& rowOf(LayoutPreset layoutPreset) {
 }
 
 std::optional<LayoutPreset> layoutPresetFromName(std::string_view name) {
+    if (opensLessons(name)) return LayoutPreset::Debug;
     const auto found = std::find_if(kLayoutPresets.begin(), kLayoutPresets.end(),
                                     [&](const LayoutPresetRow& row) { return row.name == name; });
     if (found == kLayoutPresets.end()) return std::nullopt;
@@ -33,7 +32,7 @@ std::optional<LayoutPreset> layoutPresetFromName(std::string_view name) {
 }
 
 LayoutPreset following(LayoutPreset layoutPreset) {
-    constexpr std::size_t kOnKey = 3;
+    constexpr std::size_t kOnKey = 2;
     const std::size_t next = static_cast<std::size_t>(layoutPreset) + 1;
     return kLayoutPresets[next < kOnKey ? next : 0].id;
 }

@@ -1,4 +1,4 @@
-/// Layouts of the window: for debugging, for learning, for presenting, for comparing.
+/// Layouts of the window: with panels, for presenting, for comparing.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,8 @@
 namespace se::view {
 
 enum class LayoutPreset : std::uint8_t {
-    Debug,    ///< Everything.
-    Learn,    ///< The paper's rule on the left, a large view and a large caption.
-    Present,  ///< View, caption and the strip of the run.
+    Debug,    ///< View, column and strip.
+    Present,  ///< View, caption and the lanes of the run.
     Compare,  ///< Two runs, or a run and a mesh, side by side; F2 skips it.
 };
 
@@ -24,11 +23,14 @@ struct LayoutPresetRow {
     bool follows = false;    ///< The camera follows the decision unless that is turned off.
 };
 
-/// All layouts; F2 cycles through the first three in this order.
+/// All layouts; F2 cycles through the first two in this order.
 std::span<const LayoutPresetRow> layoutPresets();
 const LayoutPresetRow& rowOf(LayoutPreset layoutPreset);
-/// Empty if there is none of that name.
+/// Empty if there is none of that name. The layout "learn" of version 0.2 is Debug with the column
+/// at Lesson: see opensLessons().
 std::optional<LayoutPreset> layoutPresetFromName(std::string_view name);
+/// Whether a layout of this name opens the column at Lesson.
+inline bool opensLessons(std::string_view name) { return name == "learn"; }
 /// The next layout for F2; after the last, and from Compare, the first.
 LayoutPreset following(LayoutPreset layoutPreset);
 

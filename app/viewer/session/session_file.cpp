@@ -165,7 +165,10 @@ Complaint readLooks(const json& object, SessionFile& out) {
         out.leftOut = read.complaint();
     }
     if (const json* layout = find(object, "layout"); layout != nullptr) {
-        if (layout->is_string()) out.layout = layoutPresetFromName(layout->get<std::string>());
+        if (layout->is_string()) {
+            out.layout = layoutPresetFromName(layout->get<std::string>());
+            out.lessons = opensLessons(layout->get<std::string>());
+        }
         if (!out.layout)
             return expected("layout", "\"debug\", \"learn\", \"present\" or \"compare\"");
     }

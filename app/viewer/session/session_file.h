@@ -26,6 +26,7 @@ struct SessionFile {
     ViewPosition place;
     std::optional<LayerModes> layers;
     std::optional<LayoutPreset> layout;
+    bool lessons = false;  ///< The layout "learn" of version 0.2: the column opens at Lesson.
     Selection selected;
     std::string alert;  ///< Alert that was shown, see alertName(); empty: none.
     CompareWith with;   ///< The other run or mesh.

@@ -219,8 +219,8 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
         choose(all.front(), app.context);
     };
     choosing("dial", PaletteEntry::Kind::Panel);
-    CHECK(app.ui.tab.wanted == "Dial");
-    app.ui.layoutPreset = LayoutPreset::Learn;
+    CHECK(app.ui.column.part == "Dial");
+    app.ui.layoutPreset = LayoutPreset::Present;
     choosing("steps", PaletteEntry::Kind::Panel);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     choosing("figure 12", PaletteEntry::Kind::Scene);

@@ -137,7 +137,7 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     CHECK(alerts.chosen() == worst.front());
     CHECK(app.session.selection() == subjectOf(search.failures()[worst.front()]));
     CHECK(app.ui.requests.frameAlert);
-    CHECK(app.ui.tab.wanted == kAlertsTab);
+    CHECK(app.ui.column.part == kAlertsPart);
     CHECK(app.session.messages().last() ==
           "Place 1 of " + std::to_string(search.places().size()) + ": " +
               describe(search.places()[0], search.found()->all) + ".");
@@ -262,7 +262,6 @@ TEST_CASE(
     REQUIRE_FALSE(alerts.places().empty());
     CHECK(app.session.atEnd());
     CHECK_FALSE(app.session.alerts().chosen());
-    CHECK(app.ui.tab.wanted == kAlertsTab);
     CHECK(app.alerts.takeOpened());
     // Re-run, with another rule or unchanged: the cursor stays at the end.
     app.ui.requests.reload = true;
@@ -465,12 +464,12 @@ TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
     CHECK(AlertApp(file.path.string(), {}, "7").session.record().pivot == 7);
     AlertApp sound("scene:sphere");
     CHECK(sound.place() == "start");
-    CHECK(sound.ui.tab.wanted.empty());
-    AlertApp learn("scene:torus");
-    learn.ui.layoutPreset = LayoutPreset::Learn;
-    learn.document.open(file.path.string());
-    learn.arrive();
-    CHECK(learn.place() == "start");
+    CHECK(sound.ui.column.part.empty());
+    AlertApp present("scene:torus");
+    present.ui.layoutPreset = LayoutPreset::Present;
+    present.document.open(file.path.string());
+    present.arrive();
+    CHECK(present.place() == "start");
 }
 
 TEST_CASE("--alert opens on any alert, at a position if one is named too, and fails otherwise") {

@@ -36,7 +36,7 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
     const CameraPose camera = app.camera.pose();
     modeOf(app.ui.settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
     const LayerModes layers = app.ui.settings.layers;
-    app.ui.layoutPreset = LayoutPreset::Learn;
+    app.ui.layoutPreset = LayoutPreset::Present;
     app.ui.notes = "odd";
     toggleBookmark(app.ui.bookmarks, app.session.address());
     const fs::path path = app.folder / "a.sesession";
@@ -53,7 +53,7 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
     CHECK(pose->pitchDegrees == doctest::Approx(camera.pitchDegrees));
     CHECK_FALSE(other.document.takeCamera().has_value());
     CHECK(other.ui.settings.layers == layers);
-    CHECK(other.ui.layoutPreset == LayoutPreset::Learn);
+    CHECK(other.ui.layoutPreset == LayoutPreset::Present);
     CHECK(other.ui.notes == "odd");
     CHECK(other.ui.bookmarks == app.ui.bookmarks);
     CHECK(other.ui.sessionPath == path);

@@ -240,7 +240,7 @@ TEST_CASE("A step that compares opens the layout Compare, and the next one retur
     REQUIRE(app.ui.compare.begin.has_value());
     CHECK(differenceText(app.session.input().spec(), app.ui.compare.begin->run) == "sphere off");
     app.ask(LessonAsk::Previous);
-    CHECK(app.ui.layoutPreset == LayoutPreset::Learn);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     CHECK(app.ui.compare.ask == CompareAsk::Stop);
 }
 
@@ -278,7 +278,7 @@ TEST_CASE("Letters choose an option of the open question, and Enter answers") {
     // B is black there.
     app.ui.layoutPreset = LayoutPreset::Present;
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
-    app.ui.layoutPreset = LayoutPreset::Learn;
+    app.ui.layoutPreset = LayoutPreset::Debug;
     app.ask(LessonAsk::Show);
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
 }
@@ -356,7 +356,7 @@ TEST_CASE("A lesson leaves layers, layout and playback as the user had them") {
     app.playback.setRate(15.0);
     app.open("practice:3");
     CHECK(app.ui.settings.layers != layers);
-    CHECK(app.ui.layoutPreset == LayoutPreset::Learn);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     app.walk().showAnswer();
     app.ask(LessonAsk::Return);
     CHECK(app.playback.playing());

@@ -1,5 +1,4 @@
 #include "input/tab_order.h"
-#include "layout/bars.h"
 
 #include <doctest/doctest.h>
 
@@ -20,8 +19,8 @@ KeyStop frame(KeyWalk& walk, std::initializer_list<KeyStop> panels) {
     return got;
 }
 
-constexpr std::initializer_list<KeyStop> kDebug = {
-    KeyStop::Steps, KeyStop::Rings, KeyStop::RingPoints, KeyStop::Tabs, KeyStop::Content};
+constexpr std::initializer_list<KeyStop> kDebug = {KeyStop::Rail, KeyStop::Content, KeyStop::Steps,
+                                                   KeyStop::Rings, KeyStop::RingPoints};
 
 }  // namespace
 
@@ -39,15 +38,15 @@ TEST_CASE("Tab leads from the view through all panels and back to the view") {
     walk.go(1);
     CHECK(walk.at() == KeyStop::View);
     walk.go(-1);
-    CHECK(frame(walk, kDebug) == KeyStop::Content);
+    CHECK(frame(walk, kDebug) == KeyStop::RingPoints);
 }
 
 TEST_CASE("Missing panels are skipped") {
     KeyWalk walk;
-    frame(walk, {KeyStop::Tabs});
-    frame(walk, {KeyStop::Tabs});
+    frame(walk, {KeyStop::Rail});
+    frame(walk, {KeyStop::Rail});
     walk.go(1);
-    CHECK(frame(walk, {KeyStop::Tabs}) == KeyStop::Tabs);
+    CHECK(frame(walk, {KeyStop::Rail}) == KeyStop::Rail);
     walk.go(1);
     CHECK(walk.at() == KeyStop::View);
     KeyWalk alone;
@@ -63,18 +62,8 @@ TEST_CASE("The view has the keyboard again when the panel with it is gone") {
     frame(walk, kDebug);
     walk.go(1);
     frame(walk, kDebug);
-    CHECK(walk.at() == KeyStop::Steps);
+    CHECK(walk.at() == KeyStop::Rail);
     frame(walk, {});
     frame(walk, {});
     CHECK(walk.at() == KeyStop::View);
-}
-
-TEST_CASE("Parts of the status bar are whole or missing, the most important first") {
-    const std::array<float, 4> widths = {60, 80, 200, 300};
-    CHECK(fittingParts(1000, widths, 20) == 4);
-    CHECK(fittingParts(700, widths, 20) == 4);
-    CHECK(fittingParts(699, widths, 20) == 3);
-    CHECK(fittingParts(379, widths, 20) == 2);
-    CHECK(fittingParts(159, widths, 20) == 1);
-    CHECK(fittingParts(59, widths, 20) == 0);
 }

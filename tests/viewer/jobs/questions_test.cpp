@@ -67,7 +67,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
     CHECK(app.ledger() == nullptr);
     app.session().select(32);
     app.run("ask.why");
-    CHECK(app.ui.tab.wanted == kLedgerTab);
+    CHECK(app.ui.column.part == kLedgerPart);
     CHECK(app.session().questions().busy());
     const WhyAnswer* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
@@ -82,7 +82,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
 TEST_CASE("Without a selection W waits for input") {
     QuestionApp app;
     app.run("ask.why");
-    CHECK(app.ui.tab.wanted == kLedgerTab);
+    CHECK(app.ui.column.part == kLedgerPart);
     CHECK(app.ui.ledger.wantsKeyboard);
     CHECK_FALSE(app.session().questions().busy());
 }

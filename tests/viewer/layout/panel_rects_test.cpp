@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <utility>
 #include <vector>
 
 using namespace se::view;
@@ -15,18 +14,31 @@ struct Screen {
     float em;
 };
 
-constexpr Screen kScreens[] = {{{1280, 800}, 16}, {{1600, 900}, 16},  {{1024, 640}, 16},
-                               {{1280, 800}, 32}, {{3840, 2160}, 32}, {{640, 400}, 16}};
+constexpr Screen kScreens[] = {{{1280, 800}, 16},  {{1600, 900}, 16},  {{1024, 640}, 16},
+                               {{1280, 800}, 32},  {{3840, 2160}, 32}, {{640, 400}, 16},
+                               {{2560, 1440}, 32}, {{390, 844}, 16}};
 
 struct Case {
     Screen screen;
-    LayoutPreset layoutPreset;
+    WindowState state;
 };
 
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const Screen& screen : kScreens) {
-        for (const LayoutPresetRow& row : layoutPresets()) all.push_back({screen, row.id});
+        for (const LayoutPresetRow& row : layoutPresets()) {
+            for (const StripChoice strip :
+                 {StripChoice::Auto, StripChoice::Folded, StripChoice::Open}) {
+                for (const bool finished : {false, true}) {
+                    WindowState state;
+                    state.layoutPreset = row.id;
+                    state.strip = strip;
+                    state.finished = finished;
+                    state.sheet = finished;
+                    all.push_back({screen, state});
+                }
+            }
+        }
     }
     return all;
 }
@@ -35,21 +47,27 @@ bool overlapping(const Rect& a, const Rect& b) {
     return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
 }
 
+float areaOf(const Rect& rect) { return rect.size.x * rect.size.y; }
+
+/// Share of the window that the view has.
+float shareOf(const Screen& screen, const WindowState& state = {}) {
+    const PanelRects l = computePanelRects(screen.size, screen.em, state);
+    return areaOf(l.view) / (screen.size.x * screen.size.y);
+}
+
 }  // namespace
 
-TEST_CASE("Panels fill the window without overlap, at every size") {
-    for (const Case& each : allCases()) {
-        const Screen& screen = each.screen;
+TEST_CASE("Areas fill the window without overlap, at every size") {
+    for (const auto& [screen, state] : allCases()) {
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
-        CAPTURE(rowOf(each.layoutPreset).name);
-        const PanelRects l = computePanelRects(screen.size, screen.em, each.layoutPreset);
-        const Rect all[] = {l.menu,  l.transport, l.left,      l.dial,       l.right,
-                            l.find,  l.change,    l.view,      l.narration,  l.drawer,
-                            l.title, l.status,    l.otherView, l.otherTitle, l.otherNarration};
+        CAPTURE(rowOf(state.layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, state);
+        const Rect all[] = {l.menu,      l.view,  l.narration,  l.column, l.rail,
+                            l.otherView, l.title, l.otherTitle, l.strip};
         float area = 0.0F;
         for (const Rect& a : all) {
-            area += a.size.x * a.size.y;
+            area += areaOf(a);
             CHECK(a.min.x >= 0.0F);
             CHECK(a.max().x <= screen.size.x);
             CHECK(a.max().y <= screen.size.y);
@@ -59,171 +77,152 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
     }
 }
 
-TEST_CASE("The view never has less than 40 percent of the width") {
-    for (const auto& [screen, layoutPreset] : allCases()) {
+TEST_CASE("The parts of the strip lie in it without overlap") {
+    for (const auto& [screen, state] : allCases()) {
         CAPTURE(screen.size.x);
-        CAPTURE(rowOf(layoutPreset).name);
-        const PanelRects l = computePanelRects(screen.size, screen.em, layoutPreset);
-        // Where there are two, both together.
-        const bool beside = l.otherView.min.y == l.view.min.y;
-        CHECK(l.view.size.x + (beside ? l.otherView.size.x : 0.0F) >= 0.4F * screen.size.x);
-        CHECK(l.view.size.y >= 0.2F * screen.size.y);
-    }
-}
-
-TEST_CASE("Small windows have one column, low ones one strip") {
-    CHECK_FALSE(computePanelRects({1280, 800}, 16).narrow);
-    CHECK(computePanelRects({1280, 800}, 32).narrow);
-    PanelSizes sizes;
-    const auto folded = [&](float height, float em) {
-        return computePanelRects({1280.0F, height}, em, LayoutPreset::Debug, DrawerChoice::Auto,
-                                 sizes)
-            .drawerFolded;
-    };
-    sizes.quiet = true;
-    CHECK_FALSE(folded(800.0F, 16.0F));
-    CHECK_FALSE(folded(700.0F, 16.0F));
-    CHECK(folded(699.0F, 16.0F));
-    CHECK(folded(800.0F, 32.0F));
-    // Open panels below the view take the room of two strips, unless the window is high.
-    sizes.quiet = false;
-    CHECK(folded(800.0F, 16.0F));
-    CHECK_FALSE(folded(900.0F, 16.0F));
-}
-
-TEST_CASE("Find and Change are side by side below the view, and can be folded") {
-    PanelSizes sizes;
-    const auto laidOut = [&] {
-        return computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Open, sizes);
-    };
-    const PanelRects open = laidOut();
-    REQUIRE(open.groupsApart);
-    CHECK(open.find.max().x == open.change.min.x);
-    CHECK(open.change.max().x == open.right.min.x);
-    sizes.quiet = true;
-    const PanelRects quiet = laidOut();
-    sizes.folded = true;
-    const PanelRects folded = laidOut();
-    CHECK(quiet.find.size.y < open.find.size.y);
-    CHECK(folded.find.size.y < quiet.find.size.y);
-    CHECK(folded.view.size.y - open.view.size.y == open.find.size.y - folded.find.size.y);
-    // A small window has them in the column.
-    CHECK_FALSE(computePanelRects({1280, 800}, 32).groupsApart);
-    CHECK(computePanelRects({1024, 640}, 16).groupsApart);
-}
-
-TEST_CASE("Splitters set sizes, but the view keeps its share") {
-    for (const Screen& screen : kScreens) {
-        for (std::size_t i = 0; i < kSplitterCount; ++i) {
-            for (const float ems : {1.0F, 22.0F, 500.0F}) {
-                CAPTURE(screen.size.x);
-                CAPTURE(screen.em);
-                CAPTURE(kSplitterNames[i]);
-                CAPTURE(ems);
-                PanelSizes sizes;
-                sizes.ems[i] = ems;
-                for (const LayoutPresetRow& row : layoutPresets()) {
-                    const PanelRects l = computePanelRects(screen.size, screen.em, row.id,
-                                                           DrawerChoice::Auto, sizes);
-                    const bool beside = l.otherView.min.y == l.view.min.y;
-                    const float both = l.view.size.x + (beside ? l.otherView.size.x : 0.0F);
-                    CHECK(both >= 0.399F * screen.size.x);
-                    CHECK(l.view.size.y >= 0.2F * screen.size.y);
-                    for (const Rect& a : {l.left, l.right, l.dial, l.rings, l.find, l.change}) {
-                        CHECK(a.size.x >= 0.0F);
-                        CHECK(a.size.y >= 0.0F);
-                        CHECK(a.max().x <= screen.size.x);
-                        CHECK(a.max().y <= screen.size.y);
-                    }
-                }
-            }
+        CAPTURE(rowOf(state.layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, state);
+        const Rect all[] = {l.transport, l.pivotStrip, l.figures, l.runStrip, l.stageStrip};
+        for (const Rect& a : all) {
+            if (areaOf(a) <= 0.0F) continue;
+            CHECK(a.min.y >= l.strip.min.y);
+            CHECK(a.max().y <= l.strip.max().y + 0.01F);
+            CHECK(a.max().x <= l.strip.max().x + 0.01F);
+            for (const Rect& b : all) CHECK((&a == &b || areaOf(b) <= 0.0F || !overlapping(a, b)));
         }
     }
 }
 
-TEST_CASE("A splitter dragged to a place puts the border of its part there") {
-    const PanelRects before = computePanelRects({1600, 900}, 16);
-    for (const auto& [splitter, grow] :
-         {std::pair(Splitter::Left, -16.0F), std::pair(Splitter::Right, 16.0F),
-          std::pair(Splitter::Lower, 16.0F), std::pair(Splitter::Find, -32.0F),
-          std::pair(Splitter::Dial, -32.0F), std::pair(Splitter::Rings, 16.0F)}) {
-        const auto at = static_cast<std::size_t>(splitter);
-        CAPTURE(kSplitterNames[at]);
-        const auto middle = [&](const PanelRects& l) {
-            const SplitterPlace& place = l.splitters[at];
-            const glm::vec2 center = place.handle.min + 0.5F * place.handle.size;
-            return place.sideways ? center.x : center.y;
-        };
-        const SplitterPlace& place = before.splitters[at];
-        PanelSizes sizes;
-        const float target = middle(before) + grow;
-        sizes.of(splitter) = place.sign * (target - place.from) / 16.0F;
-        const PanelRects after =
-            computePanelRects({1600, 900}, 16, LayoutPreset::Debug, DrawerChoice::Auto, sizes);
-        CHECK(std::abs(middle(after) - target) <= 1.0F);
-    }
+TEST_CASE("The view has most of the window: 58 percent while stepping, 64 when finished") {
+    WindowState finished;
+    finished.finished = true;
+    WindowState folded;
+    folded.sizes.folded = true;
+    CHECK(shareOf({{1280, 800}, 16}) >= 0.58F);
+    CHECK(shareOf({{1280, 800}, 16}, finished) >= 0.64F);
+    CHECK(shareOf({{1280, 720}, 16}) >= 0.58F);
+    CHECK(shareOf({{2560, 1440}, 32}) == doctest::Approx(shareOf({{1280, 720}, 16})).epsilon(0.01));
+    CHECK(shareOf({{1920, 1080}, 16}) >= 0.58F);
+    CHECK(shareOf({{1024, 640}, 16}) >= 0.5F);
+    CHECK(shareOf({{1024, 640}, 16}, finished) >= 0.6F);
+    folded.finished = true;
+    CHECK(shareOf({{1024, 640}, 16}, folded) >= 0.85F);
 }
 
-TEST_CASE("Learn has the dial below the rule where there is room") {
-    const PanelRects l = computePanelRects({1280, 800}, 16, LayoutPreset::Learn);
-    CHECK(l.dialApart);
-    CHECK(l.dial.min.y == l.left.max().y);
-    CHECK(l.dial.size.x == l.left.size.x);
-    CHECK_FALSE(computePanelRects({1280, 800}, 32, LayoutPreset::Learn).dialApart);
-    PanelSizes without;
-    without.of(Splitter::LearnDial) = -1.0F;
-    CHECK_FALSE(computePanelRects({1280, 800}, 16, LayoutPreset::Learn, DrawerChoice::Auto, without)
-                    .dialApart);
-}
-
-TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {
-    const PanelRects folded =
-        computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerChoice::Folded);
-    CHECK(folded.drawerFolded);
-    CHECK(folded.drawer.size.y == doctest::Approx(3.0F * 16.0F));
-    CHECK(folded.stageStrip.size.y == 0.0F);
-    const PanelRects open =
-        computePanelRects({1024, 640}, 16, LayoutPreset::Debug, DrawerChoice::Open);
-    CHECK_FALSE(open.drawerFolded);
-    CHECK(open.view.size.y >= 0.3F * 640.0F);
-    // There is a limit: some of the view must be left.
-    CHECK(computePanelRects({640, 400}, 16, LayoutPreset::Debug, DrawerChoice::Open).drawerFolded);
-}
-
-TEST_CASE("The strips fill the drawer without overlap") {
-    for (const Screen& screen : kScreens) {
+TEST_CASE("The view always has some room") {
+    for (const auto& [screen, state] : allCases()) {
         CAPTURE(screen.size.x);
-        const PanelRects l = computePanelRects(screen.size, screen.em);
-        CHECK(l.runStrip.min.y == l.drawer.min.y);
-        CHECK(l.runStrip.size.y + l.pivotStrip.size.y + l.stageStrip.size.y ==
-              doctest::Approx(l.drawer.size.y));
-        if (l.drawerFolded) continue;
-        CHECK(l.pivotStrip.min.y == doctest::Approx(l.runStrip.max().y));
-        CHECK(l.stageStrip.min.y == doctest::Approx(l.pivotStrip.max().y));
-        CHECK(l.stageStrip.max().y == doctest::Approx(l.drawer.max().y));
+        CAPTURE(screen.em);
+        CAPTURE(rowOf(state.layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, state);
+        // Where there are two, both together.
+        const bool beside = l.otherView.min.y == l.view.min.y;
+        CHECK(l.view.size.x + (beside ? l.otherView.size.x : 0.0F) >= 0.4F * screen.size.x);
+        CHECK(l.view.size.y >= 0.14F * screen.size.y);
     }
 }
 
-TEST_CASE("Learn has one column, Present none, and both a larger caption") {
-    const PanelRects debug = computePanelRects({1280, 800}, 16);
-    const PanelRects learn = computePanelRects({1280, 800}, 16, LayoutPreset::Learn);
-    const PanelRects present = computePanelRects({1280, 800}, 16, LayoutPreset::Present);
-    CHECK(learn.left.size.x > 0.0F);
-    CHECK(learn.right.size.x == 0.0F);
-    CHECK(learn.view.size.x > debug.view.size.x);
+TEST_CASE("The column is narrow in a small window, and can be folded to its rail") {
+    const PanelRects wide = computePanelRects({1280, 800}, 16);
+    const PanelRects small = computePanelRects({1024, 640}, 16);
+    CHECK(small.column.size.x == 236.0F);
+    CHECK(wide.column.size.x > small.column.size.x);
+    WindowState state;
+    state.sizes.folded = true;
+    const PanelRects folded = computePanelRects({1280, 800}, 16, state);
+    CHECK(areaOf(folded.column) == 0.0F);
+    CHECK(folded.rail.size == wide.rail.size);
+    CHECK(folded.view.size.x == wide.view.size.x + wide.column.size.x);
+}
+
+TEST_CASE("The user sets the width of the column, within limits") {
+    for (const Screen& screen : kScreens) {
+        for (const float ems : {1.0F, 22.0F, 500.0F}) {
+            CAPTURE(screen.size.x);
+            CAPTURE(ems);
+            WindowState state;
+            state.sizes.column = ems;
+            const PanelRects l = computePanelRects(screen.size, screen.em, state);
+            CHECK(l.view.size.x >= 0.4F * screen.size.x);
+            CHECK(l.column.size.x <= 0.5F * screen.size.x);
+            if (l.phone) continue;
+            // The handle is where the border is.
+            CHECK(l.splitter.min.x + 0.5F * l.splitter.size.x == l.column.min.x);
+        }
+    }
+    WindowState state;
+    state.sizes.column = 22.0F;
+    CHECK(computePanelRects({1280, 800}, 16, state).column.size.x == 22.0F * 16.0F);
+}
+
+TEST_CASE("Lanes are folded on a finished run and in a low window, unless the user wants them") {
+    WindowState state;
+    const auto laidOut = [&](glm::vec2 size) { return computePanelRects(size, 16, state); };
+    CHECK_FALSE(laidOut({1280, 800}).stripFolded);
+    CHECK(laidOut({1280, 480}).stripFolded);
+    CHECK(areaOf(laidOut({1280, 800}).pivotStrip) > 0.0F);
+    CHECK(areaOf(laidOut({1280, 800}).stageStrip) == 0.0F);
+    state.finished = true;
+    CHECK(laidOut({1280, 800}).stripFolded);
+    // No pivot has decisions: the run is a line in their place.
+    CHECK(areaOf(laidOut({1280, 800}).pivotStrip) == 0.0F);
+    CHECK(areaOf(laidOut({1280, 800}).runStrip) > 0.0F);
+    state.strip = StripChoice::Open;
+    CHECK_FALSE(laidOut({1280, 800}).stripFolded);
+    CHECK(areaOf(laidOut({1280, 800}).stageStrip) > 0.0F);
+    state = {};
+    state.strip = StripChoice::Folded;
+    CHECK(laidOut({1280, 800}).stripFolded);
+    CHECK(areaOf(laidOut({1280, 800}).pivotStrip) > 0.0F);
+}
+
+TEST_CASE("A phone's shape has its parts below each other, and half of it is the sheet") {
+    WindowState state;
+    const PanelRects down = computePanelRects({390, 844}, 16, state);
+    REQUIRE(down.phone);
+    for (const Rect& each : {down.menu, down.view, down.narration, down.strip, down.rail})
+        CHECK(each.size.x == 390.0F);
+    CHECK(areaOf(down.column) == 0.0F);
+    state.sheet = true;
+    const PanelRects up = computePanelRects({390, 844}, 16, state);
+    CHECK(up.column.size.x == 390.0F);
+    CHECK(up.column.size.y >= 0.4F * 844.0F);
+    CHECK(up.view.size.y >= 0.25F * 844.0F);
+    CHECK(up.rail.min == down.rail.min);
+    // Buttons that a finger hits.
+    CHECK(up.strip.size.y >= 44.0F);
+    // A small window is wider than high.
+    CHECK_FALSE(computePanelRects({1280, 800}, 32).phone);
+    CHECK_FALSE(computePanelRects({640, 400}, 16).phone);
+}
+
+TEST_CASE("Present has no panels, and a large caption") {
+    WindowState state;
+    state.layoutPreset = LayoutPreset::Present;
+    const PanelRects present = computePanelRects({1280, 800}, 16, state);
     CHECK(present.view.size.x == 1280.0F);
-    CHECK(present.menu.size.y == 0.0F);
-    CHECK(present.drawer.size.y > 0.0F);
-    CHECK(learn.narration.size.y == doctest::Approx(1.5F * debug.narration.size.y).epsilon(0.02));
-    CHECK(present.narration.size.y - present.addressLine == learn.narration.size.y);
+    for (const Rect& each : {present.menu, present.column, present.rail, present.transport})
+        CHECK(areaOf(each) == 0.0F);
+    CHECK(areaOf(present.runStrip) > 0.0F);
+    CHECK(present.caption > 1.0F);
+    // It has the address, which no other part has.
+    CHECK(present.addressLine > 0.0F);
+    CHECK(present.narration.size.y - present.addressLine >= 2.0F * present.caption * 16.0F);
+    CHECK(computePanelRects({1280, 800}, 16).captionInView());
+    const PanelRects low = computePanelRects({1024, 640}, 32, state);
+    CHECK(low.view.size.y >= 0.49F * (low.view.size.y + low.narration.size.y));
 }
 
 TEST_CASE("Layouts are found by name, and the cycle reaches all of them") {
     for (const LayoutPresetRow& row : layoutPresets()) {
         CHECK(layoutPresetFromName(row.name) == row.id);
         CHECK(&rowOf(row.id) == &row);
+        CHECK_FALSE(opensLessons(row.name));
     }
     CHECK(layoutPresetFromName("wide") == std::nullopt);
+    // That of version 0.2.
+    CHECK(layoutPresetFromName("learn") == LayoutPreset::Debug);
+    CHECK(opensLessons("learn"));
     // Compare has a key of its own.
     LayoutPreset at = LayoutPreset::Debug;
     std::size_t seen = 0;
@@ -236,19 +235,20 @@ TEST_CASE("Layouts are found by name, and the cycle reaches all of them") {
     CHECK(following(LayoutPreset::Compare) == LayoutPreset::Debug);
 }
 
-TEST_CASE("Compare has two views of the same size, with the column beside them") {
+TEST_CASE("Compare has two views of the same size, beside the column") {
+    WindowState state;
+    state.layoutPreset = LayoutPreset::Compare;
     for (const Screen& screen : kScreens) {
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
-        const PanelRects l = computePanelRects(screen.size, screen.em, LayoutPreset::Compare);
+        const PanelRects l = computePanelRects(screen.size, screen.em, state);
         CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
         CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
         CHECK(l.title.size.y == l.otherTitle.size.y);
-        CHECK(l.left.size.x > 0.0F);
-        CHECK(l.right.size.x == 0.0F);
+        CHECK(areaOf(l.rail) > 0.0F);
         // They are placed so that each has as much room as possible.
         const bool beside = l.otherView.min.y == l.view.min.y;
-        const glm::vec2 both(l.status.size.x - l.left.size.x, l.narration.min.y - l.title.min.y);
+        const glm::vec2 both(l.otherView.max() - l.title.min);
         CHECK(beside == (std::min(0.5F * both.x, both.y) >= std::min(both.x, 0.5F * both.y)));
     }
     const PanelRects debug = computePanelRects({1280, 800}, 16);
@@ -257,38 +257,18 @@ TEST_CASE("Compare has two views of the same size, with the column beside them")
 }
 
 TEST_CASE("Present has a second view beside the first where a step of a lesson compares") {
-    PanelSizes sizes;
-    sizes.lesson = sizes.beside = true;
+    WindowState state;
+    state.layoutPreset = LayoutPreset::Present;
+    state.lesson = state.beside = true;
     for (const Screen& screen : kScreens) {
-        const PanelRects l =
-            computePanelRects(screen.size, screen.em, LayoutPreset::Present, {}, sizes);
+        const PanelRects l = computePanelRects(screen.size, screen.em, state);
         CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
         CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
         CHECK(l.narration.size.x == screen.size.x);
-        CHECK(l.otherNarration.size == glm::vec2(0.0F));
-        sizes.caption = 1000.0F;
-        const PanelRects asks =
-            computePanelRects(screen.size, screen.em, LayoutPreset::Present, {}, sizes);
+        state.captionEms = 1000.0F;
+        const PanelRects asks = computePanelRects(screen.size, screen.em, state);
         CHECK(asks.narration.size.y > l.narration.size.y);
-        sizes.caption = 0.0F;
-    }
-}
-
-TEST_CASE("If no status bar has the address, a line above the caption has it") {
-    for (const auto& [screen, layoutPreset] : allCases()) {
-        CAPTURE(screen.size.x);
-        CAPTURE(rowOf(layoutPreset).name);
-        const PanelRects l = computePanelRects(screen.size, screen.em, layoutPreset);
-        CHECK((l.addressLine > 0.0F) == (l.status.size.y == 0.0F));
-        // The caption keeps two lines.
-        CHECK(l.narration.size.y - l.addressLine >= 2.0F * l.caption * screen.em);
-    }
-}
-
-TEST_CASE("In a low window a large caption leaves the view half of the height") {
-    for (const LayoutPreset layoutPreset : {LayoutPreset::Learn, LayoutPreset::Present}) {
-        const PanelRects l = computePanelRects({1024, 640}, 32, layoutPreset);
-        CHECK(l.view.size.y >= 0.49F * (l.view.size.y + l.narration.size.y));
+        state.captionEms = 0.0F;
     }
 }
 
@@ -304,8 +284,7 @@ TEST_CASE("A page has its form, its view and its controls beside each other, non
             CHECK(l.narration.max().y == size.y);
             CHECK(l.left.max().y == size.y);
             CHECK(l.view.size.x >= 0.5F * size.x);
-            // Overlays depend on the size of the window.
-            CHECK(l.status.max() == size);
+            CHECK(l.window == size);
         }
     }
 }
@@ -313,7 +292,7 @@ TEST_CASE("A page has its form, its view and its controls beside each other, non
 TEST_CASE("A view alone leaves room for what a picture has with it") {
     const PanelRects alone = viewAlone({1000.0F, 800.0F});
     CHECK(alone.view.size == glm::vec2(1000.0F, 800.0F));
-    CHECK_FALSE(alone.dialApart);
+    CHECK(areaOf(alone.dial) == 0.0F);
     const PanelRects all = viewAlone({1600.0F, 800.0F}, {60.0F, 27.0F, 300.0F});
     CHECK(all.layoutPreset == LayoutPreset::Compare);
     CHECK(all.dial.min == glm::vec2(1300.0F, 0.0F));

@@ -21,8 +21,10 @@ TEST_CASE("Settings are read back as written") {
     settings.height = 900;
     settings.playRate = 15.0;
     settings.legend = false;
-    settings.panels.of(Splitter::Left) = 17.5F;
+    settings.panels.column = 17.5F;
     settings.panels.folded = true;
+    setOpen(settings.parts, *partNamed("Rings"), true);
+    setOpen(settings.parts, *partNamed("Dial"), false);
     modeOf(settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
     modeOf(settings.layers, LayerId::Spheres) = LayerMode::PinnedOff;
     const auto read = settingsFromJson(settingsToJson(settings));
@@ -33,6 +35,8 @@ TEST_CASE("Settings are read back as written") {
     CHECK(read.value().height == settings.height);
     CHECK(read.value().playRate == settings.playRate);
     CHECK(read.value().legend == settings.legend);
+    CHECK(read.value().panels == settings.panels);
+    CHECK(read.value().parts == settings.parts);
     CHECK(read.value().panels == settings.panels);
     CHECK(read.value().layers == settings.layers);
 }
@@ -205,7 +209,7 @@ TEST_CASE("Fields of others and values that are not understood stay in the setti
     expected["theme"] = "light";
     expected["usualMeshStyle"] = "faults";
     expected["layers"]["normals"] = layerModeName(LayerMode::PinnedOn);
-    expected["panels"]["folded"] = true;
+    expected["panels"]["columnFolded"] = true;
     CHECK(folder.content() == expected);
     CHECK(readSettings(folder.file()).meshStyle == MeshStyle::Flat);
 }
@@ -343,7 +347,7 @@ TEST_CASE("The state file is in the XDG folder, which is made with it") {
     setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");
     CHECK(readKeptState(statePath()) == KeptState{});
-    const KeptState state{LayoutPreset::Learn, {"/a.ply"}, {}};
+    const KeptState state{LayoutPreset::Present, {"/a.ply"}, {}};
     KeptFile file;
     const auto setState = [&](KeptState& kept) { kept = state; };
     CHECK(file.change(setState).ok());

@@ -59,19 +59,21 @@ std::string twoLayers(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("Doctor: the panel opens for a finding alone, a click shows its points") {
+TEST_CASE("Doctor: a finding marks its place in the rail, a click on it shows its points") {
     const OwnFolder folder;
     {
         DrivenApp sound({"scene:torus"});
         if (!sound) return;
         CHECK(sound["findings"] == "[]");
-        CHECK(sound["open_tab"] != "Doctor");
+        CHECK_FALSE(sound.shows("news Input"));
     }
-    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice()), "--layout", "learn"},
-                  {1600, 980});
+    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice())}, {1600, 980});
     CHECK(app["findings"] == R"(["duplicates","zero_normals","open_border"])");
     CHECK(app["aside"] == R"({"copy":1})");
-    CHECK(app["open_tab"] == "Doctor");
+    CHECK(app["task"] != "Input");
+    CHECK(app.shows("news Input"));
+    app.part("Doctor");
+    CHECK_FALSE(app.shows("news Input"));
     CHECK(app["marked"] == "0");
     app.clickOn("finding zero_normals");
     CHECK(app["marked"] == "2");
@@ -83,17 +85,16 @@ TEST_CASE("Doctor: the panel opens for a finding alone, a click shows its points
     CHECK(app["marked"] == "1");
     app.press("Esc");
     CHECK(app["marked"] == "0");
-    app.clickOn("tab Rules");
-    CHECK(app["open_tab"] == "Rules");
+    app.clickOn("rail Change");
+    CHECK(app["task"] == "Change");
     app.command("doctor");
-    CHECK(app["open_tab"] == "Doctor");
+    CHECK(app["part"] == "Doctor");
 }
 
 TEST_CASE(
     "Doctor: one finding is fixed by a click, undone and done again, the file used as it is") {
     const OwnFolder folder;
-    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice()), "--layout", "learn"},
-                  {1600, 980});
+    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice())}, {1600, 980});
     if (!app) return;
     const std::size_t points = app.session.model().points.size();
     const auto isFixed = [&] {
@@ -104,6 +105,7 @@ TEST_CASE(
         return app["cures"] == "[]" && app.session.model().points.size() == points;
     };
     app.goTo("20");
+    app.part("Doctor");
     app.clickOn("fix zero_normals");
     CHECK(isFixed());
     CHECK(app.session.atEnd());
@@ -145,18 +147,18 @@ TEST_CASE(
     CHECK(app["mended"].find(" normals flipped\"") != std::string::npos);
     CHECK(app["findings"] == "[]");
     app.press("Ctrl+Shift+R");
-    app.reach("region change", "prepare From the input##m");
+    app.reach("region column", "prepare From the input##m");
     app.clickOn("prepare ok");
     CHECK(app["cures"].find("flipped_normals") == std::string::npos);
 }
 
 TEST_CASE("Doctor: two layers are thinned to one at the second click, since most points go") {
     const OwnFolder folder;
-    DrivenApp app({twoLayers(folder / "layers.xyz"), "--layout", "learn", "--rules", "robust"},
-                  {1600, 980});
+    DrivenApp app({twoLayers(folder / "layers.xyz"), "--rules", "robust"}, {1600, 980});
     if (!app) return;
     CHECK(app["findings"].find("two_layers") != std::string::npos);
     CHECK(app["verdict"] != "the mesh is sound");
+    app.part("Doctor");
     app.clickOn("fix two_layers");
     CHECK(app["cures"] == "[]");
     app.clickOn("fix two_layers");
@@ -180,12 +182,13 @@ TEST_CASE("Points set aside for noise are seen while their layer is on, and retu
     CHECK(aside.starts_with(R"({"noise":)"));
     app.command("doctor");
     const Picture marks = app.picture();
-    app.clickOn("tab Layers");
+    app.clickOn("layers");
     app.clickOn("layer aside");
     CHECK(app["pins"].find(R"("aside":"off")") != std::string::npos);
     CHECK(differing(marks, app.picture()) > 100);
     app.clickOn("layer aside");
-    app.clickOn("tab Doctor");
+    app.press("Esc");
+    app.part("Doctor");
     app.clickOn("return noise");
     CHECK(app["aside"] == "{}");
     CHECK(app["choices"] == R"(["noise=off"])");
@@ -283,8 +286,8 @@ TEST_CASE("Prepare: fields are typed, choices clicked, and the earlier ones stay
     app.press("Enter");
     CHECK(app.ui.prepare.open);
     app.retype("prepare count", "9");
-    app.reach("region change", "prepare Derived from the positions");
-    app.reach("region change", "prepare The box around all points");
+    app.reach("region column", "prepare Derived from the positions");
+    app.reach("region column", "prepare The box around all points");
     app.clickOn("prepare ok");
     CHECK_FALSE(app.ui.prepare.open);
     CHECK(app["derived"] == R"(["neighbors","normals","types"])");
@@ -300,18 +303,18 @@ TEST_CASE("Prepare: fields are typed, choices clicked, and the earlier ones stay
     CHECK(spec().neighbors.reach == decltype(NeighborOptions::reach){KNearest{7}});
     CHECK(app["derived"] == R"(["neighbors","normals","types"])");
     app.press("Ctrl+Shift+R");
-    app.reach("region change", "prepare spacings");
+    app.reach("region column", "prepare spacings");
     app.type("1.5");
     app.press("Enter");
     CHECK_FALSE(app.ui.prepare.open);
     // Normals that face a scanner are flipped ones; it takes three numbers.
     app.press("Ctrl+Shift+R");
-    app.reach("region change", "prepare From the input##m");
-    app.reach("region change", "prepare scanner");
+    app.reach("region column", "prepare From the input##m");
+    app.reach("region column", "prepare scanner");
     app.type("0");
     app.press("Enter");
     CHECK(app.ui.prepare.open);
-    app.reach("region change", "prepare scanner");
+    app.reach("region column", "prepare scanner");
     for (const auto& [share, text] : {std::pair{0.16F, "5"}, std::pair{0.84F, "-3"}}) {
         app.click(app.in("prepare scanner", share, 0.5F));
         app.type(text);
@@ -358,9 +361,9 @@ TEST_CASE("What if: a fork by a click and back to the true run, a wrong list is 
     app.press("Ctrl+D");
     app.clickOn("true run");
     CHECK(app["what_if"] == "[]");
-    app.reach("region change", "what if list");
+    app.reach("region column", "what if list");
     app.press("Ctrl+A");
     app.type("1 1");
-    app.reach("region change", "what if neighbors");
+    app.reach("region column", "what if neighbors");
     CHECK(app["message"].find("Point 1 is in the list twice.") != std::string::npos);
 }

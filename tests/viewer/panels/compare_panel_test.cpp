@@ -105,10 +105,10 @@ TEST_CASE("Compare: the form takes rules, lists and a what-if, a right click ask
     app.clickOn("compare other");
     app.clickOn("compare back");
     CHECK(app["compare_done"] == "true");
-    // Panels are in another layout.
+    // Other panels are beside both views as well.
     app.command("rules");
-    CHECK(app["layout"] == "debug");
-    CHECK(app["open_tab"] == "Rules");
+    CHECK(app["layout"] == "compare");
+    CHECK(app["part"] == "Rules");
     CHECK(app["choices"] == "[]");
 }
 

@@ -1,7 +1,5 @@
-/// Areas, tabs, strips, the start page and keys that lead through all of them.
+/// Areas, column, strips, the start page and keys that lead through all of them.
 #include <doctest/doctest.h>
-
-#include <set>
 
 #include "driven_app.h"
 #include "open_session.h"
@@ -13,128 +11,146 @@ using test::DrivenApp;
 
 namespace {
 
-/// The names of the items that begin so, without that beginning.
-std::vector<std::string> itemsOf(const DrivenApp& app, const std::string& beginning) {
-    std::vector<std::string> names;
-    for (const auto& [name, rect] : app.ui.where) {
-        if (name.starts_with(beginning)) names.push_back(name.substr(beginning.size()));
+/// Opens every part of every task.
+void checkParts(DrivenApp& app) {
+    for (const PartRow& row : partRows()) {
+        const std::string title(row.title);
+        CAPTURE(title);
+        // It is there while two runs are compared.
+        if (title == kComparePart) continue;
+        app.part(title);
+        CHECK(app.ui.column.task == row.task);
+        CHECK(app.shows("part " + title));
+        CHECK(isOpen(app.ui.settings.parts, row));
     }
-    return names;
+    app.clickOn("rail Step");
 }
 
-/// Opens every visible tab.
-void checkTabs(DrivenApp& app, std::size_t least) {
-    std::size_t seen = 0;
-    for (const std::string& name : itemsOf(app, "tab ")) {
-        CAPTURE(name);
-        // Where there is no room for all, another one may have replaced it.
-        if (!app.shows("tab " + name)) continue;
-        app.clickOn("tab " + name);
-        CHECK(app["open_tab"] == name);
-        ++seen;
-    }
-    CHECK(seen >= least);
-}
-
-/// Tabs that do not fit are opened from the list at their end.
-void checkMoreTabs(DrivenApp& app) {
-    if (!app.shows("more tabs")) return;
-    app.clickOn("more tabs");
-    const std::vector<std::string> names = itemsOf(app, "more ");
-    CHECK(names.size() > 1);
-    app.press("Esc");
-    for (const std::string& name : names) {
-        if (name == "tabs") continue;
-        CAPTURE(name);
-        // Opening another one may have made room for it.
-        if (!app.shows("tab " + name)) {
-            app.clickOn("more tabs");
-            app.clickOn("more " + name);
-        }
-        if (app["open_tab"] != name) app.clickOn("tab " + name);
-        CHECK(app["open_tab"] == name);
-        CHECK(app.shows("tab " + name));
-    }
-}
-
-/// No tab needs a second row or a list, and no region leaves the window.
-void checkRoom(DrivenApp& app, glm::vec2 size, bool rows = true) {
+/// No region leaves the window, and the view has most of it.
+void checkRoom(DrivenApp& app, glm::vec2 size, float share) {
     CAPTURE(size.x);
-    if (rows) {
-        CHECK_FALSE(app.shows("more tabs"));
-        std::set<float> heights;
-        for (const std::string& name : itemsOf(app, "tab "))
-            heights.insert(app.ui.where.at("tab " + name).min.y);
-        CHECK(heights.size() <= 2);
-    }
-    for (const char* name :
-         {"view", "left", "dial", "right", "narration", "drawer", "find", "change"}) {
+    for (const char* name : {"view", "column", "rail", "strip", "narration"}) {
         const Rect area = app.ui.where.at(std::string("region ") + name);
         CAPTURE(name);
-        if (area.size.x == 0.0F || area.size.y == 0.0F) continue;
         CHECK(area.max().x <= size.x);
         CHECK(area.max().y <= size.y);
     }
     const glm::vec2 view = app.app.areas().view.size;
-    CHECK(view.x >= 0.39F * size.x);
-    CHECK(view.y >= 150.0F);
+    CHECK(view.x * view.y >= share * size.x * size.y);
 }
 
 }  // namespace
 
-TEST_CASE("Every panel opens by its tab, in one row, in every size of the window") {
+TEST_CASE("Every part opens from the rail, in every size of the window") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;
-    checkRoom(app, {1280, 800});
-    checkTabs(app, 14);
-    checkRoom(app, {1280, 800});
+    checkRoom(app, {1280, 800}, 0.58F);
+    checkParts(app);
     app.resize({1600, 900});
-    checkRoom(app, {1600, 900});
+    checkRoom(app, {1600, 900}, 0.58F);
     app.resize({1024, 640});
-    checkRoom(app, {1024, 640});
-    checkTabs(app, 14);
-    CHECK(app["drawer"] == "folded");
+    checkRoom(app, {1024, 640}, 0.5F);
+    checkParts(app);
+    app.resize({390, 844});
+    checkRoom(app, {390, 844}, 0.25F);
+    checkParts(app);
     CHECK(app.address() == "137.sphere.1");
 }
 
-TEST_CASE("At twice the scale one column has all groups, and a list the tabs beyond its rows") {
-    DrivenApp app({"scene:torus", "--goto", "137.sphere.1", "--ui-scale", "2"});
+TEST_CASE("At twice the scale the view keeps its share") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1", "--ui-scale", "2"}, {2560, 1440});
     if (!app) return;
     CHECK(app["em"] == "32.0");
-    checkRoom(app, {1280, 800}, false);
-    app.clickOn("group Steps");
-    CHECK(app["open_tab"] == "Steps");
-    for (const char* group : {"group Understand", "group Find", "group Change"}) {
-        app.clickOn(group);
-        checkTabs(app, 3);
-        checkMoreTabs(app);
-    }
+    checkRoom(app, {2560, 1440}, 0.58F);
+    app.resize({1280, 800});
+    checkRoom(app, {1280, 800}, 0.3F);
+    checkParts(app);
 }
 
-TEST_CASE("Areas follow their splitters, and Find is folded by its button and its key") {
+TEST_CASE("The finished mesh has two thirds of the window, and no strip of a pivot") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;
-    app.command("rules");
-    const auto area = [&](const char* name) { return app.ui.where.at(name).size; };
-    const float left = area("region left").x;
-    const float lower = area("region find").y;
-    app.drag(app.in("splitter left"), {-40, 0});
-    CHECK(area("region left").x == left - 40.0F);
-    app.drag(app.in("splitter lower", 0.3F, 0.5F), {0, -30});
-    CHECK(area("region find").y == lower + 30.0F);
-    app.clickOn("fold groups");
-    CHECK(area("region find").y < 60.0F);
-    app.clickOn("tab Ledger");
-    CHECK(area("region find").y == lower + 30.0F);
+    CHECK(app.shows("strip pivot"));
+    CHECK(app.shows("part Dial"));
+    app.press("End");
+    checkRoom(app, {1280, 800}, 0.64F);
+    CHECK_FALSE(app.shows("strip pivot"));
+    app.clickOn("rail Step");
+    CHECK_FALSE(app.shows("part Dial"));
+    CHECK_FALSE(app.shows("part Rings"));
+}
+
+TEST_CASE("The task chooses the panel, until the user does") {
+    DrivenApp app({"scene:noise"});
+    if (!app) return;
+    const auto task = [&] { return app["task"]; };
+    CHECK(task() == "Step");
+    app.press("End");
+    CHECK(task() == "Faults");
+    app.press("Shift+F10");
+    CHECK(task() == "Step");
+    app.press("F8");
+    CHECK(task() == "Faults");
+    app.press("W");
+    CHECK(task() == "Why");
+    app.press("F10");
+    CHECK(task() == "Step");
+    // What the user has picked stays, but a command shows its panel.
+    app.clickOn("rail Find");
+    app.press("Home F10 F11 End");
+    CHECK(task() == "Find");
+    app.press("F8");
+    CHECK(task() == "Faults");
+}
+
+TEST_CASE("What is found meanwhile marks its place in the rail and switches nothing") {
+    DrivenApp app({"scene:noise"});
+    if (!app) return;
+    CHECK(app["task"] == "Step");
+    CHECK(app.shows("news Faults"));
+    app.clickOn("rail Faults");
+    CHECK_FALSE(app.shows("news Faults"));
+}
+
+TEST_CASE("The column follows its splitter, and is folded by its rail and by a key") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    const auto width = [&] { return app.ui.where.at("region column").size.x; };
+    const float before = width();
+    app.drag(app.in("splitter column"), {-40, 0});
+    CHECK(width() == before + 40.0F);
+    app.clickOn("rail Step");
+    CHECK(width() == 0.0F);
+    app.clickOn("rail Find");
+    CHECK(width() == before + 40.0F);
+    CHECK(app["task"] == "Find");
     app.press("Ctrl+Shift+J");
-    CHECK(area("region find").y < 60.0F);
+    CHECK(width() == 0.0F);
+    // A command that needs the panel unfolds it.
+    app.command("rules");
+    CHECK(width() == before + 40.0F);
+    CHECK(app["part"] == "Rules");
+}
+
+TEST_CASE("Folded parts stay folded") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    CHECK(isOpen(app.ui.settings.parts, *partNamed("Dial")));
+    app.clickOn("part Dial");
+    CHECK_FALSE(isOpen(app.ui.settings.parts, *partNamed("Dial")));
+    app.clickOn("rail Find");
+    app.clickOn("rail Step");
+    CHECK_FALSE(isOpen(app.ui.settings.parts, *partNamed("Dial")));
+    app.clickOn("part Dial");
+    CHECK(isOpen(app.ui.settings.parts, *partNamed("Dial")));
 }
 
 TEST_CASE("The strips are clicked, dragged, zoomed and folded, the tree of steps is filtered") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;
     const auto strip = [&] { return app.ui.navigation.strip; };
-    CHECK(app["drawer"] == "open");
+    CHECK(app["strips"] == "open");
+    app.press("Ctrl+J Ctrl+J");
     const glm::vec2 run = app.in("strip run", 0.5F, 0.6F);
     app.click(run);
     CHECK(app.session.record().pivot / 20 == 17);
@@ -155,11 +171,12 @@ TEST_CASE("The strips are clicked, dragged, zoomed and folded, the tree of steps
     app.wheel(pivot, -1.0F);
     CHECK(app.session.record().pivot == 138);
     app.press("Ctrl+J");
-    CHECK(app["drawer"] == "folded");
+    CHECK(app["strips"] == "folded");
     app.press("Ctrl+J");
-    CHECK(app["drawer"] == "open");
+    CHECK(app["strips"] == "open");
+    app.part("Steps");
     const std::size_t rows = app.ui.navigation.steps.rowCount();
-    app.click(app.in("region left", 0.4F, 0.08F));
+    app.reach("region column", "steps filter");
     app.type("split");
     CHECK(app.ui.navigation.steps.filterText() == "split");
     CHECK(app.ui.navigation.steps.rowCount() != rows);
@@ -174,14 +191,25 @@ TEST_CASE("By keyboard alone: Tab leads through the panels, arrows and Enter wor
             CHECK(app["keyboard"] == stop);
         }
     };
-    tabTo({"steps", "rings", "ring points", "tabs", "content", "find tabs", "change tabs", "view"});
+    tabTo({"rail", "content", "view"});
     app.press("Ctrl+Tab");
-    CHECK(app["keyboard"] == "steps");
+    CHECK(app["keyboard"] == "rail");
     app.press("Shift+Tab Shift+Tab");
-    CHECK(app["keyboard"] == "change tabs");
+    CHECK(app["keyboard"] == "content");
     app.press("Esc");
+    // The rail: Enter picks the task beside.
+    tabTo({"rail"});
+    app.press("Down Enter");
+    CHECK(app["task"] == "Why");
+    app.press("Up Enter");
+    CHECK(app["task"] == "Step");
+    app.press("Esc");
+    app.part("Steps");
+    app.part("Rings");
+    app.press("Esc");
+    tabTo({"rail", "content", "steps", "rings", "ring points", "view"});
     // Steps: from the row of the cursor on; Enter goes there and stays in the list.
-    tabTo({"steps"});
+    tabTo({"rail", "content", "steps"});
     app.press("Down Enter");
     CHECK(app.address() == "137.sphere.4");
     CHECK(app["keyboard"] == "steps");
@@ -194,23 +222,13 @@ TEST_CASE("By keyboard alone: Tab leads through the panels, arrows and Enter wor
     CHECK(app.session.record().pivot == 138);
     app.press("Shift+F10 Esc");
     // Rings: Enter highlights one. Its points: Left and Right move, Enter selects.
-    tabTo({"steps", "rings"});
+    tabTo({"rail", "content", "steps", "rings"});
     CHECK(app["highlighted_ring"] == "null");
     app.press("Enter");
     CHECK(app["highlighted_ring"] == "0");
     tabTo({"ring points"});
     app.press("Right Enter");
     CHECK(app.session.selected() != kNone);
-    tabTo({"tabs"});
-    CHECK(app["open_tab"] == "Inspect");
-    app.press("Right Enter");
-    CHECK(app["open_tab"] == "Paper");
-    app.press("Left Enter");
-    CHECK(app["open_tab"] == "Inspect");
-    tabTo({"content"});
-    const Picture before = app.picture();
-    app.press("Down Down Down Down");
-    CHECK(differing(before, app.picture()) > 200);
 }
 
 TEST_CASE(
@@ -221,14 +239,9 @@ TEST_CASE(
     app.press("Tab Esc");
     CHECK(app["keyboard"] == "view");
     CHECK(app.session.selected() == 12);
-    // Find and Change are a line each until a tab is opened.
-    app.press("Tab Tab Tab Tab Tab Tab Right Enter");
-    CHECK(app["open_tab"] == "Ledger");
-    app.press("Tab");
-    CHECK(app["keyboard"] == "find");
     app.resize({640, 640});
-    app.clickOn("group Steps");
-    app.press("Tab");
+    app.part("Steps");
+    app.press("Esc Tab Tab Tab");
     CHECK(app["keyboard"] == "steps");
     const std::string at = app.address();
     app.press("Down Enter");
@@ -248,7 +261,7 @@ TEST_CASE("On the start page keys of a run do nothing, and a tile opens its scen
     app.press("Esc");
     app.clickOn("tile figure-1");
     CHECK(app["input"] == "scene:figure-1");
-    CHECK(app["layout"] == "learn");
+    CHECK(app["task"] == "Step");
 }
 
 TEST_CASE("A key, a drag in the view and the go-to box are one step of undo each") {
@@ -286,7 +299,7 @@ TEST_CASE("Notes are typed and saved while their field has the keyboard, the tex
     DrivenApp app({"scene:sphere", "--goto", "40.sphere.2"});
     if (!app) return;
     app.save(folder / "one.sesession");
-    app.clickOn("tab Notes");
+    app.clickOn("notes");
     app.clickOn("field notes");
     app.type("look here n");
     CHECK(app.ui.notes == "look here n");

@@ -34,7 +34,7 @@ SessionFile fullSession() {
     s.layers = LayerModes{};
     modeOf(*s.layers, LayerId::Labels) = LayerMode::PinnedOff;
     modeOf(*s.layers, LayerId::Normals) = LayerMode::PinnedOn;
-    s.layout = LayoutPreset::Learn;
+    s.layout = LayoutPreset::Present;
     s.selected = Selection::ofPoint(812);
     insertBookmark(s.annotations.bookmarks,
                    {*addressFromString("12.sort.2"), "the first \"odd\" one"});

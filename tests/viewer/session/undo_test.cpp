@@ -58,7 +58,7 @@ TEST_CASE("Changes are undone in reverse and redone in order") {
 
 TEST_CASE("A new change after an undo discards the undone ones") {
     Bench b;
-    b.now.layout = LayoutPreset::Learn;
+    b.now.layout = LayoutPreset::Present;
     b.look();
     b.undo();
     b.now.annotations.notes = "x";

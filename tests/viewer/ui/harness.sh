@@ -142,7 +142,7 @@ drag() {
 # resize WIDTH HEIGHT: and waits until the program has drawn itself at that width.
 is_wide() {
     local w
-    read -r _ _ w _ < <(field "region drawer" | tr -d '[],')
+    read -r _ _ w _ < <(field "region strip" | tr -d '[],')
     [ "${w:-0}" -eq "$1" ]
 }
 resize() {

@@ -7,8 +7,8 @@
 # The tour: one click on the start page, and from Help.
 start
 click_on "tile lesson:tour"
-says lesson "Ninety seconds on a torus"; says layout learn; says address 1.seed.1
-says lesson_step 1; says question none; says open_tab Lesson
+says lesson "Ninety seconds on a torus"; says task Lesson; says address 1.seed.1
+says lesson_step 1; says question none; says task Lesson
 click_on "lesson next"; says address 1.sort.12; says lesson_step 2
 press Next; says address 1.sphere.1
 # A link leads away, the button back.

@@ -28,7 +28,7 @@ press Right; chosen figure-2; press Return
 says phase ready; says input scene:figure-2; says keyboard view
 # It opens at the decision of the figure, beside its rule. The view has the focus: its keys work at
 # once.
-says address "5\.advance\.1"; says layout learn
+says address "5\.advance\.1"; says task Step
 says decision ".*next pivot.*"
 press F10; says pivot 6
 press n; says pins '.*normals.*'

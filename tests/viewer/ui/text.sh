@@ -10,7 +10,8 @@ start scene:torus --goto 137.sphere.3
 says address "137\.sphere\.3"
 
 # The line above the list of steps, from the clipboard.
-read -r x y < <(inside "region left" 40 8)
+press ctrl+p; type_text "steps"; press Return; says part Steps
+read -r x y < <(center "steps filter")
 for delay in 12 2 0; do
     click "$x" "$y"
     quick ctrl+a BackSpace; says filter ""

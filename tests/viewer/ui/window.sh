@@ -93,9 +93,9 @@ stop
 [ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config writes settings"
 
 # Size and layout of the window are kept.
-size=kept start scene:grid; says phase ready; press F2; says layout learn; resize 1100 700; stop
-size=kept start scene:grid; says phase ready; says layout learn
-poll is_wide 1100 || fail "the window opens with another size: $(field "region drawer")"
+size=kept start scene:grid; says phase ready; press F2; says layout present; resize 1100 700; stop
+size=kept start scene:grid; says phase ready; says layout present
+poll is_wide 1100 || fail "the window opens with another size: $(field "region strip")"
 stop
 start scene:grid --reset-layout; says layout debug; stop
 start scene:grid; says layout debug; stop

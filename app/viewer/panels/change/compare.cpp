@@ -376,11 +376,12 @@ void drawNames(const PanelContext& context) {
     ImGui::Spacing();
 }
 
-void drawContent(const PanelContext& context) {
+}  // namespace
+
+void drawCompare(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
     if (!context.session().ready() || page.now == nullptr)
         return ImGui::TextDisabled("Nothing is open.");
-    heading(context, "Compare");
     if (!page.now->chosen() || page.choosing) return drawCompareForm(context);
     drawNames(context);
     if (!page.now->complaint().empty())
@@ -395,33 +396,6 @@ void drawContent(const PanelContext& context) {
     drawCounts(context, *found);
     drawFirstDifference(context, *found);
     drawRegions(context, *found);
-}
-
-/// Tabs of the column while a lesson is open. True: it shows the lesson.
-bool drawLessonTabs(const PanelContext& context) {
-    LessonPanel& panel = context.state<LessonPanel>();
-    if (!panel.walk.isOpen()) return false;
-    const std::array<TabName, 2> names = {
-        {{kLessonTab, "tab", !panel.showsRuns}, {"Compare", "tab", panel.showsRuns}}};
-    if (const auto chosen = drawTabRow(context, {names, std::nullopt, 0.0F}))
-        panel.showsRuns = *chosen == 1;
-    return !panel.showsRuns;
-}
-
-}  // namespace
-
-void drawCompareColumn(const PanelContext& context) {
-    if (beginRegion("##compareColumn", context.rects.left)) {
-        ImGui::PushFont(context.rects.left.size.x < 18.0F * context.em ? context.fonts.small
-                                                                       : context.fonts.text);
-        if (ImGui::BeginChild("##content", {0, 0}, false)) {
-            if (context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
-            drawLessonTabs(context) ? drawLesson(context) : drawContent(context);
-        }
-        ImGui::EndChild();
-        ImGui::PopFont();
-    }
-    ImGui::End();
 }
 
 }  // namespace se::view

@@ -168,18 +168,6 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
 
 }  // namespace
 
-std::string doctorLine(const PanelContext& context) {
-    const Session& session = context.session();
-    if (!session.ready()) return "Nothing is open.";
-    const DoctorJob& job = session.doctorJob();
-    if (!job.complaint().empty()) return job.complaint();
-    if (job.busy()) return "Examining the input ...";
-    if (!job.done()) return "The doctor examines the points once the run is complete.";
-    const std::size_t count = job.findings().size();
-    if (count > 0) return "The input has " + withS(count, "finding") + ": open the tab Doctor.";
-    return "Nothing found: all " + std::to_string(doctorChecks().size()) + " checks passed.";
-}
-
 void drawDoctor(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
@@ -188,7 +176,6 @@ void drawDoctor(const PanelContext& context) {
     tabNote(count == 0 ? "" : withS(count, "finding"));
     drawAside(context);
     drawRepaired(context);
-    drawBestTrial(context, "doctor fix best");
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {
         dimText(doctorJob.busy() ? "Examining the input ..."

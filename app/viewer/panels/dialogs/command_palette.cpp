@@ -41,7 +41,7 @@ bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chos
 
 std::vector<PaletteEntry> matchesNow(const CommandPalette& palette) {
     std::vector<std::string_view> panels;
-    for (const SidePanel& each : sidePanels()) panels.emplace_back(each.title);
+    for (const PartRow& each : partRows()) panels.emplace_back(each.title);
     return matchingEntries(paletteEntries(panels), palette.filter.data());
 }
 
@@ -51,7 +51,7 @@ void drawCommandPalette(const PanelContext& context) {
     CommandPalette& palette = context.state<CommandPalette>();
     if (!palette.open) return;
     const float em = context.em;
-    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
+    const glm::vec2 screen = context.rects.window;
     const float width = std::min(36.0F * em, screen.x - 2.0F * em);
     ImGui::SetNextWindowPos({0.5F * screen.x, context.rects.view.min.y + em}, ImGuiCond_Always,
                             {0.5F, 0.0F});

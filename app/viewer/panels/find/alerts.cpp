@@ -252,7 +252,6 @@ void drawRemedies(const PanelContext& context) {
     const BackgroundQuery<Remedies>& search = session.alerts().remedies();
     const bool mine = session.alerts().remediesOf() == session.alerts().chosen();
     heading(context, "What would have prevented it");
-    drawBestTrial(context, "alert fix");
     if (mine && search.answer() != nullptr) return drawTried(context, *search.answer());
     if (mine && search.busy()) {
         ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
@@ -371,26 +370,10 @@ void drawSearch(const PanelContext& context) {
 
 }  // namespace
 
-std::string alertsLine(const PanelContext& context) {
-    const Session& session = context.session();
-    if (!session.ready()) return "Nothing is open.";
-    const AlertSearch& alerts = session.alerts().search();
-    if (!alerts.complaint().empty()) return alerts.complaint();
-    if (alerts.stopped()) return "The search was stopped.";
-    if (alerts.busy()) return "Searching for alerts ...";
-    if (!alerts.done()) return "The search for alerts starts once the run is complete.";
-    if (alerts.found()->all.empty()) return noneText(alerts);
-    const std::string next = ". " + context.key("step.alert.next") + " shows the next one.";
-    if (alerts.sound())
-        return "The mesh is sound; " + counted(alerts.failures().size(), "alert", "alerts") + next;
-    return verdictText(alerts) + next;
-}
-
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
-    tabNote(alerts.done() ? verdictText(alerts) : "");
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);
@@ -401,10 +384,8 @@ void drawAlerts(const PanelContext& context) {
             "There are too many failures to follow all of them: places list the first of each "
             "class.");
     if (!session.alerts().chosen()) {
-        dimText(
-            "Places with faults, the most severe first: " + context.key("step.alert.next") +
-            " shows the next one. Click a fault in it to go to where it was created, and to list "
-            "its three moments.");
+        dimText("The most severe place first: " + context.key("step.alert.next") +
+                " shows the next one. A click on a fault goes to where it was created.");
     }
     drawList(context);
     context.state<AlertsPanel>().reveal = false;

@@ -159,7 +159,6 @@ void drawPresets(const PanelContext& context) {
 
 /// The title with the syntax help of a line, and the number of breakpoints.
 void drawTitle(const PanelContext& context) {
-    heading(context, "Breakpoints", "");
     ImGui::SameLine();
     queryHelp(context);
     const std::size_t count = context.state<std::vector<Breakpoint>>().size();
@@ -280,8 +279,7 @@ void drawBreakLog(const PanelContext& context) {
     const std::vector<LogRow> rows = logRows(context);
     ImGui::Spacing();
     heading(context, "Log", grouped(rows.size()));
-    if (ImGui::BeginChild("##log",
-                          {0.0F, std::max(8.0F * context.em, ImGui::GetContentRegionAvail().y)})) {
+    if (ImGui::BeginChild("##log", {0.0F, 12.0F * context.em})) {
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows.size()),
                       rowHeight(context) + ImGui::GetStyle().ItemSpacing.y);

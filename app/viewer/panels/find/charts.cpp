@@ -13,8 +13,6 @@ namespace se::view {
 namespace {
 
 /// Width in em from which the counts are beside the charts, and their share of it.
-constexpr float kBeside = 28.0F;
-constexpr float kCounts = 0.4F;
 
 /// Columns of a chart, in pixels from its left edge.
 struct ChartColumns {
@@ -96,17 +94,9 @@ void drawRunCharts(const PanelContext& context) {
 
 void drawCharts(const PanelContext& context) {
     if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
-    const float room = ImGui::GetContentRegionAvail().x;
-    if (room < kBeside * context.em) {
-        drawCounters(context);
-        ImGui::Spacing();
-        return drawRunCharts(context);
-    }
-    if (ImGui::BeginChild("##counts", {kCounts * room, 0.0F})) drawCounters(context);
-    ImGui::EndChild();
-    ImGui::SameLine(0.0F, 1.2F * context.em);
-    if (ImGui::BeginChild("##charts", {0.0F, 0.0F})) drawRunCharts(context);
-    ImGui::EndChild();
+    drawCounters(context);
+    ImGui::Spacing();
+    drawRunCharts(context);
 }
 
 }  // namespace se::view

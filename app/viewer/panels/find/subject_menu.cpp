@@ -79,7 +79,7 @@ void drawWrongEntry(const PanelContext& context, const Selection& what) {
     if (!alert) return;
     if (ImGui::MenuItem("What is wrong here?")) {
         showAlert(context.commands, *alert, std::nullopt);
-        context.state<OpenTab>().wanted = kAlertsTab;
+        actions::showPart(context.commands, kAlertsPart);
     }
     nameItem(context, "menu wrong", "The fault, when it was created, and what would prevent it");
 }

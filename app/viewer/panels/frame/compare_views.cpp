@@ -1,4 +1,4 @@
-// The two views of the layout Compare: their titles, the second view, and its sentence.
+// The two views of the layout Compare: their titles, and the second view.
 #include <algorithm>
 
 #include "panel_state/compare_page.h"
@@ -61,7 +61,7 @@ void drawEmptyView(const PanelContext& context) {
             dimText(now->complaint().empty() ? "Opening and comparing ..." : now->complaint(),
                     width);
         } else {
-            dimText("Choose on the left what to compare this run with, or", width);
+            dimText("Choose in the panel Compare what to compare this run with, or", width);
             const std::string usual = usualOther(context.session().input().spec()).rules + " rules";
             if (textButton(context, fitted("Compare with the " + usual, width - 0.8F * context.em),
                            "compare usual"))
@@ -72,6 +72,27 @@ void drawEmptyView(const PanelContext& context) {
     ImGui::End();
 }
 
+/// What a mesh or a trace says about the decision at the cursor, at the lower edge of its view.
+void drawStillSentence(const PanelContext& context) {
+    const Compared* found = context.state<ComparePage>().result();
+    const Comparison* now = context.state<ComparePage>().now;
+    const bool trace = found != nullptr && found->trace && now != nullptr;
+    const std::string text =
+        trace ? found->trace->replay.sentence(now->tracePosition(*context.otherRun))
+              : std::string("A finished mesh: no decisions of its own.");
+    const Rect& view = context.rects.view;
+    const float em = context.em;
+    const float width = std::min(30.0F * em, view.size.x - 3.0F * em);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+    const glm::vec2 pad(0.7F * em, 0.35F * em);
+    const glm::vec2 size = glm::vec2(extent.x, extent.y) + 2.0F * pad;
+    const Rect plate{{view.min.x + 0.8F * em, view.max().y - 0.8F * em - size.y}, size};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    fill(list, plate, context.palette.panel.withAlpha(0.94F), 0.3F * em);
+    list->AddText(context.fonts.text, em, toVec2(plate.min + pad), toU32(context.palette.textDim),
+                  text.c_str(), nullptr, width);
+}
+
 /// A mesh from a file, or a trace: it can be viewed, but has no decisions.
 void drawStill(const PanelContext& context) {
     if (beginView(context, "##otherStill")) {
@@ -80,6 +101,7 @@ void drawStill(const PanelContext& context) {
         if (isClick(context, ImGuiMouseButton_Right)) context.state<SubjectMenu>().openBeside({});
         drawViewPicture(context);
         if (context.ui().picture.labels) drawLabels(context, {});
+        drawStillSentence(context);
     }
     ImGui::End();
 }
@@ -89,7 +111,6 @@ void drawOther(const PanelContext& context) {
     const OtherView& other = *context.other;
     PanelRects rects = context.rects;
     rects.view = rects.otherView;
-    rects.narration = rects.otherNarration;
     const PanelContext there{other.commands != nullptr ? *other.commands : context.commands,
                              context.palette,
                              context.fonts,
@@ -103,24 +124,6 @@ void drawOther(const PanelContext& context) {
                              &context.session()};
     if (other.commands == nullptr) return drawStill(there);
     drawView(there, "##otherView");
-    // Present has one caption for both.
-    if (rects.otherNarration.size.x > 0.0F) drawNarration(there, "##otherNarration");
-}
-
-void drawEmptySentence(const PanelContext& context) {
-    if (context.rects.otherNarration.size.x == 0.0F) return;
-    if (beginRegion("##otherNarration", context.rects.otherNarration)) {
-        const Compared* found = context.state<ComparePage>().result();
-        const bool file = context.other != nullptr && context.other->commands == nullptr;
-        if (file && found != nullptr && found->trace) {
-            const Comparison& now = *context.state<ComparePage>().now;
-            wrappedText(found->trace->replay.sentence(now.tracePosition(context.session())));
-            dimText("No decisions in this trace.");
-        } else if (file) {
-            ImGui::TextDisabled("A finished mesh: no decisions of its own.");
-        }
-    }
-    ImGui::End();
 }
 
 }  // namespace
@@ -132,7 +135,6 @@ void drawComparedViews(const PanelContext& context) {
     drawTitle(context, rects.title, titles[0]);
     drawTitle(context, rects.otherTitle, titles[1]);
     context.other == nullptr ? drawEmptyView(context) : drawOther(context);
-    if (context.other == nullptr || context.other->commands == nullptr) drawEmptySentence(context);
 }
 
 }  // namespace se::view

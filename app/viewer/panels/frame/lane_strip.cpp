@@ -147,9 +147,8 @@ void drawMore(const RunStrip& strip) {
     const float size = 0.85F * em;
     const std::string text = "+" + grouped(picture.gathered);
     ImFont* font = strip.context.fonts.text;
-    const float width = font->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
     const float y = strip.yOf(picture.rows - 1) - 0.5F * size;
-    strip.list->AddText(font, size, {strip.bars.min.x - 0.4F * em - width, y},
+    strip.list->AddText(font, size, {strip.bars.min.x + 0.2F * em, y},
                         toU32(strip.context.palette.textDim), text.c_str());
 }
 

@@ -1,4 +1,4 @@
-// The menu bar, filled from the groups of the commands.
+// The menu bar: a table of rows for each menu, the box with the address, and what is open.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,6 +16,10 @@
 namespace se::view {
 
 namespace {
+
+/// Width of the box with the address, and of the window from which it is there, in em.
+constexpr float kGoTo = 16.0F;
+constexpr float kGoToFrom = 46.0F;
 
 void drawRecent(const PanelContext& context) {
     const std::vector<std::string>& recent = context.ui().recent;
@@ -71,48 +75,17 @@ void drawUpAxes(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// Commands that open a panel are in the submenus of its group.
-bool opensPanel(const Command& command) {
-    const auto panels = sidePanels();
-    return command.group == "View" &&
-           std::any_of(panels.begin(), panels.end(),
-                       [&](const SidePanel& each) { return command.title == each.title; });
-}
-
-/// Whether a command is in a submenu.
-bool isChoice(const Command& command) {
-    const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
-    return opensPanel(command) || ((among("view.layout.") || among("view.mesh.") ||
-                                    among("view.points.") || among("view.up.")) &&
-                                   !command.id.ends_with(".next"));
-}
-
-/// The panels of a group, with a check at the open one.
-void drawPanelMenu(const PanelContext& context, const char* menu, PanelGroup group) {
-    if (!ImGui::BeginMenu(menu)) return;
-    const std::string& open = context.state<OpenTab>().open[static_cast<std::size_t>(group)];
-    bool first = open.empty();
-    for (const SidePanel& panel : sidePanels()) {
-        if (panel.group != group || placeOf(context.rects, panel) != PanelPlace::Tab) continue;
-        if (ImGui::MenuItem(panel.title, nullptr,
-                            std::exchange(first, false) || open == panel.title))
-            actions::openTab(context.commands, panel.title);
-        nameItem(context, std::string("item ") + panel.title);
-    }
-    ImGui::EndMenu();
-}
-
 /// Whether an action that switches something shows a check; empty: it is none.
 std::optional<bool> checkOf(const PanelContext& context, const Command& command) {
     const UiState& ui = context.ui();
     const std::string_view id = command.id;
     if (id == "view.orthographic") return context.camera().orthographic();
-    if (id == "view.verdict") return !ui.verdict.closed;
     if (id == "view.spotlight") return ui.spotlight;
     if (id == "view.legend") return ui.settings.legend;
     if (id == "view.names") return ui.settings.names;
-    if (id == "view.groups") return ui.settings.panels.folded || ui.panelsQuiet;
-    if (id == "view.drawer") return ui.navigation.drawerFolded;
+    if (id == "view.follow") return ui.follow;
+    if (id == "view.column") return ui.settings.panels.folded;
+    if (id == "view.strips") return ui.navigation.stripFolded;
     if (!id.starts_with("layer.")) return std::nullopt;
     const LayerSwitches shown = shownLayers(ui.settings.layers, context.session().stage());
     const std::string_view name = id.substr(std::string_view("layer.").size());
@@ -122,48 +95,137 @@ std::optional<bool> checkOf(const PanelContext& context, const Command& command)
     return std::nullopt;
 }
 
-void drawItem(const PanelContext& context, const Command& command) {
-    // Actions that begin a part of the menu View.
-    constexpr std::array<std::string_view, 5> kMenuParts = {
-        "view.front", "view.fullscreen", "view.layout.next", "view.verdict", "view.panel.next"};
-    if (std::find(kMenuParts.begin(), kMenuParts.end(), command.id) != kMenuParts.end())
-        ImGui::Separator();
+void drawItem(const PanelContext& context, std::string_view id) {
+    const Command& command = *findCommand(id);
     const std::string key = context.key(command);
     const bool check = checkOf(context, command).value_or(false);
     if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), check))
         runCommand(command, context.commands);
-    nameItem(context, "item " + std::string(command.id));
+    nameItem(context, "item " + std::string(id));
 }
 
-/// One menu from all commands of a group.
-void drawMenuGroup(const PanelContext& context, std::string_view group) {
-    const bool open = ImGui::BeginMenu(std::string(group).c_str());
-    nameItem(context, "menu " + std::string(group));
-    if (!open) return;
-    const UiState& ui = context.ui();
-    for (const Command& command : commands()) {
-        if (command.group != group) continue;
-        if (command.id == "view.up.auto") drawUpAxes(context);
-        if (isChoice(command)) continue;
-        drawItem(context, command);
-        if (command.id == "file.open") {
-            drawRecent(context);
-            drawSceneMenu(context);
-        }
-        if (command.id == "view.legend") {
-            ImGui::Separator();
-            drawPanelMenu(context, "Understand", PanelGroup::Understand);
-            drawPanelMenu(context, "Find", PanelGroup::Find);
-            drawPanelMenu(context, "Change", PanelGroup::Change);
-        }
-        if (command.id == "view.layout.next")
-            drawChoices(context, "Layout", "view.layout.", layoutPresets(), ui.layoutPreset);
-        if (command.id == "view.mesh.next") {
-            drawChoices(context, "Mesh", "view.mesh.", meshStyles(), ui.settings.meshStyle);
-            drawChoices(context, "Points", "view.points.", pointTints(), ui.settings.pointTint);
-        }
-    }
+/// A submenu of commands.
+void drawItems(const PanelContext& context, const char* title,
+               std::span<const std::string_view> ids) {
+    if (!ImGui::BeginMenu(title)) return;
+    for (const std::string_view id : ids) drawItem(context, id);
     ImGui::EndMenu();
+}
+
+void drawDirections(const PanelContext& context) {
+    constexpr std::array<std::string_view, 8> kIds = {
+        "view.front", "view.back",   "view.right",    "view.left",
+        "view.top",   "view.bottom", "view.opposite", "view.orthographic"};
+    if (!ImGui::BeginMenu("Direction")) return;
+    for (const std::string_view id : kIds) drawItem(context, id);
+    drawUpAxes(context);
+    ImGui::EndMenu();
+}
+
+void drawLayers(const PanelContext& context) {
+    constexpr std::array<std::string_view, 8> kIds = {
+        "layer.normals", "layer.labels", "layer.edges", "layer.spheres",
+        "layer.links",   "layer.stack",  "view.legend", "view.names"};
+    drawItems(context, "Layers", kIds);
+}
+
+void drawLooks(const PanelContext& context) {
+    constexpr std::array<std::string_view, 5> kIds = {"view.theme", "view.larger", "view.smaller",
+                                                      "view.fullscreen", "view.strips"};
+    drawItems(context, "Window", kIds);
+}
+
+void drawLayouts(const PanelContext& context) {
+    drawChoices(context, "Layout", "view.layout.", layoutPresets(), context.ui().layoutPreset);
+}
+
+void drawMeshStyles(const PanelContext& context) {
+    drawChoices(context, "Mesh", "view.mesh.", meshStyles(), context.settings().meshStyle);
+}
+
+void drawPointTints(const PanelContext& context) {
+    drawChoices(context, "Points", "view.points.", pointTints(), context.settings().pointTint);
+}
+
+/// The tasks of the rail, with a check at the open one.
+void drawTasks(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Panels")) return;
+    const bool folded = context.settings().panels.folded;
+    for (const TaskRow& row : taskRows()) {
+        const bool here = !folded && context.state<Column>().task == row.id;
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, here))
+            actions::pickTask(context.commands, row.id);
+        nameItem(context, "item " + std::string(row.title));
+    }
+    drawItem(context, "view.column");
+    ImGui::EndMenu();
+}
+
+/// One row of a menu: a command, or a submenu; neither: a line between parts.
+struct MenuRow {
+    std::string_view id = {};
+    void (*submenu)(const PanelContext& context) = nullptr;
+};
+
+struct Menu {
+    const char* title;
+    std::span<const MenuRow> rows;
+};
+
+constexpr MenuRow kLine;
+constexpr std::array kFile = {
+    MenuRow{"file.open"},      MenuRow{{}, drawRecent},    MenuRow{{}, drawSceneMenu},
+    MenuRow{"file.new.shape"}, MenuRow{"file.new.volume"}, kLine,
+    MenuRow{"file.savemesh"},  MenuRow{"file.save"},       MenuRow{"file.saveas"},
+    MenuRow{"file.export"},    MenuRow{"file.screenshot"}, kLine,
+    MenuRow{"file.restart"},   MenuRow{"file.quit"}};
+constexpr std::array kEdit = {MenuRow{"edit.undo"},
+                              MenuRow{"edit.redo"},
+                              kLine,
+                              MenuRow{"edit.piece"},
+                              MenuRow{"edit.rules.reset"},
+                              MenuRow{"edit.whatif.clear"},
+                              kLine,
+                              MenuRow{"notes.bookmark"},
+                              MenuRow{"step.copy"},
+                              MenuRow{"step.paste"},
+                              MenuRow{"file.copycommand"}};
+constexpr std::array kRun = {
+    MenuRow{"run.play"},    MenuRow{"step.event.next"},  MenuRow{"step.pivot.next"},
+    MenuRow{"run.start"},   MenuRow{"run.end"},          kLine,
+    MenuRow{"run.break"},   MenuRow{"run.continue"},     MenuRow{"step.alert.next"},
+    MenuRow{"ask.why"},     MenuRow{"ask.query"},        kLine,
+    MenuRow{"run.compare"}, MenuRow{"run.compare.mesh"}, MenuRow{"run.compare.stop"}};
+constexpr std::array kView = {MenuRow{"view.frame"},       MenuRow{"view.all"},
+                              MenuRow{"view.home"},        MenuRow{"view.follow"},
+                              MenuRow{{}, drawDirections}, kLine,
+                              MenuRow{{}, drawLayers},     MenuRow{{}, drawMeshStyles},
+                              MenuRow{{}, drawPointTints}, kLine,
+                              MenuRow{{}, drawLayouts},    MenuRow{{}, drawTasks},
+                              MenuRow{{}, drawLooks}};
+constexpr std::array kHelp = {
+    MenuRow{"help.guide"},   MenuRow{"help.tour"}, MenuRow{"help.practice"}, kLine,
+    MenuRow{"help.palette"}, MenuRow{"help.keys"}, MenuRow{"help.editkeys"}, kLine,
+    MenuRow{"help.about"}};
+constexpr std::array kMenus = {Menu{"File", kFile}, Menu{"Edit", kEdit}, Menu{"Run", kRun},
+                               Menu{"View", kView}, Menu{"Help", kHelp}};
+
+void drawMenus(const PanelContext& context) {
+    for (const Menu& menu : kMenus) {
+        const bool open = ImGui::BeginMenu(menu.title);
+        nameItem(context, std::string("menu ") + menu.title);
+        if (!open) continue;
+        for (const MenuRow& row : menu.rows) {
+            if (row.submenu != nullptr) {
+                row.submenu(context);
+            } else if (row.id.empty()) {
+                ImGui::Separator();
+            } else {
+                drawItem(context, row.id);
+            }
+        }
+        ImGui::EndMenu();
+    }
 }
 
 /// Description of the open input, as many whole words of it as fit.
@@ -186,20 +248,37 @@ std::string fittingNote(const PanelContext& context, float room) {
 }  // namespace
 
 void drawMenuBar(const PanelContext& context) {
-    if (!ImGui::BeginMainMenuBar()) return;
-    std::string_view last;
-    for (const Command& command : commands()) {
-        if (command.group == last) continue;
-        last = command.group;
-        drawMenuGroup(context, last);
+    const PanelRects& rects = context.rects;
+    const float em = context.em;
+    // In a phone's shape the bar is as high as a finger, and has one menu.
+    if (rects.phone)
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            {0.6F * em, 0.5F * (rects.menu.size.y - ImGui::GetTextLineHeight())});
+    const bool open = ImGui::BeginMainMenuBar();
+    if (rects.phone) ImGui::PopStyleVar();
+    if (!open) return;
+    if (!rects.phone) {
+        drawMenus(context);
+    } else if (const bool menu = ImGui::BeginMenu("Menu"); nameItem(context, "menu"), menu) {
+        drawMenus(context);
+        ImGui::EndMenu();
     }
-    // Aligned to the right end of the headings below.
-    const float end = context.rects.menu.max().x - 0.7F * context.em;
-    const float room = end - ImGui::GetCursorScreenPos().x;
-    const std::string note = fittingNote(context, room - context.em);
+    float from = ImGui::GetCursorScreenPos().x;
+    const bool runs = context.session().ready() && !context.state<GrowthPage>().open;
+    if (runs && rects.window.x > kGoToFrom * em) {
+        const float left = std::max(from + em, 0.5F * (rects.window.x - kGoTo * em));
+        ImGui::SetCursorScreenPos({left, rects.menu.min.y + 0.15F * em});
+        drawGoTo(context, kGoTo * em);
+        from = left + kGoTo * em;
+    }
+    // Aligned to the right end of the rail.
+    const float end = rects.window.x - 0.7F * em;
+    const std::string note = fittingNote(context, end - from - em);
     const float width = ImGui::CalcTextSize(note.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
-    ImGui::TextDisabled("%s", note.c_str());
+    const float y = 0.5F * (rects.menu.size.y - ImGui::GetTextLineHeight());
+    // Text of a menu bar would be lower by its padding.
+    ImGui::GetWindowDrawList()->AddText({end - width, rects.menu.min.y + y},
+                                        toU32(context.palette.textDim), note.c_str());
     ImGui::EndMainMenuBar();
 }
 

@@ -1,5 +1,6 @@
-// The sentence below the view: the decision at the cursor, in the largest type in which all of it
-// fits. In Compare both sentences have the same type, so that they can be compared as well.
+// The sentence about the decision at the cursor: on a plate in the view, or below the view, in the
+// largest type in which all of it fits. In Compare both sentences have the same type, so that they
+// can be compared as well.
 #include <algorithm>
 
 #include "commands/alert_actions.h"
@@ -39,9 +40,8 @@ void shorten(Caption& caption, const ImVec2& room) {
 
 /// In the largest type of the layout that fits all lines, also of the sentence beside it.
 Caption fittingCaption(const PanelContext& context, const std::string& sentence,
-                       const std::string& beside) {
+                       const std::string& beside, const ImVec2& room) {
     const Fonts& fonts = context.fonts;
-    const ImVec2 room = ImGui::GetContentRegionAvail();
     const float high = room.y + ImGui::GetStyle().ItemSpacing.y;
     Caption caption;
     for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
@@ -70,7 +70,6 @@ std::string sentenceOf(const Session& session, const PictureLook& look) {
 
 /// Shown where no other panel has the address.
 void drawAddressLine(const PanelContext& context) {
-    context.ui().addressLine.clear();
     const PanelRects& rects = context.rects;
     if (rects.addressLine <= 0.0F || !context.session().ready()) return;
     const std::string text = addressAndSection(context.session());
@@ -83,52 +82,125 @@ void drawAddressLine(const PanelContext& context) {
     context.where()["address line"] = {at, {extent.x, extent.y}};
 }
 
+/// What is said, and in which color.
+struct Said {
+    std::string whole;
+    std::string text;  ///< With short numbers.
+    Color color;
+};
+
+Said saidIn(const PanelContext& context) {
+    const Session& session = context.session();
+    const bool finished = showsFinishedMesh(context.commands) && session.alerts().search().done();
+    Said said;
+    said.whole = finished && !session.showsEarlierMesh()
+                     ? verdictSentence(session.alerts())
+                     : sentenceOf(session, context.ui().picture);
+    said.text = withShortNumbers(said.whole);
+    said.color = context.palette.accent;
+    if (finished) {
+        const bool faulty = !session.alerts().search().sound();
+        said.color = faulty ? context.palette.rejected : context.palette.used;
+    } else if (const Event* event = session.event(); event != nullptr) {
+        said.color = outcomeColor(context.palette, *event).value_or(said.color);
+        if (!session.noticedHere().empty()) said.color = context.palette.rejected;
+    }
+    return said;
+}
+
+/// The sentence beside this one.
+std::string besideOf(const PanelContext& context) {
+    return context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun, {})) : "";
+}
+
+/// The plate: its margins and its text's, and how wide and high the text is at most.
+constexpr float kPlateMargin = 0.8F;
+constexpr float kPlatePad = 0.7F;
+constexpr float kPlateWidest = 46.0F;
+constexpr float kPlateLines = 3.4F;
+constexpr float kAxes = 6.0F;
+constexpr float kWithAxes = 18.0F;
+
 }  // namespace
 
-void drawNarration(const PanelContext& context, const char* window) {
-    const Session& session = context.session();
-    if (beginRegion(window, context.rects.narration)) {
-        // Other messages are shown in the view for a while: see drawNotices().
-        const bool finished =
-            showsFinishedMesh(context.commands) && session.alerts().search().done();
-        const std::string whole = finished && !session.showsEarlierMesh()
-                                      ? verdictSentence(session.alerts())
-                                      : sentenceOf(session, context.ui().picture);
-        const std::string sentence = withShortNumbers(whole);
-        Color color = context.palette.accent;
-        if (finished) {
-            const bool faulty = !session.alerts().search().sound();
-            color = faulty ? context.palette.rejected : context.palette.used;
-        } else if (const Event* event = session.event(); event != nullptr) {
-            color = outcomeColor(context.palette, *event).value_or(color);
-            if (!session.noticedHere().empty()) color = context.palette.rejected;
-        }
-        const Rect& area = context.rects.narration;
+void drawNarration(const PanelContext& context) {
+    context.ui().addressLine.clear();
+    const Rect& area = context.rects.narration;
+    if (area.size.y <= 0.0F) return;
+    if (beginRegion("##narration", area)) {
+        const Said said = saidIn(context);
         ImDrawList* list = ImGui::GetWindowDrawList();
         list->PushClipRect(toVec2(area.min), toVec2(area.max()));
         list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},
-                            toU32(color));
+                            toU32(said.color));
         list->PopClipRect();
         if (showsLessonCaption(context)) {
-            drawLessonCaption(context, sentence);
+            drawLessonCaption(context, said.text);
             ImGui::End();
             return;
         }
         drawAddressLine(context);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         const float left = ImGui::GetCursorPosX();
-        const Caption caption = fittingCaption(
-            context, sentence,
-            context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun, {})) : "");
+        const Caption caption =
+            fittingCaption(context, said.text, besideOf(context), ImGui::GetContentRegionAvail());
         ImGui::PushFont(caption.font);
         for (const std::string& line : caption.lines) {
             ImGui::SetCursorPosX(left);
             ImGui::TextUnformatted(line.c_str());
         }
         ImGui::PopFont();
-        if ((caption.cut || sentence != whole) && ImGui::IsWindowHovered()) showTooltip(whole);
+        if ((caption.cut || said.text != said.whole) && ImGui::IsWindowHovered())
+            showTooltip(said.whole);
     }
     ImGui::End();
+}
+
+std::optional<Rect> drawCaption(const PanelContext& context) {
+    const Said said = saidIn(context);
+    const Rect& view = context.rects.view;
+    const float em = context.em;
+    // The axes have the other lower corner.
+    const bool axes = view.size.x > kWithAxes * em;
+    const float width =
+        std::min(kPlateWidest * em,
+                 view.size.x - 2.0F * (kPlateMargin + kPlatePad) * em - (axes ? kAxes * em : 0.0F));
+    if (said.text.empty() || width < 8.0F * em || view.size.y < 8.0F * em) return std::nullopt;
+    const Caption caption =
+        fittingCaption(context, said.text, besideOf(context), {width, kPlateLines * em});
+    ImGui::PushFont(caption.font);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    float widest = 0.0F;
+    for (const std::string& each : caption.lines) widest = std::max(widest, textWidth(each));
+    ImGui::PopFont();
+    // The address is a line of its own, in small type.
+    const std::string place =
+        context.session().event() != nullptr ? addressAndSection(context.session()) : std::string{};
+    const float small = 0.84F * em;
+    const float below = place.empty() ? 0.0F : 1.2F * small;
+    widest = std::max(widest, place.empty() ? 0.0F : 10.0F * em);
+    const glm::vec2 size(widest + 2.0F * kPlatePad * em,
+                         line * static_cast<float>(caption.lines.size()) + below + 0.7F * em);
+    const Rect plate{{view.min.x + kPlateMargin * em, view.max().y - kPlateMargin * em - size.y},
+                     size};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    fill(list, plate, context.palette.panel.withAlpha(0.94F), 0.3F * em);
+    list->AddRectFilled(toVec2(plate.min), {plate.min.x + 0.25F * em, plate.max().y},
+                        toU32(said.color), 0.3F * em, ImDrawFlags_RoundCornersLeft);
+    glm::vec2 at = plate.min + glm::vec2(kPlatePad, 0.35F) * em;
+    for (const std::string& each : caption.lines) {
+        list->AddText(caption.font, caption.font->FontSize, toVec2(at), toU32(context.palette.text),
+                      each.c_str());
+        at.y += line;
+    }
+    if (!place.empty())
+        list->AddText(context.fonts.small, context.fonts.small->FontSize, toVec2(at),
+                      toU32(context.palette.textDim), place.c_str());
+    context.where()[context.beside ? "other caption" : "caption"] = plate;
+    if ((caption.cut || said.text != said.whole) && ImGui::IsWindowHovered() &&
+        ImGui::IsMouseHoveringRect(toVec2(plate.min), toVec2(plate.max())))
+        showTooltip(said.whole);
+    return plate;
 }
 
 }  // namespace se::view

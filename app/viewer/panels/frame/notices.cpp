@@ -108,7 +108,8 @@ void drawSaid(const PanelContext& context) {
     const ImVec2 pad(0.7F * em, 0.35F * em);
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
     const ImVec2 low(std::round(view.min.x + 0.5F * (view.size.x - extent.x) - pad.x),
-                     std::round(view.max().y - extent.y - 2.0F * pad.y - 0.4F * em));
+                     std::round(view.max().y - context.ui().coveredBelow * view.size.y - extent.y -
+                                2.0F * pad.y - 0.4F * em));
     const ImVec2 high(low.x + extent.x + 2.0F * pad.x, low.y + extent.y + 2.0F * pad.y);
     ImDrawList* list = ImGui::GetForegroundDrawList();
     list->AddRectFilled(low, high, toU32(context.palette.panelRaised), 0.3F * em);

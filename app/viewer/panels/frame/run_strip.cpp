@@ -1,4 +1,4 @@
-// The strip RUN: the whole run over its pivots, with all that was noticed, marked or compared on
+// The strip of the run: all of it over its pivots, with all that was noticed, marked or compared on
 // it. The lanes of the rings are kept as a picture of one column per pixel, and are made again only
 // when the run, the window of the strip or its room has changed.
 #include <algorithm>
@@ -296,26 +296,15 @@ void keepWindow(const PanelContext& context) {
     }
 }
 
-/// Length of the run, under the strip's name.
-void drawTotal(const RunStrip& strip) {
-    const RunOverview& run = strip.context.session().overview();
-    const float em = strip.context.em;
-    const std::string total = (run.complete ? "" : "\xE2\x89\xA5") +
-                              grouped(static_cast<std::size_t>(strip.window().last()));
-    strip.list->AddText(strip.context.fonts.text, 0.85F * em,
-                        {0.7F * em, strip.bars.min.y + 1.15F * em},
-                        toU32(strip.context.palette.textDim), total.c_str());
-}
-
 }  // namespace
 
 void drawRunStrip(const PanelContext& context, const Rect& area) {
     const Session& session = context.session();
     const float em = context.em;
-    const bool folded = context.rects.drawerFolded;
+    const bool folded = context.rects.stripFolded;
     const float top = 0.55F * em;
     const Rect bars =
-        beginStrip(context, "RUN", area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
+        beginStrip(context, "run", area, area.size.y - top - (folded ? 0.5F : 0.3F) * em, top);
     if (!session.ready()) return;
     keepWindow(context);
     // Folded, the scale is drawn only where it covers nothing.
@@ -338,8 +327,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     drawPlayhead(strip);
     drawDifference(strip);
     ImGui::PopClipRect();
-    if (!folded) drawTotal(strip);
-    drawMore(strip);
+    if (!folded) drawMore(strip);
     handleMouse(strip);
 }
 

@@ -184,7 +184,7 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     Session& session = context.session();
     const float em = context.em;
     const float top = 1.35F * em;
-    const Rect bars = beginStrip(context, "PIVOT", area, area.size.y - top - 0.35F * em, top);
+    const Rect bars = beginStrip(context, "pivot", area, area.size.y - top - 0.45F * em, top);
     if (!session.ready()) return;
     stepByWheel(context, area, "step.pivot.");
     keepSteps(context);
@@ -194,14 +194,14 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     float x = bars.min.x;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         drawStageBlock(context, runs[i], {{x, bars.min.y}, {widths[i], bars.size.y}},
-                       area.min.y + 0.2F * em);
+                       area.min.y + 0.3F * em);
         x += widths[i] + gap;
     }
 }
 
 void drawStageStrip(const PanelContext& context, const Rect& area) {
     const float em = context.em;
-    const Rect bars = beginStrip(context, "STAGE", area, area.size.y - 0.75F * em, 0.2F * em);
+    const Rect bars = beginStrip(context, "stage", area, area.size.y - 0.75F * em, 0.2F * em);
     const Session& session = context.session();
     if (!session.ready()) return;
     stepByWheel(context, area, "step.event.");

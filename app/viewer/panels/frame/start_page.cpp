@@ -317,7 +317,7 @@ void drawSide(const PanelContext& context) {
 
 void drawStartPage(const PanelContext& context) {
     const float em = context.em;
-    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
+    const glm::vec2 screen = context.rects.window;
     const float top = std::max(context.rects.menu.max().y, ImGui::GetFrameHeight());
     const Rect area{{0.0F, top}, {screen.x, screen.y - top}};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * em, 0.9F * em});

@@ -1,4 +1,4 @@
-/// Shared parts of the three strips in the drawer, and the lanes within the strip RUN.
+/// The parts of the strip below the view, and the lanes within the strip of the run.
 #pragma once
 
 #include "panel_state/side_panels.h"
@@ -6,10 +6,11 @@
 
 namespace se::view {
 
-/// Draws the name of a strip, "RUN", in the margin to the left of its bars. The area of the bars:
-/// right of the name, `top` below the upper edge of the strip. Test scripts find it as "strip run".
+/// The area of the bars of a strip: `top` below its upper edge, with a margin on both sides. Test
+/// scripts find it as "strip run".
 Rect beginStrip(const PanelContext& context, const char* name, const Rect& strip, float height,
                 float top);
+void drawTransport(const PanelContext& context, const Rect& area);
 void drawRunStrip(const PanelContext& context, const Rect& area);
 void drawPivotStrip(const PanelContext& context, const Rect& area);
 void drawStageStrip(const PanelContext& context, const Rect& area);

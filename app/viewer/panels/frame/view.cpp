@@ -95,7 +95,7 @@ void closeLasso(const PanelContext& context, Lasso& lasso) {
         return session.messages().say("There is no point inside the lasso that faces this way.");
     addBreakpoint(context.commands,
                   {"lasso, " + grouped(points.size()) + " points", amongLine(points)});
-    context.state<OpenTab>().wanted = kBreakpointsTab;
+    actions::showPart(context.commands, kBreakpointsPart);
     session.highlights().mark(points);
 }
 
@@ -253,15 +253,74 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     return place;
 }
 
+/// The caption, where it lies in the view; framing knows how much of the view it covers.
+std::optional<Rect> drawOwnCaption(const PanelContext& context) {
+    if (!context.beside) context.ui().coveredBelow = 0.0F;
+    const PictureLook& look = context.ui().picture;
+    const bool wanted = !look.viewAlone || look.caption;
+    // The sheet of a phone has the room.
+    if (!wanted || !context.rects.captionInView() || context.rects.phone) return std::nullopt;
+    const std::optional<Rect> plate = drawCaption(context);
+    const Rect& view = context.rects.view;
+    if (plate && !context.beside)
+        context.ui().coveredBelow = (view.max().y - plate->min.y) / view.size.y;
+    return plate;
+}
+
+constexpr const char* kLayersTitle = "Layers";
+
+/// A button over the picture: it is offered before the picture, and drawn after it.
+struct OverButton {
+    Rect place;
+    bool hovered = false;
+};
+
+/// The menu of the layers, in a corner of the view.
+std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
+    const bool none = context.beside || context.ui().picture.viewAlone || context.rects.phone ||
+                      context.rects.layoutPreset == LayoutPreset::Present;
+    if (none || !context.session().ready()) return std::nullopt;
+    const float em = context.em;
+    const Rect& view = context.rects.view;
+    const Rect place{view.min + glm::vec2(0.7F, 0.6F) * em,
+                     {textWidth(kLayersTitle) + 1.2F * em, 1.6F * em}};
+    ImGui::SetCursorScreenPos(toVec2(place.min));
+    const bool clicked = ImGui::InvisibleButton("##layersButton", toVec2(place.size));
+    nameItem(context, "layers", "What the view draws, and when");
+    const OverButton button{place, ImGui::IsItemHovered()};
+    if (std::exchange(context.state<Navigation>().opensLayers, false) || clicked)
+        ImGui::OpenPopup("##layers");
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.7F * em, 0.55F * em));
+    ImGui::SetNextWindowPos({place.min.x, place.max().y + 0.2F * em});
+    if (ImGui::BeginPopup("##layers")) {
+        drawLayerSwitches(context);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+    return button;
+}
+
+void drawLayersButton(const PanelContext& context, const OverButton& button) {
+    const Palette& colors = context.palette;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    fill(list, button.place, (button.hovered ? colors.panelRaised : colors.panel).withAlpha(0.9F),
+         0.3F * context.em);
+    list->AddText({button.place.min.x + 0.6F * context.em, button.place.min.y + 0.25F * context.em},
+                  toU32(button.hovered ? colors.text : colors.textDim), kLayersTitle);
+}
+
 /// Overlays of the picture. Each avoids those before it; labels come last, since they find a
 /// place anywhere.
 void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow,
-              const std::optional<AxisGizmo>& axes) {
+              const std::optional<AxisGizmo>& axes, const std::optional<OverButton>& layers) {
     std::vector<Rect> taken;
     const auto note = [&](const std::optional<Rect>& place) {
         if (place) taken.push_back(*place);
     };
     if (arrow) note(arrow->rect);
+    if (layers) taken.push_back(layers->place);
+    if (layers) drawLayersButton(context, *layers);
+    note(drawOwnCaption(context));
     note(drawShownState(context));
     if (axes) taken.push_back(axes->plate);
     if (axes) drawAxes(context, *axes);
@@ -279,12 +338,13 @@ void drawWithOverlays(const PanelContext& context) {
     if (arrow) taken.push_back(arrow->rect);
     const std::optional<AxisGizmo> axes = offerAxes(context, taken);
     const std::vector<FaultPin> pins = offerFaultPins(context);
+    const std::optional<OverButton> layers = offerLayersMenu(context);
     offerView(context);
     handleMouse(context);
     drawViewPicture(context);
     drawFaultPins(context, pins);
     drawForAudience(context);
-    drawOver(context, arrow, axes);
+    drawOver(context, arrow, axes, layers);
     drawLasso(context);
     drawSectionPlane(context);
     drawMoveWay(context);
@@ -303,6 +363,7 @@ void drawView(const PanelContext& context, const char* window) {
             handleMouse(context);
             drawViewPicture(context);
             if (look.labels) drawLabels(context, {});
+            drawOwnCaption(context);
         }
     }
     ImGui::End();

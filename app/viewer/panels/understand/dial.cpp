@@ -21,6 +21,8 @@ constexpr float kBetween = 0.5F;
 constexpr float kFirstWide = 10.5F;
 /// Minimum height in a low panel, which scrolls.
 constexpr float kLeastHigh = 9.0F;
+/// Share of the height of the column.
+constexpr float kColumnShare = 0.4F;
 
 struct DialRooms {
     Rect main;
@@ -83,6 +85,15 @@ void explain(const PanelContext& context, const DialTick& tick) {
     ImGui::EndTooltip();
 }
 
+/// All of the area beside a picture; in the column the width, and a share of the height, so that
+/// the numbers below the dial are seen as well.
+ImVec2 roomOf(const PanelContext& context) {
+    ImVec2 room = ImGui::GetContentRegionAvail();
+    if (context.rects.dial.size.x <= 0.0F)
+        room.y = std::min(room.x + 2.0F * context.em, kColumnShare * context.rects.column.size.y);
+    return room;
+}
+
 }  // namespace
 
 void drawDial(const PanelContext& context) {
@@ -90,15 +101,13 @@ void drawDial(const PanelContext& context) {
     if (!session.ready()) return;
     const DecisionState& picture = session.picture();
     const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
-    heading(context, "Dial",
-            dial.empty() ? "" : "tangent plane at " + pointLabel("p", dial.pivot, session.names()));
     if (dial.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 room = roomOf(context);
     const std::vector<std::string> caption = wrapped(dial.caption, room.x);
     const float captionHeight = ImGui::GetTextLineHeightWithSpacing() *
                                 static_cast<float>(std::max<std::size_t>(1, caption.size()));

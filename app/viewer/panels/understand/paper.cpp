@@ -90,7 +90,6 @@ void drawPaper(const PanelContext& context) {
     drawFigure(context);
     const Event* event = session.event();
     if (event == nullptr) {
-        heading(context, "Paper");
         dimText("Step forward (F11 or \xE2\x86\x92): the active rule is explained here.");
         return;
     }
@@ -101,13 +100,9 @@ void drawPaper(const PanelContext& context) {
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);
     const Color color = outcomeColor(context.palette, *event).value_or(context.palette.accent);
-    const bool moved = context.state<Navigation>().paperWatch.moved(
-        session.generation(), session.record().pivot, session.cursor());
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
         drawLine(context, rule.code[i], i == present, i == present ? liveNumbers(*event) : "",
                  color);
-        // The numbers below the line are the most important part.
-        if (i == present && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
     }
 }
 

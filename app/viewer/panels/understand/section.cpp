@@ -257,7 +257,7 @@ void drawSection(const PanelContext& context) {
     SectionPanel& panel = context.state<SectionPanel>();
     panel.shownIn = ImGui::GetFrameCount();
     const NormalSection& section = sectionHere(context);
-    heading(context, "Section", planeText(section, panel.turnDegrees, session.names()));
+    dimText(planeText(section, panel.turnDegrees, session.names()));
     if (section.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
@@ -266,7 +266,7 @@ void drawSection(const PanelContext& context) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Rect area{{corner.x, corner.y},
-                    {std::max(room.x, context.em), std::max(room.y, 8.0F * context.em)}};
+                    {std::max(room.x, context.em), std::max(0.6F * room.x, 8.0F * context.em)}};
     ImGui::InvisibleButton("##section", toVec2(area.size));
     nameItem(context, "section");
     SectionDrawer drawer(context, section, area);

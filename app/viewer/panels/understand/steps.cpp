@@ -89,6 +89,7 @@ void drawStepFilter(const PanelContext& context) {
     const bool wide = ImGui::GetContentRegionAvail().x > 16.0F * context.em;
     ImGui::InputTextWithHint("##filter", wide ? "filter: stage, verdict, point, x" : "filter",
                              nav.stepFilter.data(), nav.stepFilter.size());
+    context.where()["steps filter"] = lastItem();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
         tooltip(
             "Shows only pivots and tests with all of these words: the beginning of a stage "
@@ -164,13 +165,10 @@ void drawStepRows(const PanelContext& context, const StepColumns& columns) {
 
 void drawSteps(const PanelContext& context) {
     const Session& session = context.session();
-    const bool ready = session.ready();
     const RunOverview& run = session.overview();
     keepSteps(context);
-    heading(context, "Steps",
-            !ready ? std::string{}
-                   : withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
-    if (!ready) return dimText("Open a file, or a scene, to see its steps here.");
+    if (!session.ready()) return dimText("Open a file, or a scene, to see its steps here.");
+    tabNote(withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     drawStepFilter(context);
     const StepTree& tree = context.state<Navigation>().steps;
     const StepColumns columns =

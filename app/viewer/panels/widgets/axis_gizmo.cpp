@@ -76,7 +76,7 @@ std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const 
     // In a small view the decision needs the room.
     const glm::vec2 room = context.rects.view.size / em;
     if (room.x < kLeastRoom.x || room.y < kLeastRoom.y) return std::nullopt;
-    constexpr std::array kCorners = {Corner::BottomLeft, Corner::BottomRight, Corner::TopLeft};
+    constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft};
     const std::optional<Rect> place =
         freeCorner({context.rects.view, 0.5F * em, taken, {}}, glm::vec2(kPlate * em), kCorners);
     if (!place) return std::nullopt;

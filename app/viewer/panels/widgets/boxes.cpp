@@ -9,7 +9,7 @@
 namespace se::view {
 
 glm::vec2 placeDialog(const PanelContext& context, glm::vec2 ems, glm::vec2 margin) {
-    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
+    const glm::vec2 screen = context.rects.window;
     const glm::vec2 size = glm::min(ems * context.em, screen - margin * context.em);
     ImGui::SetNextWindowPos(toVec2(0.5F * screen), ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(toVec2(size));

@@ -35,7 +35,13 @@ void drawIcon(ImDrawList* list, ImVec2 c, float r, Icon icon, ImU32 color) {
     };
     const bool back = icon == Icon::SkipStart || icon == Icon::Back || icon == Icon::StepBack;
     const float way = back ? -1.0F : 1.0F;
-    if (icon == Icon::Pause) {
+    if (icon == Icon::Bookmark) {
+        // A ribbon with a notch.
+        for (const float side : {-1.0F, 1.0F})
+            list->AddQuadFilled({c.x, c.y - r}, {c.x + 0.7F * side * r, c.y - r},
+                                {c.x + 0.7F * side * r, c.y + 1.1F * r}, {c.x, c.y + 0.5F * r},
+                                color);
+    } else if (icon == Icon::Pause) {
         bar(-0.7F, -0.2F);
         bar(0.2F, 0.7F);
     } else if (icon == Icon::Play) {
@@ -165,8 +171,8 @@ void heading(const PanelContext& context, const char* title, const std::string& 
 }
 
 bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool active,
-                const PanelContext& context) {
-    const ImVec2 size(active ? 2.6F * context.em : 1.9F * context.em, ImGui::GetFrameHeight());
+                const PanelContext& context, ImVec2 size) {
+    if (size.x <= 0.0F) size = {(active ? 2.6F : 1.9F) * context.em, ImGui::GetFrameHeight()};
     ImGui::BeginDisabled(!enabled);
     if (active) {
         ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
@@ -182,6 +188,12 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
     ImGui::EndDisabled();
     tooltip(text);
     return pressed;
+}
+
+std::string withKeys(const PanelContext& context, const std::string& text,
+                     std::string_view command) {
+    const std::string keys = context.settings().keys.all(*findCommand(command));
+    return keys.empty() ? text : text + " (" + keys + ")";
 }
 
 void takeKeyboard() {

@@ -19,7 +19,7 @@ namespace se::view {
 enum class KeyStop : std::uint8_t;
 enum class Shape : std::uint8_t;
 
-enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd };
+enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd, Bookmark };
 
 ImU32 toU32(const Color& color);
 inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
@@ -99,9 +99,12 @@ bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 void heading(const PanelContext& context, const char* title, const std::string& note = {});
 /// The note of a panel whose tab is its title: dim, on a line of its own; nothing if empty.
 void tabNote(const std::string& note);
-/// A square button with a drawn icon. `large` ones are wider.
+/// A button with a drawn icon, filled if `active`; `size` 0: of the usual size.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
-                const PanelContext& context);
+                const PanelContext& context, ImVec2 size = {0.0F, 0.0F});
+/// "Next pivot (F10, .)": with the user's keys.
+std::string withKeys(const PanelContext& context, const std::string& text,
+                     std::string_view command);
 /// Gives the keyboard focus to the item drawn last.
 void takeKeyboard();
 /// Gives it to the first item of the current window; without one, arrows scroll the window.
@@ -183,20 +186,5 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
 
 /// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
 bool drawBoxFields(const PanelContext& context, BoxFields& fields);
-
-// ---- tab_rows.cpp: a row of tabs ----
-struct TabName {
-    const char* title;
-    const char* kind;  ///< For test scripts: "tab" or "group".
-    bool open;
-};
-struct TabRow {
-    std::span<const TabName> names;
-    std::optional<KeyStop> stop;  ///< Of the keyboard, at the open tab; empty: none.
-    float reserved;               ///< Pixels at the right end for something else.
-};
-
-/// Draws the names in one row; the one that was clicked. Those without room are in a list.
-std::optional<std::size_t> drawTabRow(const PanelContext& context, const TabRow& row);
 
 }  // namespace se::view

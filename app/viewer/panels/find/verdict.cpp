@@ -1,0 +1,209 @@
+// The part Verdict: the faults of the finished mesh, and the next actions.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "commands/alert_actions.h"
+#include "commands/ask_actions.h"
+#include "panel_state/side_panels.h"
+#include "panel_state/ui_state.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/model.h"
+#include "run/number_format.h"
+#include "session/layout_preset.h"
+#include "session/session.h"
+
+namespace se::view {
+
+namespace {
+
+/// "19 304 triangles · farthest point 0.4 spacings away".
+std::string meshText(const RunFailureSearch& found, const Model& model) {
+    std::string text = withS(found.verdict.triangles, "triangle");
+    const double farthest = found.verdict.fidelity.greatestDistance * model.scale / model.spacing;
+    if (farthest > 0.0)
+        text += " \xC2\xB7 farthest point " + formatted("%.1f", farthest) + " spacings away";
+    return text;
+}
+
+void numberCell(const std::string& text) {
+    ImGui::TableNextColumn();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room - textWidth(text)));
+    ImGui::TextUnformatted(text.c_str());
+}
+
+/// The counts of the open run, and of the best trial if there is one: a row for each that is not 0,
+/// and distances in spacings.
+void drawNumbers(const PanelContext& context, const MeshVerdict& now, const MeshVerdict* then) {
+    const Model& model = context.session().model();
+    const int columns = then != nullptr ? 3 : 2;
+    if (!ImGui::BeginTable("##numbers", columns)) return;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    for (int i = 1; i < columns; ++i)
+        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 3.6F * context.em);
+    const auto row = [&](const std::string& what, const std::string& before,
+                         const std::string& after) {
+        ImGui::TableNextColumn();
+        dimText(what);
+        numberCell(before);
+        if (then != nullptr) numberCell(after);
+    };
+    const auto spacings = [&](const MeshVerdict* of) {
+        return of == nullptr
+                   ? std::string{}
+                   : formatted("%.1g", of->fidelity.meanDistance * model.scale / model.spacing);
+    };
+    if (then != nullptr) row("", "now", "then");
+    row("places with faults", grouped(now.places), then != nullptr ? grouped(then->places) : "");
+    for (const VerdictCount& count : verdictCounts()) {
+        const std::size_t after = then != nullptr ? count.of(*then) : 0;
+        if (count.of(now) > 0 || after > 0)
+            row(std::string(count.plural), grouped(count.of(now)), grouped(after));
+    }
+    row("mean distance", spacings(&now), spacings(then));
+    ImGui::EndTable();
+    nameItem(context, "verdict numbers",
+             "The mean distance of the points from the mesh is in spacings");
+}
+
+/// The triangles that Fix would change, in the colors that they have in the view.
+void drawChange(const PanelContext& context, const MeshChange& change) {
+    const auto& [go, come] = wordsOf(change);
+    wrappedText(go + ",", context.palette.rejected);
+    wrappedText(come, context.palette.used);
+    dimText("Point here or at Fix to see them.");
+}
+
+/// The other settings that were tried, beside the open run.
+void drawBest(const PanelContext& context, const TrialJob& job, const Trial& best) {
+    const MeshVerdict& now = job.trials().tried.front().verdict;
+    // In some count it can be worse: the table shows which.
+    const bool better = worseIn(best.verdict, now) == nullptr;
+    textIn(context.fonts.strong,
+           std::string(better ? "Better settings" : "Settings with fewer places") +
+               (job.busy() ? " so far" : ""));
+    wrappedText(wordsOf(best.change));
+    ImGui::BeginGroup();
+    drawNumbers(context, now, &best.verdict);
+    if (job.ended()) drawChange(context, *job.change());
+    ImGui::EndGroup();
+    context.state<VerdictPart>().pointedAt |= ImGui::IsItemHovered();
+}
+
+/// The trials of other settings: what is tried, and the numbers of the open run and of the best.
+void drawTrials(const PanelContext& context, const MeshVerdict& now) {
+    TrialJob& job = context.session().trials();
+    const Trial* best = job.best();
+    if (best == nullptr) drawNumbers(context, now, nullptr);
+    const bool idle = !job.busy() && !job.ended();
+    if (idle && !context.session().input().spec().whatIf.empty()) return;
+    ImGui::Spacing();
+    if (best != nullptr) drawBest(context, job, *best);
+    if (idle) {
+        if (textButton(context, "Try other settings", "verdict try",
+                       "Rules, neighbors, normals and more: up to 19 more runs, in the background"))
+            job.start();
+    } else if (job.busy()) {
+        const std::string doing =
+            context.state<VerdictPart>().fixing ? "Fix: " + job.trying() : job.trying();
+        if (progressAndStop(context, job.share(), doing.c_str(), "verdict stop")) job.stop();
+    } else if (!job.complaint().empty()) {
+        dimText(job.complaint());
+    } else if (best == nullptr && !job.trials().tried.empty()) {
+        dimText(noneBetterText(job.trials()));
+    }
+}
+
+/// Loops that stay open, and the width up to which they are to be closed.
+void drawOpen(const PanelContext& context, const OpenLoops& loops) {
+    static const RuleSetting& limit = *findRuleSetting("holewidth");
+    double width = valueOf(context.session().input().rules(), limit);
+    const std::string text = openText(loops);
+    if (text.empty() && width == 0.0) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Close holes up to");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(5.0F * context.em);
+    if (ImGui::InputDouble("##holes", &width, 0.0, 0.0, "%.4g", kEntered) && isValue(limit, width))
+        closeHoles(context.commands, width);
+    nameItem(context, "verdict close holes",
+             "The largest hole to close, openings of the scan too, in the unit of the file; 0: as "
+             "the rules say. Enter runs the points again.");
+    dimText(text.empty() ? "Nothing is open." : text);
+}
+
+void askWhyShown(const PanelContext& context) {
+    if (context.session().alerts().shown() == nullptr) showPlace(context.commands, 0);
+    actions::askWhySelected(context.commands);
+}
+
+/// What an engineer does next: Fix and Save mesh; then looking at the places.
+void drawActions(const PanelContext& context, const AlertSearch& alerts) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool fixes = canFix(context.commands) && !context.state<VerdictPart>().fixing;
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    if (fixes) {
+        ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
+        const bool clicked =
+            textButton(context, "Fix", "verdict fix", fixText(context.session().trials()), half);
+        ImGui::PopStyleColor(2);
+        context.state<VerdictPart>().pointedAt |=
+            ImGui::IsItemHovered() && context.session().trials().ended();
+        if (clicked) fixByTrials(context.commands);
+        ImGui::SameLine();
+    }
+    if (textButton(context, "Save mesh...", "verdict save", context.key("file.savemesh"), half))
+        context.run("file.savemesh");
+    if (alerts.places().empty()) return;
+    if (textButton(context, "Worst first", "verdict worst",
+                   "Show the places one by one: " + context.key("step.alert.next"), half))
+        showPlace(context.commands, 0);
+    ImGui::SameLine();
+    if (textButton(context, "Why?", "verdict why",
+                   "Every decision about the shown fault: " + context.key("ask.why"), half))
+        askWhyShown(context);
+}
+
+void drawFound(const PanelContext& context, const AlertSearch& alerts) {
+    const bool faulty = !alerts.sound();
+    const MeshVerdict& verdict = alerts.found()->verdict;
+    // The counts are in the table.
+    const std::string title = !faulty              ? "The mesh is sound"
+                              : verdict.places > 0 ? "Not sound: " + withS(verdict.places, "place")
+                                                   : verdictText(alerts);
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          toVec4(faulty ? context.palette.rejected : context.palette.used));
+    textIn(context.fonts.strong, title);
+    ImGui::PopStyleColor();
+    nameItem(context, "verdict title", verdictText(alerts));
+    dimText(meshText(*alerts.found(), context.session().model()));
+    if (const std::string& by = context.session().model().judged; !by.empty())
+        dimText("Judged " + by + ".");
+    if (faulty) drawTrials(context, verdict);
+    drawOpen(context, alerts.openLoops());
+    ImGui::Spacing();
+    drawActions(context, alerts);
+}
+
+}  // namespace
+
+void drawVerdict(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
+    const AlertSearch& alerts = session.alerts().search();
+    if (alerts.done()) return drawFound(context, alerts);
+    if (!alerts.complaint().empty()) return wrappedText(alerts.complaint());
+    if (alerts.stopped()) return dimText("The search for faults was stopped.");
+    if (!alerts.busy()) return dimText("The mesh is checked once the run is complete.");
+    dimText("Checking the mesh");
+    ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
+}
+
+}  // namespace se::view

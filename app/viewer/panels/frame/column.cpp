@@ -1,0 +1,254 @@
+// The rail of tasks, and the column with the parts of the open task: one below the other, each of
+// which can be folded to its title.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "commands/command_actions.h"
+#include "input/tab_order.h"
+#include "panel_state/ui_state.h"
+#include "panels/widgets/rail_icons.h"
+#include "panels/widgets/widgets.h"
+#include "session/session.h"
+
+namespace se::view {
+
+namespace {
+
+/// Size of an entry of the rail, in em.
+constexpr float kEntryHigh = 3.6F;
+constexpr float kSignSize = 1.15F;
+constexpr float kTaskNameSize = 0.72F;
+
+bool hasPivot(const PanelContext& context) {
+    return !context.session().ready() || !context.session().atEnd();
+}
+bool compares(const PanelContext& context) {
+    return context.rects.layoutPreset == LayoutPreset::Compare;
+}
+
+/// In the order of partRows().
+constexpr auto kPanels = std::to_array<PartPanel>({
+    {"Dial", drawDial, hasPivot},
+    {"Inspect", drawInspect},
+    {"Paper", drawPaper, hasPivot},
+    {kSectionPart, drawSection, hasPivot},
+    {"Steps", drawSteps},
+    {"Rings", drawRings, hasPivot},
+    {kLedgerPart, drawLedger},
+    {"Verdict", drawVerdict},
+    {kAlertsPart, drawAlerts},
+    {kQueryPart, drawQuery},
+    {kBreakpointsPart, drawBreakpoints},
+    {kWatchPart, drawWatch},
+    {kChartsPart, drawCharts},
+    {kComparePart, drawCompare, compares},
+    {kRulesPart, drawRules},
+    {kWhatIfPart, drawWhatIf},
+    {kDoctorPart, drawDoctor},
+    {kPreparePart, drawPrepare},
+    {kLessonPart, drawLesson},
+});
+
+/// A part of the open task, and where its row is.
+struct Shown {
+    const PartRow* row;
+    const PartPanel* panel;
+    std::size_t number;
+};
+
+std::vector<Shown> partsOf(const PanelContext& context) {
+    std::vector<Shown> parts;
+    const auto rows = partRows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const PartPanel& panel = kPanels[i];
+        if (rows[i].task != context.state<Column>().task) continue;
+        if (panel.isThere == nullptr || panel.isThere(context))
+            parts.push_back({&rows[i], &panel, i});
+    }
+    return parts;
+}
+
+/// The title, which folds the part. A part alone needs no fold.
+bool drawTitle(const PanelContext& context, const Shown& part, bool alone) {
+    FoldedParts& folded = context.settings().parts;
+    const bool open = alone || isOpen(folded, *part.row);
+    const std::string title(part.row->title);
+    const float em = context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    if (ImGui::InvisibleButton("##title", {ImGui::GetContentRegionAvail().x, height}) && !alone) {
+        setOpen(folded, *part.row, !open);
+        if (!open) context.state<Column>().part = title;
+    }
+    const bool hovered = ImGui::IsItemHovered() && !alone;
+    nameItem(context, "part " + title);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& colors = context.palette;
+    const ImU32 ink = toU32(open || hovered ? colors.text : colors.textDim);
+    float x = at.x;
+    if (!alone) {
+        const float y = at.y + 0.5F * height;
+        const float r = 0.28F * em;
+        const ImVec2 c(at.x + r, y);
+        if (open) {
+            list->AddTriangleFilled({c.x - r, c.y - 0.5F * r}, {c.x + r, c.y - 0.5F * r},
+                                    {c.x, c.y + 0.8F * r}, ink);
+        } else {
+            list->AddTriangleFilled({c.x - 0.5F * r, c.y - r}, {c.x + 0.8F * r, c.y},
+                                    {c.x - 0.5F * r, c.y + r}, ink);
+        }
+        x += em;
+    }
+    list->AddText(context.fonts.strong, em, {x, at.y + 0.5F * (height - em)}, ink, title.c_str());
+    return open;
+}
+
+/// Height that the parts below `from` take at least.
+float heightBelow(const PanelContext& context, std::span<const Shown> parts, std::size_t from) {
+    const Column& column = context.state<Column>();
+    float sum = 0.0F;
+    for (std::size_t i = from; i < parts.size(); ++i) {
+        sum += ImGui::GetFrameHeightWithSpacing();
+        if (!isOpen(context.settings().parts, *parts[i].row)) continue;
+        sum += parts[i].row->least > 0.0F ? parts[i].row->least * context.em
+                                          : column.heights[parts[i].number];
+    }
+    return sum;
+}
+
+void drawContent(const PanelContext& context, std::span<const Shown> parts, std::size_t number) {
+    const Shown& part = parts[number];
+    const float from = ImGui::GetCursorPosY();
+    if (part.row->least > 0.0F) {
+        const float rest =
+            ImGui::GetContentRegionAvail().y - heightBelow(context, parts, number + 1);
+        const float height = std::max(part.row->least * context.em, rest);
+        if (ImGui::BeginChild("##content", {0.0F, height}, false, ImGuiWindowFlags_NavFlattened))
+            part.panel->draw(context);
+        ImGui::EndChild();
+    } else {
+        part.panel->draw(context);
+        ImGui::Spacing();
+    }
+    context.state<Column>().heights[part.number] = ImGui::GetCursorPosY() - from;
+}
+
+void drawParts(const PanelContext& context) {
+    Column& column = context.state<Column>();
+    const std::vector<Shown> parts = partsOf(context);
+    if (parts.empty()) return;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        ImGui::PushID(parts[i].panel->title);
+        const bool open = drawTitle(context, parts[i], parts.size() == 1);
+        if (i == 0 && context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboard();
+        if (column.reveal == parts[i].row->title) {
+            if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.0F);
+            column.reveal.clear();
+        }
+        if (open) drawContent(context, parts, i);
+        ImGui::PopID();
+    }
+}
+
+/// A task in the rail: its sign above its name, and a mark if something there is new.
+void drawEntry(const PanelContext& context, const TaskRow& row, const Rect& area) {
+    const float em = context.em;
+    const Palette& colors = context.palette;
+    Column& column = context.state<Column>();
+    const bool folded = context.rects.column.size.x <= 0.0F;
+    const bool here = column.task == row.id && !folded;
+    ImGui::SetCursorScreenPos(toVec2(area.min));
+    const std::string title(row.title);
+    if (ImGui::InvisibleButton(("##" + title).c_str(), toVec2(area.size)))
+        actions::pickTask(context.commands, row.id);
+    nameItem(context, "rail " + title,
+             std::string(row.help) + (here ? "\nClick to fold the panels." : ""));
+    const bool hovered = ImGui::IsItemHovered();
+    if (column.task == row.id && context.state<KeyWalk>().offer(KeyStop::Rail)) takeKeyboard();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Rect inner{area.min + glm::vec2(0.15F * em), area.size - glm::vec2(0.3F * em)};
+    if (here) fill(list, inner, colors.panelRaised, 0.3F * em);
+    const Color ink = here ? colors.accent : hovered ? colors.text : colors.textDim;
+    const glm::vec2 middle(area.min.x + 0.5F * area.size.x, area.min.y + 1.3F * em);
+    drawRailIcon(list, row.id, toVec2(middle), kSignSize * em, toU32(ink));
+    const float size = kTaskNameSize * em;
+    const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, title.c_str()).x;
+    list->AddText(context.fonts.text, size,
+                  {std::round(middle.x - 0.5F * width), middle.y + 0.85F * em},
+                  toU32(here ? colors.text : ink), title.c_str());
+    if (column.news[static_cast<std::size_t>(row.id)]) {
+        list->AddCircleFilled({middle.x + 0.75F * em, middle.y - 0.6F * em}, 0.3F * em,
+                              toU32(colors.rejected));
+        context.where()["news " + title] = area;
+    }
+}
+
+}  // namespace
+
+void drawColumn(const PanelContext& context) {
+    const Rect& area = context.rects.column;
+    if (area.size.x <= 0.0F) return;
+    if (beginRegion("##column", area)) {
+        ImGui::PushID(static_cast<int>(context.state<Column>().task));
+        drawParts(context);
+        ImGui::PopID();
+    }
+    ImGui::End();
+}
+
+void drawRail(const PanelContext& context) {
+    const Rect& area = context.rects.rail;
+    if (area.size.x <= 0.0F) return;
+    if (beginRegion("##rail", area, ImGuiWindowFlags_NoScrollbar)) {
+        const float count = static_cast<float>(kTaskCount);
+        const bool across = context.rects.phone;
+        const float high = std::min(kEntryHigh * context.em, area.size.y / count);
+        const glm::vec2 size =
+            across ? glm::vec2(area.size.x / count, area.size.y) : glm::vec2(area.size.x, high);
+        glm::vec2 at = area.min;
+        for (const TaskRow& row : taskRows()) {
+            drawEntry(context, row, {at, size});
+            across ? at.x += size.x : at.y += size.y;
+        }
+    }
+    ImGui::End();
+}
+
+void drawSplitter(const PanelContext& context) {
+    const Rect& handle = context.rects.splitter;
+    if (handle.size.x <= 0.0F || context.ui().coversView()) return;
+    // A window of its own above the regions, so that neither of its neighbors gets the mouse.
+    constexpr int kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                           ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+    ImGui::SetNextWindowPos(toVec2(handle.min));
+    ImGui::SetNextWindowSize(toVec2(handle.size));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    if (ImGui::Begin("##splitter", nullptr, kFlags)) {
+        ImGui::InvisibleButton("##handle", toVec2(handle.size));
+        context.where()["splitter column"] = handle;
+        const bool active = ImGui::IsItemActive();
+        if (active || ImGui::IsItemHovered()) {
+            ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+            const float thin = std::max(1.0F, 0.15F * context.em);
+            fill(ImGui::GetWindowDrawList(),
+                 {{handle.min.x + 0.5F * (handle.size.x - thin), handle.min.y},
+                  {thin, handle.size.y}},
+                 context.palette.accent);
+        }
+        float& width = context.settings().panels.column;
+        if (active && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            width = 0.0F;
+        } else if (active && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F)) {
+            // A press alone moves nothing.
+            const float pixels = context.rects.column.max().x - ImGui::GetIO().MousePos.x;
+            width = std::max(1.0F, pixels / context.em);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace se::view
