@@ -202,7 +202,7 @@ const auto kCommands = std::to_array<Command>({
      "Show the selection, or the decision from the side that shows it best.", frameSmoothly,
      "zoom focus center"},
     {"view.follow", "View", "Follow the decision", "Shift+V",
-     "Move the camera to the view of each decision; on in Learn and Present.", toggleFollow,
+     "Move the camera to the view of each decision; on in lessons and Present.", toggleFollow,
      "camera automatic move track"},
     {"view.swing", "View", "Swing the view", "V", "Swing by 20 degrees and back, to show depth.",
      swing, "parallax rotate depth camera rock"},

@@ -118,7 +118,7 @@ struct UiState {
     glm::vec2 viewEms{50.0F, 30.0F};        ///< Size of the view, in em, as last drawn.
     bool follow = false;                    ///< The camera goes to the view of each decision.
     CameraMove cameraMove;
-    /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "tab
+    /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
     /// Dial", "strip run"
     /// ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;

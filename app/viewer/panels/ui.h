@@ -15,7 +15,7 @@ struct Fonts {
     ImFont* text = nullptr;
     ImFont* strong = nullptr;
     ImFont* mono = nullptr;
-    ImFont* small = nullptr;    ///< For the legend, and tabs in little room.
+    ImFont* small = nullptr;    ///< For the legend, and captions in little room.
     ImFont* large = nullptr;    ///< For the narration line.
     ImFont* caption = nullptr;  ///< For the narration line read from a distance.
 };

@@ -173,7 +173,7 @@ void drawDoctor(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const DoctorJob& doctorJob = session.doctorJob();
     const std::size_t count = doctorJob.findings().size();
-    tabNote(count == 0 ? "" : withS(count, "finding"));
+    partNote(count == 0 ? "" : withS(count, "finding"));
     drawAside(context);
     drawRepaired(context);
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());

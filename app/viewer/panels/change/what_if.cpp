@@ -138,7 +138,7 @@ void drawWhatIf(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RunSpec rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
-    tabNote(count == 0 ? "" : counted(count, "change", "changes"));
+    partNote(count == 0 ? "" : counted(count, "change", "changes"));
     drawPresent(context, rules);
     drawDragHint(session);
     ImGui::Spacing();

@@ -90,7 +90,7 @@ void drawLedger(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     followSelection(context);
     Questions& questions = session.questions();
-    tabNote(questions.subjectName());
+    partNote(questions.subjectName());
     drawQuestionBox(context);
     const ScrolledBody body(context, "##ledgerBody");
     BackgroundQuery<WhyAnswer>& ledger = questions.ledger();

@@ -282,7 +282,7 @@ void drawRings(const PanelContext& context) {
     const Session& session = context.session();
     const std::size_t count = session.ready() ? session.picture().rings.size() : 0;
     const std::size_t stacked = session.ready() ? stackedCount(session.picture().rings) : 0;
-    tabNote(stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
+    partNote(stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
     if (count == 0) {
         dimText(session.ready() && session.atEnd()
                     ? "No ring: the run is finished."

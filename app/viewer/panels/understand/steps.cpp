@@ -168,7 +168,7 @@ void drawSteps(const PanelContext& context) {
     const RunOverview& run = session.overview();
     keepSteps(context);
     if (!session.ready()) return dimText("Open a file, or a scene, to see its steps here.");
-    tabNote(withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
+    partNote(withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     drawStepFilter(context);
     const StepTree& tree = context.state<Navigation>().steps;
     const StepColumns columns =

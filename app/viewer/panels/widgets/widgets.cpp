@@ -140,7 +140,7 @@ bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
                             ImGuiWindowFlags_NoBringToFrontOnFocus | extraFlags);
 }
 
-void tabNote(const std::string& note) {
+void partNote(const std::string& note) {
     if (!note.empty()) dimText(note);
 }
 

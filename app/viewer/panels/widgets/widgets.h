@@ -97,8 +97,8 @@ void textIn(ImFont* font, const std::string& text);
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 /// A line with the title of a panel, and a dim note at its right end.
 void heading(const PanelContext& context, const char* title, const std::string& note = {});
-/// The note of a panel whose tab is its title: dim, on a line of its own; nothing if empty.
-void tabNote(const std::string& note);
+/// The note of a part of the column: dim, on a line of its own; nothing if empty.
+void partNote(const std::string& note);
 /// A button with a drawn icon, filled if `active`; `size` 0: of the usual size.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context, ImVec2 size = {0.0F, 0.0F});
