@@ -1,5 +1,7 @@
 #include "commands/commands.h"
 
+#include "commands/availability.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -234,6 +236,27 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
     // The others are chosen as before.
     choosing("dark or light", PaletteEntry::Kind::Action);
     CHECK(app.ui.settings.theme == Theme::Light);
+}
+
+TEST_CASE("What cannot act says why") {
+    CommandApp app;
+    const auto why = [&](const char* id) {
+        return std::string(whyUnavailable(*findCommand(id), app.context));
+    };
+    CHECK(why("help.keys").empty());
+    CHECK(why("run.play").empty());
+    CHECK(why("run.start") == "This is the start of the run.");
+    CHECK(why("edit.whatif.clear") == "There are no what-ifs.");
+    CHECK(why("run.compare.stop") == "Nothing is compared.");
+    app.open.session.moves().toEnd();
+    app.open.session.waitUntilDone();
+    CHECK(why("run.play") == "The run is finished.");
+    CHECK(why("run.start").empty());
+    CHECK(why("step.alert.next").empty());
+    Session none;
+    const CommandContext nothing{none, app.playback, app.camera, app.ui};
+    CHECK(whyUnavailable(*findCommand("ask.why"), nothing) == "Nothing is open.");
+    CHECK(whyUnavailable(*findCommand("file.open"), nothing).empty());
 }
 
 TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "commands/availability.h"
 #include "commands/command_actions.h"
 #include "layers/layer.h"
 #include "panel_state/ui_state.h"
@@ -99,9 +100,10 @@ void drawItem(const PanelContext& context, std::string_view id) {
     const Command& command = *findCommand(id);
     const std::string key = context.key(command);
     const bool check = checkOf(context, command).value_or(false);
-    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), check))
+    const std::string reason(whyUnavailable(command, context.commands));
+    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), check, reason.empty()))
         runCommand(command, context.commands);
-    nameItem(context, "item " + std::string(id));
+    nameItem(context, "item " + std::string(id), reason);
 }
 
 /// A submenu of commands.

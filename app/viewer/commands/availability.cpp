@@ -1,0 +1,68 @@
+#include "availability.h"
+
+#include <algorithm>
+#include <array>
+
+#include "panel_state/ui_state.h"
+#include "session/compare/comparison.h"
+#include "session/session.h"
+
+namespace se::view {
+
+namespace {
+
+/// What the commands whose ids begin so need.
+struct Need {
+    std::string_view id;
+    bool (*holds)(const CommandContext& context);
+    std::string_view reason;  ///< Why they cannot act without it.
+};
+
+bool isOpen(const CommandContext& c) { return c.session.ready(); }
+bool isBeforeEnd(const CommandContext& c) { return !c.session.atEnd(); }
+bool isAfterStart(const CommandContext& c) { return !c.session.atStart(); }
+bool hasWhatIfs(const CommandContext& c) { return !c.session.input().spec().whatIf.empty(); }
+bool isChecked(const CommandContext& c) { return c.session.alerts().search().done(); }
+bool hasPlaces(const CommandContext& c) { return !c.session.alerts().search().places().empty(); }
+bool compares(const CommandContext& c) {
+    return c.ui.compare.now != nullptr && c.ui.compare.now->chosen();
+}
+
+constexpr std::string_view kNothing = "Nothing is open.";
+constexpr std::string_view kFinished = "The run is finished.";
+
+/// The first one that does not hold is the reason.
+constexpr auto kNeeds = std::to_array<Need>({
+    {"edit.", isOpen, kNothing},
+    {"run.", isOpen, kNothing},
+    {"step.", isOpen, kNothing},
+    {"ask.", isOpen, kNothing},
+    {"notes.", isOpen, kNothing},
+    {"file.save", isOpen, kNothing},
+    {"file.export", isOpen, kNothing},
+    {"file.copycommand", isOpen, kNothing},
+    {"file.restart", isOpen, kNothing},
+    {"view.frame", isOpen, kNothing},
+    {"view.follow", isOpen, kNothing},
+    {"run.play", isBeforeEnd, kFinished},
+    {"run.end", isBeforeEnd, kFinished},
+    {"step.event.next", isBeforeEnd, kFinished},
+    {"step.pivot.next", isBeforeEnd, kFinished},
+    {"run.start", isAfterStart, "This is the start of the run."},
+    {"step.alert.", isChecked, "The mesh is not checked yet."},
+    {"step.alert.", hasPlaces, "The mesh has no faults."},
+    {"edit.whatif.clear", hasWhatIfs, "There are no what-ifs."},
+    {"run.compare.stop", compares, "Nothing is compared."},
+    {"run.compare.swap", compares, "Nothing is compared."},
+});
+
+}  // namespace
+
+std::string_view whyUnavailable(const Command& command, const CommandContext& context) {
+    const auto missing = std::find_if(kNeeds.begin(), kNeeds.end(), [&](const Need& need) {
+        return command.id.starts_with(need.id) && !need.holds(context);
+    });
+    return missing == kNeeds.end() ? std::string_view{} : missing->reason;
+}
+
+}  // namespace se::view
