@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Installs missing packages, builds, and opens the viewer.
 #   ./run.sh [FILE] [VIEWER OPTIONS]
-# FILE: points as PLY, XYZ, OBJ, OFF or PCD, or scene:ID. Without one: a scan of a kitten that Debian
-# ships, or a built-in scene if it cannot be fetched. Without a display, the same is run headless:
-# report to the terminal, mesh and picture to out/.
+# FILE: points as PLY, XYZ, OBJ, OFF or PCD, or scene:ID. Without one, a scan of a kitten that Debian
+# ships, or a built-in scene if it cannot be fetched, is triangulated in twenty seconds. Without a
+# display, the same is run headless: report to the terminal, mesh and picture to out/.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 
@@ -29,7 +29,9 @@ fi
 [ -x build/bin/spiraling-edge-viewer ] || say "building: a few minutes, the first time"
 cmake --build build >&2
 
+first=()
 if [ -z "$input" ]; then
+    first=(--play 20)
     [ -e assets/scans/kitten.xyz ] || timeout 120 assets/fetch-scans.sh >&2 || true
     input=assets/scans/kitten.xyz
     if [ ! -e "$input" ]; then
@@ -41,7 +43,7 @@ fi
 viewer=build/bin/spiraling-edge-viewer
 if [ -n "${DISPLAY:-}" ]; then
     code=0
-    "$viewer" "$input" "$@" || code=$?
+    "$viewer" "$input" "${first[@]}" "$@" || code=$?
     [ "$code" = 4 ] || exit "$code"
     say "no window can be opened here"
 fi

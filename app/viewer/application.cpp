@@ -39,6 +39,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
       compare_(commands_),
       mesh_(commands_),
       lesson_(commands_, document_),
+      firstRun_(commands_, document_),
       export_(std::make_unique<WindowExport>(commands_)) {
     compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
@@ -60,6 +61,7 @@ Status Application::start(float contentScale) {
     document_.begin(options_);
     alerts_.begin(options_);
     lesson_.begin(options_);
+    if (!options_.onPaper()) firstRun_.begin(options_.playSeconds);
     sampling_.setUsual(options_.input);
     if (options_.grow) sampling_.begin(*options_.grow);
     for (const std::string& each : std::exchange(ui_.settings.complaints, {}))
@@ -81,6 +83,7 @@ bool Application::poll() {
     const bool changed = sampling_.poll() || opened || saved;
     document_.poll();
     const bool taught = lesson_.poll();
+    const bool played = firstRun_.poll();
     if (!ui_.lesson.walk.isOpen()) alerts_.poll();
     if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     const bool compared = compare_.poll();
@@ -96,7 +99,7 @@ bool Application::poll() {
     if (session_.takeProblemFound() && !figure && !ui_.lesson.walk.isOpen())
         ui_.column.note(Task::Input);
     const bool notice = !session_.messages().notice().empty();
-    return std::exchange(noticed_, notice) != notice || changed || compared || taught;
+    return std::exchange(noticed_, notice) != notice || changed || compared || taught || played;
 }
 
 Status Application::waitUntilDone() {
@@ -130,9 +133,9 @@ Status Application::waitUntilDone() {
 }
 
 bool Application::animating() const {
-    return working_ || session_.moves().busy() || playback_.playing() || painter_.moving() ||
-           painter_.unfinished() || painter_.late() || compare_.late() || ui_.look.blinking() ||
-           ui_.click.waiting() || compare_.moving() ||
+    return working_ || firstRun_.active() || session_.moves().busy() || playback_.playing() ||
+           painter_.moving() || painter_.unfinished() || painter_.late() || compare_.late() ||
+           ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
            session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
            ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||

@@ -9,6 +9,7 @@
 #include "controllers/alerts.h"
 #include "controllers/compare.h"
 #include "controllers/document.h"
+#include "controllers/first_run.h"
 #include "controllers/lesson.h"
 #include "controllers/mesh_saving.h"
 #include "controllers/sampling.h"
@@ -147,6 +148,7 @@ class Application {
     CompareController compare_;
     MeshController mesh_;
     LessonController lesson_;
+    FirstRun firstRun_;
     std::unique_ptr<WindowExport> export_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.

@@ -57,6 +57,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ui_.keyCapture.press(chord, ui_.settings.keys);
         return false;
     }
+    if (firstRun_.key()) return false;
     if (ui_.goTo.active() && goToBoxTakes(chord)) return false;
     const ImGuiIO& io = ImGui::GetIO();
     if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {

@@ -169,6 +169,9 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--point-tint", raw.pointTint,
                    "Color of points: status, or margin (the least of all tests of a point)")
         ->check(CLI::IsMember({"status", "margin"}));
+    app.add_option("--play", o.playSeconds,
+                   "Play the run once, in about SECONDS seconds; any key pauses")
+        ->check(CLI::Range(1.0, 3600.0));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump,
                    "Write the visible state as JSON, whenever it changes")

@@ -116,6 +116,7 @@ struct UiState {
     float scale = 1.0F;                     ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;                ///< Of the view, as last drawn.
     glm::vec2 viewEms{50.0F, 30.0F};        ///< Size of the view, in em, as last drawn.
+    bool offersTour = false;                ///< After the first run, until an answer.
     bool follow = false;                    ///< The camera goes to the view of each decision.
     CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail

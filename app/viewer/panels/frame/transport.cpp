@@ -46,7 +46,7 @@ void drawSpeed(const PanelContext& context) {
     if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
     tooltip(withKeys(context, "Slower", "run.slower"));
     ImGui::SameLine(0.0F, 0.0F);
-    const std::string shown = playback.unlimited() ? "max" : formatted("%g/s", playback.rate());
+    const std::string shown = playback.unlimited() ? "max" : formatted("%.3g/s", playback.rate());
     const float width = 3.4F * context.em;
     const float pad = 0.5F * (width - ImGui::CalcTextSize(shown.c_str()).x);
     const float x = ImGui::GetCursorPosX();
