@@ -60,6 +60,7 @@ struct RawOptions {
     std::string meshStyle;
     std::string pointTint;
     std::string layout;
+    std::string other;
     std::string place;
     std::string screenshot;
     std::string background;
@@ -108,6 +109,9 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
             "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
             "--new; a session file; a lesson, as a file or lesson:ID. Without it, the start "
             "page");
+    app.add_option("OTHER", raw.other,
+                   "A mesh of the same points, or a trace: beside the run, as by --with")
+        ->type_name("FILE");
     raw.run.addTo(app,
                   {SpecGroup::Reading, SpecGroup::Rules, SpecGroup::Lists, SpecGroup::Derived});
     app.add_option("--start", o.startFile,
@@ -229,6 +233,9 @@ void takeOver(const RawOptions& raw, Options& o) {
         o.camera = place.value().camera;
         if (o.goTo.empty()) o.goTo = place.value().address;
     }
+    if (!raw.other.empty() && !o.withText.empty())
+        throw CLI::ValidationError(raw.other, "--with already names what to compare with");
+    if (!raw.other.empty()) o.withText = raw.other;
     if (o.goTo == "difference") {
         if (o.withText.empty() && o.input.source.empty())
             throw CLI::ValidationError("--goto difference", "needs --with");
@@ -454,6 +461,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);
     o.layout = layoutPresetFromName(raw.layout);
+    if (!raw.other.empty() && !o.layout) o.layout = LayoutPreset::Compare;
     o.lessons = opensLessons(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;

@@ -149,6 +149,13 @@ TEST_CASE("--with has the options of another run, or names a mesh or a trace") {
     CHECK(mesh.with->kind == CompareWith::Kind::Mesh);
     CHECK(mesh.with->path == "other.ply");
     CHECK_FALSE(mesh.layout.has_value());
+    // A second name is what --with names, side by side.
+    const Options two = chosen({"scene:torus", "other.ply"});
+    CHECK(two.with->kind == CompareWith::Kind::Mesh);
+    CHECK(two.with->path == "other.ply");
+    CHECK(two.layout == LayoutPreset::Compare);
+    CHECK(chosen({"scene:torus", "other.ply", "--layout", "debug"}).layout == LayoutPreset::Debug);
+    CHECK(parse({"scene:torus", "other.ply", "--with", "--rules robust"}).exitCode == kExitUsage);
     const Options trace = chosen({"scene:torus", "--with", "mine.setrace"});
     CHECK(trace.with->kind == CompareWith::Kind::Trace);
     CHECK(trace.layout == LayoutPreset::Compare);
