@@ -31,9 +31,10 @@ std::vector<LaneChange> LaneTracker::takeChanges() { return std::exchange(change
 
 void LaneTracker::begin(const EdgeRings& rings) {
     const auto add = [&](Index ring) {
-        const Ring added{freeLane(), rings.length(ring), false};
+        const Ring added{freeLane(), rings.length(ring), false, rings.number(ring)};
+        numbered_ = std::max(numbered_, added.number + 1);
         ring == rings.active() ? void(active_ = added) : stack_.push_back(added);
-        note(LaneChangeKind::Seed, added.lane, added.lane);
+        note(LaneChangeKind::Seed, added.lane, added.lane, added.number);
     };
     for (const Index ring : rings.stack()) add(ring);
     if (rings.active() != kNone) add(rings.active());
@@ -41,47 +42,48 @@ void LaneTracker::begin(const EdgeRings& rings) {
 
 void LaneTracker::take(const Event& event) {
     pivot_ = event.address.pivot;
-    std::visit(Overloaded{[&](const SeedEvidence&) {
-                              active_ = Ring{freeLane(), 2, false};
-                              note(LaneChangeKind::Seed, active_->lane, active_->lane);
-                          },
-                          [&](const PivotEvidence& pivot) { beginPivot(pivot.ringLength); },
-                          [&](const FillEvidence& fill) { beginPivot(fill.ringLength); },
-                          [&](const InsertEvidence& insert) {
-                              const bool inserted = insert.verdict == Verdict::Before ||
-                                                    insert.verdict == Verdict::After;
-                              if (active_ && inserted) ++active_->length;
-                          },
-                          [&](const RingEvidence& ring) { changeLength(ring.inserted); },
-                          [&](const SplitEvidence& split) { splitRing(split); },
-                          [&](const JoinEvidence& join) { joinRings(join); },
-                          [&](const CloseEvidence& close) {
-                              if (close.rest > 0) return shorten(close);
-                              closeRing(close.b == kNone ? 1 : 2);
-                          },
-                          [&](const AdvanceEvidence& advance) {
-                              const bool next = advance.popped && !active_ && !stack_.empty();
-                              if (next) activate(stack_.size() - 1);
-                          },
-                          [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
-                          [&](const TakeUpEvidence&) {
-                              if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
-                          },
-                          [&](const FreeEvidence& free) {
-                              endActive(free.seed ? LaneChangeKind::Failed : LaneChangeKind::Freed);
-                          },
-                          [&](const AlertEvidence& alert) {
-                              const bool freed = !changes_.empty() &&
-                                                 changes_.back().kind == LaneChangeKind::Freed;
-                              if (freed && alert.kind != AlertKind::TriangleCap)
-                                  changes_.back().kind = LaneChangeKind::Hole;
-                          },
-                          [](const auto&) {}},
-               event.evidence);
+    std::visit(
+        Overloaded{[&](const SeedEvidence&) {
+                       active_ = Ring{freeLane(), 2, false, numbered_++};
+                       note(LaneChangeKind::Seed, active_->lane, active_->lane, active_->number);
+                   },
+                   [&](const PivotEvidence& pivot) { beginPivot(pivot.ringLength); },
+                   [&](const FillEvidence& fill) { beginPivot(fill.ringLength); },
+                   [&](const InsertEvidence& insert) {
+                       const bool inserted =
+                           insert.verdict == Verdict::Before || insert.verdict == Verdict::After;
+                       if (active_ && inserted) ++active_->length;
+                   },
+                   [&](const RingEvidence& ring) { changeLength(ring.inserted); },
+                   [&](const SplitEvidence& split) { splitRing(split); },
+                   [&](const JoinEvidence& join) { joinRings(join); },
+                   [&](const CloseEvidence& close) {
+                       if (close.rest > 0) return shorten(close);
+                       closeRing(close.b == kNone ? 1 : 2);
+                   },
+                   [&](const AdvanceEvidence& advance) {
+                       const bool next = advance.popped && !active_ && !stack_.empty();
+                       if (next) activate(stack_.size() - 1);
+                   },
+                   [&](const ShelveEvidence& shelve) { shelveActive(shelve.shelved); },
+                   [&](const TakeUpEvidence&) {
+                       if (!active_ && !stack_.empty()) activate(stack_.size() - 1);
+                   },
+                   [&](const FreeEvidence& free) {
+                       endActive(free.seed ? LaneChangeKind::Failed : LaneChangeKind::Freed);
+                   },
+                   [&](const AlertEvidence& alert) {
+                       const bool freed =
+                           !changes_.empty() && changes_.back().kind == LaneChangeKind::Freed;
+                       if (freed && alert.kind != AlertKind::TriangleCap)
+                           changes_.back().kind = LaneChangeKind::Hole;
+                   },
+                   [](const auto&) {}},
+        event.evidence);
 }
 
-void LaneTracker::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
-    changes_.push_back({pivot_, lane, other, live(), kind});
+void LaneTracker::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other, Index ring) {
+    changes_.push_back({pivot_, lane, other, live(), kind, ring});
 }
 
 std::uint32_t LaneTracker::freeLane() {
@@ -135,8 +137,8 @@ void LaneTracker::splitRing(const SplitEvidence& split) {
     }
     parent->length = split.activeLength;
     const std::uint32_t from = parent->lane;
-    stack_.push_back({freeLane(), split.stackedLength, true});
-    note(LaneChangeKind::Split, stack_.back().lane, from);
+    stack_.push_back({freeLane(), split.stackedLength, true, numbered_++});
+    note(LaneChangeKind::Split, stack_.back().lane, from, stack_.back().number);
 }
 
 void LaneTracker::joinRings(const JoinEvidence& join) {

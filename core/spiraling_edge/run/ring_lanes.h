@@ -36,6 +36,7 @@ struct LaneChange {
     std::uint32_t other = 0;  ///< Of a split or join.
     std::uint32_t live = 0;   ///< Lanes afterwards.
     LaneChangeKind kind = LaneChangeKind::Seed;
+    Index ring = 0;  ///< The number of the ring that begins, as EdgeRings::number().
 };
 
 /// Lanes after the given number of pivots; `changes` are in the order of the run.
@@ -51,6 +52,7 @@ class LaneTracker {
         std::uint32_t lane = 0;
         Index length = 0;
         bool fresh = false;  ///< Pushed by the current pivot.
+        Index number = 0;    ///< As EdgeRings::number().
     };
 
     /// Gives the rings of a given start their lanes. Call it before the first event.
@@ -86,7 +88,7 @@ class LaneTracker {
     void shelveActive(Index shelved);
     void endActive(LaneChangeKind kind);
     void endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
-    void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
+    void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other, Index ring = 0);
     std::uint32_t freeLane();
 
     std::optional<Ring> active_;
@@ -94,6 +96,7 @@ class LaneTracker {
     std::vector<LaneChange> changes_;
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;
     std::uint32_t lanes_ = 0;
+    Index numbered_ = 0;  ///< Rings begun so far.
     std::uint32_t pivot_ = 0;
     Index closing_ = 0;  ///< Entries of a closed ring whose removal is still to come.
 };

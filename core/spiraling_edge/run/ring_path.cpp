@@ -14,7 +14,13 @@ RingPath ringPath(const EdgeRings& rings, Index ring) {
     const Index depth = rings.depthFromTop(ring);
     path.depth = depth == kNone ? 0 : depth;
     path.id = ring;
+    path.number = rings.number(ring);
     return path;
+}
+
+std::string ringName(Index number) {
+    std::string name(1, static_cast<char>('a' + number % 26));
+    return number < 26 ? name : ringName(number / 26 - 1) + name;
 }
 
 std::vector<RingPath> ringPaths(const EdgeRings& rings) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "spiraling_edge/stepper/edge_ring.h"
@@ -15,7 +16,11 @@ struct RingPath {
     bool active = false;
     Index depth = 0;  ///< On the stack, 0 = top.
     Index id = kNone;
+    Index number = 0;  ///< Among all rings of the run, as EdgeRings::number().
 };
+
+/// The name of a ring for the whole run, by its number: "a" to "z", "aa", "ab" ...
+std::string ringName(Index number);
 
 /// One ring, from its head on.
 RingPath ringPath(const EdgeRings& rings, Index ring);

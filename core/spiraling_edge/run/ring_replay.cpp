@@ -163,9 +163,11 @@ void RingReplay::place(const Exchange& made, Index activeLength) {
                     : x != activeLength;
         rings_.activate(pushX ? made.ringOfY : made.ringOfX);
     }
-    rings_.push(pushX ? made.ringOfX : made.ringOfY, pushX ? x_ : y_);
-    exchange_ = {ringPath(rings_, pushX ? made.ringOfY : made.ringOfX),
-                 ringPath(rings_, pushX ? made.ringOfX : made.ringOfY)};
+    const Index pushed = pushX ? made.ringOfX : made.ringOfY;
+    const Index kept = pushX ? made.ringOfY : made.ringOfX;
+    rings_.numberSplit(pushed, kept);
+    rings_.push(pushed, pushX ? x_ : y_);
+    exchange_ = {ringPath(rings_, kept), ringPath(rings_, pushed)};
 }
 
 void RingReplay::on(const SplitEvidence& e) {

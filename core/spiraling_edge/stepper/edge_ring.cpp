@@ -15,14 +15,21 @@ Index EdgeRings::depthFromTop(Index ring) const {
 }
 
 Index EdgeRings::newRing() {
-    if (!freeRings_.empty()) {
-        const Index ring = freeRings_.back();
+    auto ring = static_cast<Index>(rings_.size());
+    if (freeRings_.empty()) {
+        rings_.emplace_back();
+    } else {
+        ring = freeRings_.back();
         freeRings_.pop_back();
         rings_[ring] = Ring{};
-        return ring;
     }
-    rings_.emplace_back();
-    return static_cast<Index>(rings_.size() - 1);
+    rings_[ring].number = numbered_++;
+    return ring;
+}
+
+void EdgeRings::numberSplit(Index fresh, Index other) {
+    if (rings_[fresh].number < rings_[other].number)
+        std::swap(rings_[fresh].number, rings_[other].number);
 }
 
 void EdgeRings::freeRing(Index ring) {
@@ -158,6 +165,7 @@ Exchange EdgeRings::finishJoin(Index x, Index y, Index ringX, Index ringY) {
     }
     rings_[kept].length += rings_[gone].length;
     const bool becomesActive = active_ == gone;
+    if (becomesActive) rings_[kept].number = rings_[gone].number;
     freeRing(gone);
     if (becomesActive) activate(kept);
     return {false, kept, kept};
@@ -197,6 +205,7 @@ EdgeRings EdgeRings::withoutPoints() const {
     copy.freeRings_ = freeRings_;
     copy.freeEntry_ = freeEntry_;
     copy.active_ = active_;
+    copy.numbered_ = numbered_;
     return copy;
 }
 

@@ -99,6 +99,9 @@ class EdgeRings {
     /// The entries of a ring, from its head on: `for (Index entry : rings.entriesOf(ring))`. Valid
     /// until the rings change.
     RingEntries entriesOf(Index ring) const { return {*this, head(ring), length(ring)}; }
+    /// The number of a ring among all of the run, from 0: the part of a split that goes on keeps
+    /// it, as does the ring that another one joins. Never given twice.
+    Index number(Index ring) const { return rings_[ring].number; }
     /// The active ring, kNone if there is none.
     Index active() const { return active_; }
     /// Stacked rings, the most recently pushed last.
@@ -128,6 +131,8 @@ class EdgeRings {
     /// Makes `ring` the active one; takes it off the stack if it was there.
     /// The ring that was active is neither afterwards. Returns the head.
     Index activate(Index ring);
+    /// Of the two parts of a split, `fresh` gets the new number, and the other keeps the old one.
+    void numberSplit(Index fresh, Index other);
     /// Puts a ring on top of the stack; `head` is where its traversal will begin.
     void push(Index ring, Index head);
     /// Puts the active ring on the shelf, on top of the rings that are shelved; `head` is where its
@@ -156,6 +161,7 @@ class EdgeRings {
         Index head = kNone;
         Index length = 0;
         Index stackPosition = kNone;
+        Index number = 0;
     };
 
     Index newEntry(Index point, Index ring);
@@ -178,6 +184,7 @@ class EdgeRings {
     std::vector<Index> freeRings_;
     Index freeEntry_ = kNone;
     Index active_ = kNone;
+    Index numbered_ = 0;  ///< Rings made so far.
 };
 
 RingEntries::Iterator& RingEntries::Iterator::operator++() {

@@ -11,14 +11,15 @@ using namespace se::test;
 
 namespace {
 
-/// True if the lanes are the rings: as many, in the same order, of the same lengths.
+/// True if the lanes are the rings: as many, in the same order, of the same lengths and numbers.
 bool lanesAreRings(const LaneTracker& lanes, const EdgeRings& rings) {
     if (lanes.active().has_value() != (rings.active() != kNone)) return false;
     if (lanes.stack().size() != rings.stack().size()) return false;
     for (std::size_t i = 0; i < rings.stack().size(); ++i) {
         if (lanes.stack()[i].length != rings.length(rings.stack()[i])) return false;
+        if (lanes.stack()[i].number != rings.number(rings.stack()[i])) return false;
     }
-    return true;
+    return !lanes.active() || lanes.active()->number == rings.number(rings.active());
 }
 
 Event eventOf(std::uint32_t pivot, Stage stage, const Evidence& evidence) {

@@ -173,7 +173,9 @@ void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x
         pushX = pushesX(context, exchange);
         s.rings.activate(pushX ? exchange.ringOfY : exchange.ringOfX);
     }
-    s.rings.push(pushX ? exchange.ringOfX : exchange.ringOfY, pushX ? x : y);
+    const Index pushed = pushX ? exchange.ringOfX : exchange.ringOfY;
+    s.rings.numberSplit(pushed, pushX ? exchange.ringOfY : exchange.ringOfX);
+    s.rings.push(pushed, pushX ? x : y);
     note(context, Stage::Split, [&] {
         return SplitEvidence{s.rings.point(x),
                              s.rings.length(pushX ? exchange.ringOfY : exchange.ringOfX),
