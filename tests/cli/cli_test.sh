@@ -325,7 +325,7 @@ rules_can_be_set_and_runs_forked() {
     local line pivot point
     line=$(grep -m 1 -E '^[0-9]+\.sphere\..*: removed\.' trace.txt)
     pivot=${line%%.*}
-    point=$(sed -E 's/.*q = ([0-9]+) lies.*/\1/' <<<"$line")
+    point=$(sed -E 's/.*Point ([0-9]+) lies.*/\1/' <<<"$line")
     expect 0 run scene:torus --what-if "$pivot.sphere keep $point" --report fork.json
     says fork.json "\"$pivot.sphere keep $point\""
     [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the plain run"

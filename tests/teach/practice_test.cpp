@@ -170,7 +170,7 @@ TEST_CASE("the first wrong decision is named with its section and sentence") {
     CHECK(kept.rightMoves == 1);
     CHECK(kept.section == "6.3");
     CHECK(kept.address == "33.sphere.1");
-    CHECK(kept.sentence.starts_with("q = 6 lies "));
+    CHECK(kept.sentence.starts_with("Point 6 lies "));
     CHECK(gradePractice(taskTen(), solutionWith(0, "end 10")).address == "33.limits.2");
     CHECK(gradePractice(taskTen(), solutionWith(3, "fan 28 10 25")).address == "33.emit.2");
     CHECK(gradePractice(taskTen(), solutionWith(4, "next 28")).section == "6.5");

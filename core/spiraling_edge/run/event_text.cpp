@@ -25,7 +25,7 @@ class Names {
     explicit Names(std::span<const PointName> names) : names_(names) {}
     std::string operator()(Index point) const { return nameOf(point, names_); }
 
-    /// "q = 46"; the role alone where it is the name of the point.
+    /// "first = 46"; the role alone where it is the name of the point.
     std::string as(std::string_view role, Index point) const {
         const std::string name = nameOf(point, names_);
         return name == role ? name : std::string(role) + " = " + name;
@@ -199,19 +199,18 @@ std::string text(const HoleEvidence& e, const Names& names) {
         e.verdict == Verdict::Kept ? "same side, kept" : "far side, removed");
 }
 std::string text(const SphereEvidence& e, const Names& names) {
-    const std::string circle =
-        sentence("of the pivot, {} and {}", names.as("t", e.t), names.as("s", e.s));
+    const std::string circle = sentence("of the pivot, {} and {}", names(e.t), names(e.s));
     if (e.verdict == Verdict::NoCircle)
-        return sentence("{} is kept: there is no circle {}, they lie in line.", names.as("q", e.q),
+        return sentence("Point {} is kept: there is no circle {}, they lie in line.", names(e.q),
                         circle);
     const double d = e.distance - e.radius;
     if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return sentence("{} lies on the sphere {} ({} = {}): kept.", names.as("q", e.q), circle,
+        return sentence("Point {} lies on the sphere {} ({} = {}): kept.", names(e.q), circle,
                         names.radius(), e.radius);
     const std::string place =
-        sentence("{} lies {} {} the sphere {} ({} = {}, {} = {})", names.as("q", e.q),
-                 d < 0 ? -d : d, d < 0 ? "inside" : "outside", circle, names.distance(), e.distance,
-                 names.radius(), e.radius);
+        sentence("Point {} lies {} {} the sphere {} ({} = {}, {} = {})", names(e.q), d < 0 ? -d : d,
+                 d < 0 ? "inside" : "outside", circle, names.distance(), e.distance, names.radius(),
+                 e.radius);
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
     return sentence(
         "{}, and removing it leaves a gap of {}{}", place, deg(e.gapDegrees),

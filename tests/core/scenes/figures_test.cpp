@@ -178,7 +178,8 @@ TEST_CASE("sentences name the points of a figure") {
     const Figure& figure = *findFigure(8);
     const std::vector<CheckedExpectation> checked = expectationsOf(figure, paper());
     REQUIRE(checked.size() == 3);
-    CHECK(checked[1].found.starts_with("q lies 0.26303 outside the sphere of the pivot, t and s"));
+    CHECK(checked[1].found.starts_with(
+        "Point q lies 0.26303 outside the sphere of the pivot, t and s"));
     const Event made{{1, Stage::Emit, 1}, EmitEvidence{0, {15, 20, 7}}};
     CHECK(describe(made, figure.names) == "Triangle 0 = (p, first, 7).");
     CHECK(describe(made) == "Triangle 0 = (15, 20, 7).");

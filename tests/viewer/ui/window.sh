@@ -85,7 +85,7 @@ END
 fi
 go_to 40.sphere.2
 says address "40\.sphere\.2"
-grep -q "^40\.sphere\.2.*q = .* removed\.$" "$work/program.log" || fail "--narrate prints no sentence"
+grep -q "^40\.sphere\.2.*Point .* lies .* removed\.$" "$work/program.log" || fail "--narrate prints no sentence"
 press Escape
 kill -0 "$program" 2>/dev/null || fail "Esc quits"
 stop
