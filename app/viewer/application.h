@@ -47,7 +47,7 @@ class Application {
     /// An input line was opened and gets the keyboard focus in a few frames: until then keys have
     /// to wait, so that the first characters are not lost.
     bool keysHaveToWait() const { return ui_.typing.waits(); }
-    void character(unsigned sign);
+    void character(const KeyPress& typed);
     /// A mouse button was pressed there, in pixels.
     void buttonPressed(glm::vec2 pointer) { ui_.viewDrag.press(pointer); }
     /// Files from the desktop: the first is opened; a notice reports the others.

@@ -20,13 +20,15 @@ std::string clipboard() {
 
 }  // namespace
 
-void Application::character(unsigned sign) {
+void Application::character(const KeyPress& typed) {
     if (ui_.goTo.active()) {
-        ui_.goTo.type(sign);
-    } else if (sign == '?' && !ui_.keyEditor) {
-        // The position of the question mark differs between keyboards.
-        key({'?', kNoMods}, false);
+        if (isText(typed)) ui_.goTo.type(typed.sign);
+        return;
     }
+    if (ui_.keyEditor) return;
+    // The position of digits and signs differs between keyboards; a key with a command has acted.
+    const std::optional<KeyChord> chord = chordOfSign(typed);
+    if (chord && commandFor(typed.chord) == nullptr) key(*chord, typed.repeated);
 }
 
 /// The go-to box comes before all actions.

@@ -148,10 +148,14 @@ void Window::listenToPresses() {
         if (action == GLFW_PRESS) of(window).presses_.push_back({button, mods, pointer});
         of(window).noteInput(kSettleFrames);
     });
-    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
+    // Also those typed with Ctrl: its position differs between keyboards.
+    glfwSetCharModsCallback(window_, [](GLFWwindow* window, unsigned sign, int mods) {
         KeyPress typed;
+        std::vector<KeyPress>& keys = of(window).keys_;
+        if (!keys.empty() && keys.back().sign == 0 && !keys.back().released) typed = keys.back();
         typed.sign = sign;
-        of(window).keys_.push_back(typed);
+        typed.rawMods = mods;
+        keys.push_back(typed);
         of(window).noteInput(kSettleFrames);
     });
 }
@@ -168,8 +172,8 @@ void Window::deliver() {
                                             : GLFW_PRESS;
         bool usedUp = false;
         if (press.sign != 0) {
-            application_->character(press.sign);
-            ImGui_ImplGlfw_CharCallback(window_, press.sign);
+            application_->character(press);
+            if (isText(press)) ImGui_ImplGlfw_CharCallback(window_, press.sign);
         } else if (press.released) {
             application_->keyReleased(press.chord);
         } else {

@@ -141,7 +141,9 @@ void DrivenApp::press(std::string_view chords) {
 void DrivenApp::type(std::string_view text) {
     for (const char sign : text) {
         REQUIRE(static_cast<unsigned char>(sign) < 0x80U);
-        app.character(static_cast<unsigned char>(sign));
+        KeyPress typed;
+        typed.sign = static_cast<unsigned char>(sign);
+        app.character(typed);
         ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(sign));
     }
     frames(2);

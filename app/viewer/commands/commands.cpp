@@ -240,7 +240,7 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.fullScreen = true; }, "maximize monitor"},
     {"view.theme", "View", "Dark or light", "T", "Switch between the dark and the light theme.",
      toggleTheme, "color mode appearance black white"},
-    {"view.larger", "View", "Larger text", "Ctrl+=", "Enlarge text and panels, up to 3.",
+    {"view.larger", "View", "Larger text", "Ctrl+= Ctrl+Plus", "Enlarge text and panels, up to 3.",
      [](C& c) { scaleBy(c, 1); }, "zoom font scale bigger", kRepeats},
     {"view.smaller", "View", "Smaller text", "Ctrl+-", "Shrink text and panels, down to 0.75.",
      [](C& c) { scaleBy(c, -1); }, "zoom font scale", kRepeats},

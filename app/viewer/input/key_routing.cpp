@@ -73,6 +73,21 @@ bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i) {
     return presses[i].sign != 0 && i > 0 && presses[i - 1].sign == 0 && !presses[i - 1].released;
 }
 
+bool isText(const KeyPress& typed) {
+    const int held = typed.rawMods & (kCtrl | kAlt);
+    return held == 0 || held == (kCtrl | kAlt);
+}
+
+std::optional<KeyChord> chordOfSign(const KeyPress& typed) {
+    const auto sign = static_cast<int>(typed.sign);
+    const bool letter = (sign >= 'A' && sign <= 'Z') || (sign >= 'a' && sign <= 'z');
+    // The back-quote is held down, at its position.
+    if (letter || sign <= ' ' || sign > '~' || sign == '`') return std::nullopt;
+    const KeyChord chord{sign, isText(typed) ? kNoMods : typed.rawMods & (kCtrl | kAlt)};
+    if (chord == typed.chord) return std::nullopt;
+    return chord;
+}
+
 bool editsText(const KeyChord& chord) {
     if (chord.isFunctionKey()) return false;
     if (isPlain(chord) || chord.key >= kFirstNamedKey) return true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "keys.h"
@@ -11,7 +12,7 @@ namespace se::view {
 
 /// A key or a typed character, as reported by the window.
 struct KeyPress {
-    KeyChord chord;
+    KeyChord chord;  ///< Of a character: of the key that typed it, if known.
     bool repeated = false;
     unsigned sign = 0;  ///< 0: a key.
     bool released = false;
@@ -29,6 +30,14 @@ std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting);
 /// True for the character that comes with the key press just before it: it is discarded once that
 /// press has run an action. Requires i < presses.size().
 bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i);
+
+/// True if the character is text, not the effect of Ctrl or Alt. AltGr is both in some systems.
+bool isText(const KeyPress& typed);
+
+/// The chord that a typed character stands for where the layout has it elsewhere than the key says:
+/// on a French keyboard Shift and the key of & type 1. Empty for letters, which keys are named by,
+/// and where the key itself has that chord. Requires a sign.
+std::optional<KeyChord> chordOfSign(const KeyPress& typed);
 
 /// Owner of the keyboard.
 struct Keyboard {

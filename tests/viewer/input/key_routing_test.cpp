@@ -127,6 +127,28 @@ TEST_CASE("Text typed before and after a chord or an arrow keeps its order") {
     CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
 }
 
+TEST_CASE("A character acts by itself where the layout has it on another key") {
+    const auto typed = [](const char* key, char typedSign, int mods) {
+        KeyPress press = down(key);
+        press.sign = static_cast<unsigned char>(typedSign);
+        press.rawMods = mods;
+        return chordOfSign(press);
+    };
+    // French: digits and the period with Shift; German: the equals sign on 0.
+    CHECK((typed("Shift+&", '1', kShift) == chord("1")));
+    CHECK((typed("Shift+7", '7', kShift) == chord("7")));
+    CHECK((typed("Shift+;", '.', kShift) == chord(".")));
+    CHECK((typed("Shift+0", '=', kShift) == chord("=")));
+    CHECK((typed("Ctrl+Shift+0", '=', kCtrl | kShift) == chord("Ctrl+=")));
+    // AltGr is Ctrl and Alt in some systems.
+    CHECK((typed("Ctrl+Alt+7", '{', kCtrl | kAlt) == KeyChord{'{', kNoMods}));
+    // Where the key says so it has acted, and letters are named by keys.
+    CHECK_FALSE(typed("1", '1', kNoMods).has_value());
+    CHECK_FALSE(typed("Ctrl+=", '=', kCtrl).has_value());
+    CHECK_FALSE(typed("Shift+N", 'N', kShift).has_value());
+    CHECK((typed("Ctrl+Alt+Q", '@', kCtrl | kAlt) == chord("@")));
+}
+
 TEST_CASE("The character of a key belongs to its press, later text does not") {
     const std::vector<KeyPress> typed = {down("W"), sign('w'), up("W"), down("8"), sign('8')};
     CHECK(isSignOfKeyBefore(typed, 1));
