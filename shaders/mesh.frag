@@ -15,6 +15,8 @@ uniform float uEdgeWidth; // pixels
 uniform float uHatch;     // pixels between stripes
 uniform vec2 uCorner;     // of a part of a larger picture, in pixels
 uniform bool uLit;
+uniform float uSpacing;    // median distance of the points
+uniform float uPixel;      // size of a pixel, at distance 1 in perspective
 uniform float uSmooth;     // 1: light by the normals of the points
 uniform bool uWire;        // edges only
 uniform float uSoft;       // 1: no shade at all
@@ -71,6 +73,14 @@ float shadeOf() {
     return gl_FrontFacing ? shade : 0.6 * shade;
 }
 
+// Edges fade by the density of points on the screen, alike for neighbors, so that no triangle
+// stands alone with its outline; and within triangles of a few pixels, which would be all edge.
+float edgeStrength() {
+    float away = uOrthographic ? 1.0 : max(dot(uEye - vPosition, uBackward), 1e-6);
+    float apart = uSpacing / (uPixel * away * uEdgeWidth);
+    return smoothstep(6.0, 18.0, apart) * smoothstep(1.5, 5.0, heightOf());
+}
+
 void main() {
     vec4 color = vColor;
     if (uLit) {
@@ -89,9 +99,7 @@ void main() {
         vec3 width = max(fwidth(vBarycentric), 1e-6);
         vec3 distance = vBarycentric / width;
         float nearest = min(distance.x, min(distance.y, distance.z));
-        // Triangles of a few pixels would be all edge.
-        float height = heightOf();
-        float strength = uWire ? 1.0 : smoothstep(6.0, 20.0, height);
+        float strength = uWire ? 1.0 : edgeStrength();
         float edge = 1.0 - smoothstep(0.5 * uEdgeWidth - 0.5, 0.5 * uEdgeWidth + 0.5, nearest);
         if (uWire && edge < 0.3) discard;
         drawnEdge = edge * strength;

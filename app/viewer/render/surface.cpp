@@ -324,6 +324,9 @@ void Surface::useMesh(const DrawList& list, const SurfaceView& view) {
     meshShader_.set("uHatch", 0.55F * view.em);
     meshShader_.set("uCorner", glm::vec2(view.corner));
     meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * view.em));
+    meshShader_.set("uSpacing", spacing_);
+    meshShader_.set("uPixel",
+                    2.0F / (view.camera.projection[1][1] * static_cast<float>(view.size.y)));
     const Color edge = list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F);
     meshShader_.set("uEdgeColor", colorVector(edge));
 }
