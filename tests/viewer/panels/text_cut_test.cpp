@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using se::view::linesAtBlanks;
 using se::view::withoutLastSign;
+using se::view::withoutMiddle;
 
 TEST_CASE("Cutting a text: a character is removed with all of its bytes") {
     CHECK(withoutLastSign("12") == "1");
@@ -37,4 +40,21 @@ TEST_CASE("Line ends of a text stay, and a word wider than a line is cut") {
     CHECK(linesAtBlanks("in /home/points.ply: no", 8.0F, signs) ==
           Lines{"in", "/home/po", "ints.ply", ": no"});
     CHECK(linesAtBlanks("abc", 0.5F, signs) == Lines{"a", "b", "c"});
+}
+
+TEST_CASE("A long name loses its middle, and keeps both ends and whole characters") {
+    const auto measure = [](const std::string& text) {
+        return static_cast<float>(std::count_if(text.begin(), text.end(), [](char byte) {
+            return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+        }));
+    };
+    const std::string name = "/data/scans/kitten/kitten-2024-final.ply";
+    CHECK(withoutMiddle(name, 40.0F, measure) == name);
+    CHECK(withoutMiddle(name, 13.0F, measure) ==
+          "/data/\xE2\x80\xA6"
+          "al.ply");
+    CHECK(withoutMiddle("\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC", 3.0F, measure) ==
+          "\xC3\xA4\xE2\x80\xA6\xC3\xBC");
+    for (float width = 1.0F; width < 40.0F; ++width)
+        CHECK(measure(withoutMiddle(name, width, measure)) <= width);
 }

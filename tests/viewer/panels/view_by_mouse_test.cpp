@@ -71,10 +71,14 @@ TEST_CASE("The view orbits, pans and zooms by the mouse, and only a click select
 TEST_CASE("The legend has what is in the picture, no more") {
     DrivenApp app({"scene:sphere", "--goto", "40"});
     if (!app) return;
-    CHECK(app.shows("legend pivot p"));
-    CHECK(app.shows("legend UNUSED"));
+    for (const char* name : {"legend pivot", "legend UNUSED", "legend edge ring"})
+        CHECK(app.shows(name));
+    CHECK_FALSE(app.shows("legend circumsphere"));
+    app.goTo("40.sphere.1");
+    CHECK(app.shows("legend circumsphere"));
     app.press("Home");
-    for (const char* name : {"legend pivot p", "legend rejected", "legend DONE"}) {
+    for (const char* name : {"legend pivot", "legend rejected", "legend DONE", "legend edge ring",
+                             "legend circumsphere"}) {
         CHECK_FALSE(app.shows(name));
     }
     CHECK(app.shows("legend UNUSED"));

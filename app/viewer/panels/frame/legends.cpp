@@ -1,4 +1,5 @@
-// The legends over the view: of the marks, and of the colors of the mesh and of the points.
+// The legends over the view: of marks, lines and areas, and of the colors of the mesh and of the
+// points.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -8,6 +9,7 @@
 #include "layers/layer.h"
 #include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"
+#include "rows/paper_words.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "view_parts.h"
@@ -26,44 +28,75 @@ constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft, Corner::T
 /// The background of a plate.
 constexpr float kPlateOpacity = 0.94F;
 
+/// Look of a row of the legend: the shape of a point, or one of these.
+enum class Stroke : std::uint8_t { None, Ring, Waiting, Line, Round, Area, Hatched };
+
 struct Entry {
     Shape shape;
+    Stroke stroke;
     Color Palette::*color;
     const char* text;
+    /// Whether it is in the picture, beyond a mark of its shape and color.
+    bool (*drawn)(const PanelContext& context) = nullptr;
 };
+
+/// Whether a layer has added lines, areas or spheres to the picture.
+template <LayerId Id>
+bool draws(const PanelContext& context) {
+    const DrawList& drawn = context.drawList;
+    const auto layer = std::find_if(layers().begin(), layers().end(),
+                                    [](const Layer& each) { return each.id == Id; });
+    for (std::size_t i = 0; i < drawn.layers.size(); ++i) {
+        const LayerStart& from = drawn.layers[i];
+        if (from.title != layer->title) continue;
+        const bool last = i + 1 == drawn.layers.size();
+        const LayerStart to =
+            last ? LayerStart{{}, drawn.lines.size(), drawn.sheets.size(), drawn.spheres.size(), 0}
+                 : drawn.layers[i + 1];
+        return to.lines > from.lines || to.sheets > from.sheets || to.spheres > from.spheres;
+    }
+    return false;
+}
+
+/// Whether the cloud shows points of a status.
+template <std::size_t StatusCounts::*Count>
+bool hasPoints(const PanelContext& context) {
+    return context.drawList.cloudVisible && context.counts.*Count > 0;
+}
 
 constexpr std::array kEntries = {
-    Entry{Shape::RingedDisc, &Palette::pivot, "pivot p"},
-    Entry{Shape::Forward, &Palette::first, "start S"},
-    Entry{Shape::Back, &Palette::last, "end E"},
-    Entry{Shape::RingedDisc, &Palette::test, "under test, new"},
-    Entry{Shape::Disc, &Palette::used, "USED, kept"},
-    Entry{Shape::Cross, &Palette::rejected, "rejected"},
-    Entry{Shape::Circle, &Palette::unused, "UNUSED"},
-    Entry{Shape::Dot, &Palette::done, "DONE"},
+    Entry{Shape::RingedDisc, Stroke::None, &Palette::pivot, "pivot"},
+    Entry{Shape::Forward, Stroke::None, &Palette::first, "start"},
+    Entry{Shape::Back, Stroke::None, &Palette::last, "end"},
+    Entry{Shape::RingedDisc, Stroke::None, &Palette::test, "under test"},
+    Entry{Shape::Disc, Stroke::None, &Palette::used, "USED", hasPoints<&StatusCounts::used>},
+    Entry{Shape::Cross, Stroke::None, &Palette::rejected, "rejected"},
+    Entry{Shape::Circle, Stroke::None, &Palette::unused, "UNUSED",
+          hasPoints<&StatusCounts::unused>},
+    Entry{Shape::Dot, Stroke::None, &Palette::done, "DONE", hasPoints<&StatusCounts::done>},
+    Entry{Shape::Hidden, Stroke::Ring, &Palette::used, "edge ring", draws<LayerId::EdgeRing>},
+    Entry{Shape::Hidden, Stroke::Waiting, &Palette::used, "ring that waits",
+          draws<LayerId::StackedRings>},
+    Entry{Shape::Hidden, Stroke::Line, &Palette::used, "candidate", draws<LayerId::NeighborRing>},
+    Entry{Shape::Hidden, Stroke::Area, &Palette::pivot, "free sector", draws<LayerId::Sector>},
+    Entry{Shape::Hidden, Stroke::Round, &Palette::test, "circumsphere", draws<LayerId::Spheres>},
+    Entry{Shape::Hidden, Stroke::Hatched, &Palette::test, "new triangle",
+          [](const PanelContext& context) { return !context.drawList.faces.empty(); }},
 };
-constexpr Entry kAsideEntry{Shape::Plus, &Palette::unused, "not in the run"};
+constexpr Entry kAsideEntry{Shape::Plus, Stroke::None, &Palette::unused, "not in the run"};
 
-/// Whether a mark of this shape and color is in the picture.
-bool isDrawn(const DrawList& drawn, Shape shape, const Color& color) {
-    return std::any_of(drawn.sprites.begin(), drawn.sprites.end(), [&](const Sprite& each) {
-        return each.style.shape == shape && each.style.color.withAlpha(1.0F) == color;
+/// Whether the picture has what an entry stands for: points or lines of it, or a mark.
+bool isInPicture(const PanelContext& context, const Entry& entry) {
+    if (entry.drawn != nullptr && entry.drawn(context)) return true;
+    const Color& color = context.palette.*entry.color;
+    const auto& sprites = context.drawList.sprites;
+    return std::any_of(sprites.begin(), sprites.end(), [&](const Sprite& each) {
+        return each.style.shape == entry.shape && each.style.color.withAlpha(1.0F) == color;
     });
 }
 
-/// Whether the picture has what an entry stands for: a mark, points of that status, or a triangle.
-bool isInPicture(const PanelContext& context, const Entry& entry) {
-    const DrawList& drawn = context.drawList;
-    const auto points = [&](std::size_t count) { return drawn.cloudVisible && count > 0; };
-    if (entry.color == &Palette::used && points(context.counts.used)) return true;
-    if (entry.color == &Palette::unused) return points(context.counts.unused);
-    if (entry.color == &Palette::done) return points(context.counts.done);
-    if (entry.color == &Palette::test && !drawn.faces.empty()) return true;
-    return isDrawn(drawn, entry.shape, context.palette.*entry.color);
-}
-
-/// The marks of decisions, except on the finished mesh, and those of points that are set aside:
-/// only those in the picture.
+/// The marks, lines and areas of decisions, except on the finished mesh, and those of points that
+/// are set aside: only those in the picture.
 std::vector<Entry> entriesOf(const PanelContext& context) {
     std::vector<Entry> entries;
     if (!showsFinishedMesh(context.commands))
@@ -75,6 +108,35 @@ std::vector<Entry> entriesOf(const PanelContext& context) {
                        on.test(static_cast<std::size_t>(LayerId::Aside));
     if (aside) entries.push_back(kAsideEntry);
     return entries;
+}
+
+/// The sign of an entry, about `at`.
+void drawSign(const PanelContext& context, const Entry& entry, ImVec2 at, float em) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Color& tint = context.palette.*entry.color;
+    const ImU32 color = toU32(tint);
+    const float half = 0.6F * em;
+    const ImVec2 low(at.x - half, at.y - 0.4F * em);
+    const ImVec2 high(at.x + half, at.y + 0.4F * em);
+    switch (entry.stroke) {
+        case Stroke::None:
+            return drawShape(list, at, entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em,
+                             entry.shape, color);
+        case Stroke::Ring:
+        case Stroke::Waiting:
+            return drawRingSign(list, {at.x - half, at.y}, 0.75F * em, entry.stroke == Stroke::Ring,
+                                color);
+        case Stroke::Line:
+            return list->AddLine({low.x, at.y}, {high.x, at.y}, color, std::max(1.0F, 0.08F * em));
+        case Stroke::Round:
+            list->AddCircleFilled(at, 0.42F * em, toU32(tint.withAlpha(0.2F)));
+            return list->AddCircle(at, 0.42F * em, color, 0, std::max(1.0F, 0.12F * em));
+        case Stroke::Area:
+            list->AddRectFilled(low, high, toU32(tint.withAlpha(0.3F)));
+            return list->AddRect(low, high, toU32(tint.withAlpha(0.8F)));
+        case Stroke::Hatched:
+            list->AddTriangleFilled({low.x, high.y}, high, {at.x, low.y}, color);
+    }
 }
 
 /// The axes have the fourth corner.
@@ -220,17 +282,23 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     ImDrawList* list = ImGui::GetWindowDrawList();
     fill(list, *place, context.palette.panel.withAlpha(kPlateOpacity), 0.3F * em);
     float y = at.y + 0.35F * em;
+    std::string defined;
     ImGui::PushFont(context.fonts.small);
     for (const Entry& entry : entries) {
-        const float dot = entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em;
-        drawShape(list, {at.x + 0.95F * em, y + 0.5F * row}, dot, entry.shape,
-                  toU32(context.palette.*entry.color));
+        drawSign(context, entry, {at.x + 0.95F * em, y + 0.5F * row}, em);
         list->AddText({at.x + 1.9F * em, y + 0.5F * (row - ImGui::GetTextLineHeight())},
                       toU32(context.palette.text), entry.text);
-        context.where()[std::string("legend ") + entry.text] = {{at.x, y}, {size.x, row}};
+        const Rect whole{{at.x, y}, {size.x, row}};
+        context.where()[std::string("legend ") + entry.text] = whole;
+        if (ImGui::IsWindowHovered() && whole.contains(pointerInWindow()) &&
+            !ImGui::IsAnyMouseDown()) {
+            // The entries are no items: the view takes the mouse.
+            if (const std::string text = definitionOf(entry.text); !text.empty()) defined = text;
+        }
         y += row;
     }
     ImGui::PopFont();
+    if (!defined.empty()) showTooltip(defined);
     return place;
 }
 

@@ -19,6 +19,30 @@ inline std::string withoutLastSign(std::string text) {
     return text;
 }
 
+/// A name that is at most `width` wide: without its middle, where dots stand for it, since names
+/// differ at both ends. Only whole characters stay.
+template <typename Measure>
+std::string withoutMiddle(const std::string& name, float width, const Measure& measure) {
+    if (measure(name) <= width) return name;
+    const auto within = [&](std::size_t at) {
+        return at < name.size() && (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U;
+    };
+    std::size_t head = name.size() / 2;
+    while (within(head)) ++head;
+    std::size_t tail = head;
+    const auto cut = [&] { return name.substr(0, head) + "\xE2\x80\xA6" + name.substr(tail); };
+    while (measure(cut()) > width && (head > 0 || tail < name.size())) {
+        if (head > name.size() - tail) {
+            while (within(--head)) {
+            }
+        } else {
+            while (within(++tail)) {
+            }
+        }
+    }
+    return cut();
+}
+
 /// The longest beginning of a text that is at most `width` wide; at least one character.
 template <typename Measure>
 std::string fittingBeginning(const std::string& text, float width, const Measure& measure) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rows/evidence_rows.h"
+#include "rows/paper_words.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
@@ -161,6 +162,7 @@ void heading(const PanelContext& context, const char* title, const std::string& 
     ImGui::TextUnformatted(title);
     const float titleEnd = ImGui::GetCursorPosX() + ImGui::GetItemRectSize().x;
     ImGui::PopFont();
+    define(title);
     if (!note.empty()) {
         const float width = textWidth(note);
         const float left = ImGui::GetContentRegionMax().x - width;
@@ -244,6 +246,18 @@ void showTooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
+void define(std::string_view word) {
+    if (const std::string text = definitionOf(word); !text.empty()) tooltip(text);
+}
+
+void drawRingSign(ImDrawList* list, ImVec2 left, float em, bool active, ImU32 color) {
+    if (active) return list->AddLine(left, {left.x + 1.6F * em, left.y}, color, 0.2F * em);
+    for (int i = 0; i < 3; ++i) {
+        const float x = left.x + static_cast<float>(i) * 0.6F * em;
+        list->AddLine({x, left.y}, {x + 0.4F * em, left.y}, color, 0.12F * em);
+    }
+}
+
 void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color) {
     const float r = 0.5F * size;
     const float stroke = std::max(1.0F, 0.3F * r);
@@ -316,6 +330,7 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextColored(toVec4(context.palette.textDim), "%s", name);
+    define(name);
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
@@ -352,6 +367,10 @@ std::string fitted(const std::string& text, float width) {
         cut = withoutLastSign(std::move(cut));
     }
     return cut + kEllipsis;
+}
+
+std::string fittedName(const std::string& name, float width) {
+    return withoutMiddle(name, width, textWidth);
 }
 
 std::string fittedWords(const std::string& text, float width) {

@@ -119,6 +119,11 @@ void dimText(const std::string& text, float width = 0.0F);
 /// Tooltip of the item drawn last.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
+/// Tooltip of the item drawn last with the definition of a word of the paper, if it is one.
+void define(std::string_view word);
+/// The sign of a ring: the active one thick, those that wait dashed. `left`: in the middle of its
+/// height.
+void drawRingSign(ImDrawList* list, ImVec2 left, float em, bool active, ImU32 color);
 /// A chevron in a square, that points up (unfolds) or down (folds).
 void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered);
 /// Draws the shape of a point, as the view does.
@@ -135,6 +140,8 @@ bool beginValues(const char* id, const PanelContext& context);
 void endValues();
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
+/// The name of a file or a run, cut in the middle if it does not fit `width`.
+std::string fittedName(const std::string& name, float width);
 /// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
 /// linesAtBlanks() in the current type.
