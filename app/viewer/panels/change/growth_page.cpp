@@ -89,7 +89,7 @@ void drawVolume(const PanelContext& context) {
     const std::string file = std::filesystem::path(form.volume).filename().string();
     if (file != form.volume && !file.empty()) {
         name(context, "");
-        ImGui::TextUnformatted(fitted(file, ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::TextUnformatted(fittedName(file, ImGui::GetContentRegionAvail().x).c_str());
     }
     if (!ImGui::Button("Choose...", {-1.0F, 0.0F})) return;
     context.ui().browser = BrowserTask::Volume;

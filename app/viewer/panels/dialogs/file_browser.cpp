@@ -286,7 +286,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
 
 void drawFiles(const PanelContext& context, FileBrowsing& state) {
     const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
-    heading(context, "Files", fitted(state.folder.string(), room));
+    heading(context, "Files", fittedName(state.folder.string(), room));
     drawPathLine(context, state);
     if (context.ui().browser == BrowserTask::SaveMesh && context.session().ready()) {
         const std::string path = typedSource(state.folder, state.path);

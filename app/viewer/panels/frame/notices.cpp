@@ -30,7 +30,7 @@ void drawLoading(const PanelContext& context) {
     if (beginNotice(context, "##loading")) {
         const std::string& source = session.input().opening().source;
         heading(context, session.input().isRerunning() ? "Re-running" : "Opening",
-                fitted(source, 16.0F * context.em));
+                fittedName(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.input().loadShare()), {-1.0F, 0.0F},
                            kPartNames[static_cast<std::size_t>(session.input().loadPart())]);
         if (textButton(context, "Cancel", "cancel opening")) session.cancelOpening();

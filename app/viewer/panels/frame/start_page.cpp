@@ -273,7 +273,7 @@ void drawRecentFiles(const PanelContext& context) {
     std::string chosen;
     int place = 0;
     for (const std::string& path : recent) {
-        const std::string label = fitted(recentName(path), width) + "##" + path;
+        const std::string label = fittedName(recentName(path), width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
         const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
         nameItem(context, what + std::to_string(++place), path);
