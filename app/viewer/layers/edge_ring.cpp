@@ -10,8 +10,8 @@ namespace {
 
 /// Steps shorter than this share of the median spacing get no arrow head of their own.
 constexpr float kArrowShare = 0.5F;
-/// Rings deeper on the stack are numbered only when chosen.
-constexpr Index kNumbersUpTo = 6;
+/// Rings deeper on the stack are named only when chosen.
+constexpr Index kNamesUpTo = 6;
 
 void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawList& out) {
     const std::size_t count = ring.points.size();
@@ -33,9 +33,9 @@ void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawL
 }
 
 /// The letter of a ring is at its first point.
-void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
+void addName(const LayerInput& in, const RingPath& ring, DrawList& out) {
     if (ring.points.empty()) return;
-    out.label(in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used);
+    out.label(in.at(ring.points.front()), "ring " + ringName(ring.number), in.palette.used);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ void addStackedRings(const LayerInput& in, DrawList& out) {
         const Color& color = lit ? in.palette.pivot : in.palette.used;
         const float width = std::max(0.07F, 0.14F - 0.02F * static_cast<float>(ring.depth));
         addRing(in, ring, {{}, {}, color, width, 0.4F, 0.0F, Depth::XRay}, out);
-        if (lit || ring.depth < kNumbersUpTo) addNumber(in, ring, out);
+        if (lit || ring.depth < kNamesUpTo) addName(in, ring, out);
     }
 }
 

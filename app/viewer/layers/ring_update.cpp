@@ -4,7 +4,6 @@
 #include <set>
 
 #include "disc.h"
-#include "run/point_label.h"
 
 namespace se::view {
 
@@ -35,10 +34,9 @@ void addMarks(const LayerInput& in, DrawList& out) {
         const RingEvidence& change = changes[i];
         const float size = change.inserted ? popSize(in.moment, i, changes.size()) : 0.6F;
         if (!(size > 0.0F)) continue;
-        std::string text =
-            change.inserted ? "+ joins the ring"
-                            : pointLabel("\xE2\x88\x92", change.point, in.names) +
-                                  (change.status == kUnused ? " leaves: UNUSED" : " leaves: DONE");
+        std::string text = change.inserted            ? "+ joins the ring"
+                           : change.status == kUnused ? "\xE2\x88\x92 leaves: UNUSED"
+                                                      : "\xE2\x88\x92 leaves: DONE";
         if (!change.inserted && change.status > 0) {
             text = std::to_string(change.status + 1) + "\xE2\x86\x92" +
                    std::to_string(change.status) + " instances";
@@ -71,37 +69,38 @@ void addName(const LayerInput& in, const RingPath& ring, Index point, const std:
     out.label(0.5F * (near + in.at(ring.points[(from + 1) % count])), text, color, true);
 }
 
-std::string entries(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " entry" : " entries");
+/// "ring b: 12 entries".
+std::string named(const RingPath& ring) {
+    const std::size_t count = ring.points.size();
+    return "ring " + ringName(ring.number) + ": " + std::to_string(count) +
+           (count == 1 ? " entry" : " entries");
 }
 
 void addSplit(const LayerInput& in, Index point, const RingExchange& loops, DrawList& out) {
     const Palette& c = in.palette;
     addBand(in, loops.a, c.used, 0.0F, out);
     addName(in, loops.a, point,
-            "a: " + entries(loops.a.points.size()) +
-                (loops.a.active ? ", continues" : ", stays #" + std::to_string(loops.a.depth + 1)),
-            c.used, out);
+            named(loops.a) + (loops.a.active ? ", continues" : ", stays on the stack"), c.used,
+            out);
     addBand(in, loops.b, c.last, 0.6F, out);
-    addName(
-        in, loops.b, point,
-        "b: " + entries(loops.b.points.size()) + ", waits as #" + std::to_string(loops.b.depth + 1),
-        c.last, out);
+    addName(in, loops.b, point, named(loops.b) + ", waits on the stack", c.last, out);
     out.mark(in.at(point), Shape::OpenDiamond, c.pivot, 1.5F);
-    out.label(in.at(point), "a | b: cut here", c.pivot, true);
+    out.label(in.at(point),
+              ringName(loops.a.number) + " | " + ringName(loops.b.number) + ": cut here", c.pivot,
+              true);
 }
 
 void addJoin(const LayerInput& in, Index point, const RingExchange& loops, DrawList& out) {
     const Palette& c = in.palette;
     addBand(in, loops.a, c.used, 0.0F, out);
-    addName(in, loops.a, point, "a", c.used, out);
+    addName(in, loops.a, point, named(loops.a), c.used, out);
     addBand(in, loops.b, c.last, 0.0F, out);
-    addName(
-        in, loops.b, point,
-        loops.b.active ? "b was the active ring" : "b was #" + std::to_string(loops.b.depth + 1),
-        c.last, out);
+    addName(in, loops.b, point,
+            named(loops.b) + (loops.b.active ? ", was active" : ", was on the stack"), c.last, out);
     out.mark(in.at(point), Shape::OpenSquare, c.pivot, 1.5F);
-    out.label(in.at(point), "a + b: bridge here", c.pivot, true);
+    out.label(in.at(point),
+              ringName(loops.a.number) + " + " + ringName(loops.b.number) + ": bridge here",
+              c.pivot, true);
 }
 
 }  // namespace

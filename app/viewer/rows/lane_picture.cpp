@@ -125,7 +125,8 @@ class LanePainter {
         const double at = change.kind == LaneChangeKind::Seed ? change.pivot - 1.0 : change.pivot;
         const float x = xOf(at);
         if (x < 0.0F || x > room_.width) return;
-        LaneSign sign{change.kind, change.pivot, rowOf(change.lane), rowOf(change.lane), x, true};
+        LaneSign sign{change.kind, change.pivot, rowOf(change.lane), rowOf(change.lane), x,
+                      change.ring, true};
         const bool links =
             change.kind == LaneChangeKind::Split || change.kind == LaneChangeKind::Join;
         if (links) sign.otherRow = rowOf(change.other);

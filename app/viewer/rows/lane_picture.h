@@ -61,6 +61,7 @@ struct LaneSign {
     std::uint32_t row = 0;
     std::uint32_t otherRow = 0;  ///< Of a split or join.
     float x = 0.0F;
+    Index ring = 0;  ///< The number of the ring that begins.
     /// There is room for its mark; otherwise only for the line of a split or join.
     bool alone = true;
 };

@@ -16,7 +16,7 @@ std::string ringWith(const std::vector<RingPath>& rings, const Selection& edge) 
         for (std::size_t i = 0; i < ring.points.size(); ++i) {
             const Index to = ring.points[(i + 1) % ring.points.size()];
             if (!(Selection::ofEdge(ring.points[i], to) == edge)) continue;
-            return ring.active ? "active ring" : "stacked ring #" + std::to_string(ring.depth + 1);
+            return "ring " + ringName(ring.number) + (ring.active ? ", active" : ", on the stack");
         }
     }
     return {};

@@ -96,6 +96,20 @@ void drawSign(const RunStrip& strip, const LaneSign& sign) {
     }
 }
 
+/// The letter of a ring where its lane begins, above the line; omitted in low rows.
+void drawName(const RunStrip& strip, const LaneSign& sign) {
+    const float size = 0.75F * strip.context.em;
+    if (!sign.alone || !beginsLane(sign.kind) || strip.pitch < 0.8F * size) return;
+    const Palette& palette = strip.context.palette;
+    const std::string name = ringName(sign.ring);
+    const ImVec2 extent = strip.context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str());
+    const ImVec2 at(strip.bars.min.x + sign.x + 0.7F * strip.context.em,
+                    strip.yOf(sign.row) - 0.5F * extent.y);
+    fill(strip.list, {{at.x - 0.15F * size, at.y}, {extent.x + 0.3F * size, extent.y}},
+         palette.background);
+    strip.list->AddText(strip.context.fonts.text, size, at, toU32(palette.text), name.c_str());
+}
+
 }  // namespace
 
 float RunStrip::yOf(std::uint32_t row) const {
@@ -138,6 +152,7 @@ void drawLanes(const RunStrip& strip) {
     drawGathered(strip);
     drawBars(strip);
     for (const LaneSign& sign : strip.picture().signs) drawSign(strip, sign);
+    for (const LaneSign& sign : strip.picture().signs) drawName(strip, sign);
 }
 
 void drawMore(const RunStrip& strip) {

@@ -23,10 +23,6 @@ constexpr float kStripHeight = 4.4F;
 /// Distance between points of the strip, beyond the width of a number.
 constexpr float kPointGap = 0.9F;
 
-std::string ringName(const RingPath& ring) {
-    return ring.active ? "active" : "#" + std::to_string(ring.depth + 1);
-}
-
 /// Centers a ring in the view; the direction stays.
 void frameRing(const PanelContext& context, const RingPath& ring) {
     const Model& model = context.session().model();
@@ -41,27 +37,11 @@ void frameRing(const PanelContext& context, const RingPath& ring) {
     context.camera().frame(0.5F * (low + high), 1.1F * radius);
 }
 
-/// As the ring is drawn in the view: the active one solid and thick, the others dashed.
-void drawMark(const PanelContext& context, ImVec2 at, const RingPath& ring, bool lit) {
-    const float em = context.em;
-    const float y = at.y + 0.5F * ImGui::GetTextLineHeight();
-    const ImU32 color = toU32(lit ? context.palette.pivot : context.palette.used);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (ring.active) {
-        list->AddLine({at.x, y}, {at.x + 1.6F * em, y}, color, 0.2F * em);
-        return;
-    }
-    for (int i = 0; i < 3; ++i) {
-        const float x = at.x + static_cast<float>(i) * 0.6F * em;
-        list->AddLine({x, y}, {x + 0.4F * em, y}, color, 0.12F * em);
-    }
-}
-
 void drawRow(const PanelContext& context, const RingPath& ring) {
     Session& session = context.session();
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushID(ring.active ? -1 : static_cast<int>(ring.depth));
+    ImGui::PushID(static_cast<int>(ring.number));
     const bool kept = ring.id != kNone && session.highlights().chosenRing() == ring.id;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     constexpr auto kWholeRow =
@@ -81,9 +61,12 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     }
     const bool first = &ring == &session.picture().rings.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Rings)) takeKeyboard();
-    drawMark(context, at, ring, ring.id != kNone && session.highlights().litRing() == ring.id);
+    const bool lit = ring.id != kNone && session.highlights().litRing() == ring.id;
+    drawRingSign(ImGui::GetWindowDrawList(), {at.x, at.y + 0.5F * ImGui::GetTextLineHeight()},
+                 context.em, ring.active,
+                 toU32(lit ? context.palette.pivot : context.palette.used));
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(ringName(ring).c_str());
+    ImGui::TextUnformatted((ringName(ring.number) + (ring.active ? ", active" : "")).c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted((grouped(ring.points.size()) + " points").c_str());
     const auto open = std::count(ring.open.begin(), ring.open.end(), true);
@@ -239,7 +222,7 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
     strip.slice = sliceAbout(ring.points.size(), work.value_or(0), nav.ringShift, fits);
     strip.pitch = width / static_cast<float>(std::max<std::size_t>(1, strip.slice.count));
     strip.pitch = std::min(strip.pitch, 1.6F * least);
-    const std::string title = ringName(ring) + " ring, in its direction";
+    const std::string title = "ring " + ringName(ring.number) + ", in its direction";
     ImGui::TextDisabled("%s", fitted(title, width).c_str());
     for (std::size_t i = 0; i < strip.slice.count; ++i) {
         if (i + 1 < strip.slice.count) drawStep(strip, i);
@@ -263,7 +246,7 @@ void drawList(const PanelContext& context, float height, float row) {
         return;
     }
     ImGui::TableSetupColumn("mark", ImGuiTableColumnFlags_WidthFixed, 2.0F * context.em);
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 3.2F * context.em);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 4.2F * context.em);
     ImGui::TableSetupColumn("length", ImGuiTableColumnFlags_WidthStretch);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rings.size()));
