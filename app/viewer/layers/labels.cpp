@@ -1,60 +1,72 @@
-// Labels of the points that matter at the cursor, one per point.
+// Labels of the points that matter at the cursor, one per point: its name alone. Roles are shown by
+// the signs and colors of the points.
 #include <algorithm>
 #include <set>
 
 #include "layer.h"
-#include "run/point_label.h"
 
 namespace se::view {
+
+namespace {
+
+/// The color of a point's sign.
+const Color& roleColor(const DecisionState& p, const Palette& c, Index point) {
+    if (point == p.pivot || point == p.nextPivot) return c.pivot;
+    if (point == p.start || point == p.first) return c.first;
+    if (point == p.end || point == p.last) return c.last;
+    return c.test;
+}
+
+/// Points that the decision names besides the pivot, the most important first.
+std::vector<Index> namedPoints(const DecisionState& p) {
+    std::vector<Index> points{p.underTest};
+    if (p.sphere) points.insert(points.end(), {p.sphere->q, p.sphere->t, p.sphere->s});
+    if (const auto* e = p.evidence<ReciprocalEvidence>(Stage::Reciprocal))
+        points.insert(points.end(), {e->pred, e->succ});
+    points.insert(points.end(), {p.start, p.end, p.first, p.last});
+    return points;
+}
+
+}  // namespace
 
 void addLabels(const LayerInput& in, DrawList& out) {
     const DecisionState none;
     const DecisionState& p = in.finished ? none : in.picture;
     const Palette& c = in.palette;
-    // One label per point, the more informative one first; strong ones are essential.
     std::set<Index> seen;
-    const auto add = [&](Index point, const char* prefix, const Color& color, bool strong) {
+    // Those of the decision come first: a view has room for a few.
+    const auto add = [&](Index point, const Color& color, bool strong) {
         if (point == kNone || !seen.insert(point).second) return;
-        const bool essential =
-            strong || std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
+        const bool asked =
+            point == in.hovered || point == in.selected ||
+            std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
         out.labels.push_back(
-            {in.at(point), pointLabel(prefix, point, in.names), color, strong, essential});
+            {in.at(point), nameOf(point, in.names), color, strong, strong, 0.0F, asked});
     };
-    add(p.pivot, "p", c.pivot, true);
+    add(p.pivot, c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
     // Seeds and the steps after the last pivot label their points themselves.
     const bool named = p.repaired || (p.event && p.event->address.stage == Stage::Seed);
-    if (p.pivot == kNone && !named) add(p.underTest, "", stranded ? c.rejected : c.test, true);
+    if (p.pivot == kNone && !named) add(p.underTest, stranded ? c.rejected : c.test, true);
     if (!p.complete && p.pivot != kNone) {
-        if (p.sphere) {
-            add(p.sphere->q, "q", c.test, true);
-            add(p.sphere->s, p.sphere->s == p.end ? "s = E" : "s", c.test, true);
-            add(p.sphere->t, p.sphere->t == p.start ? "t = S" : "t", c.test, true);
-        }
-        add(p.start, p.start == p.end ? "S E" : "S", c.first, true);
-        add(p.end, "E", c.last, true);
-        if (p.first != p.start) add(p.first, "first", c.first, false);
-        if (p.last != p.end) add(p.last, "last", c.last, false);
-        add(p.underTest, "?", c.test, true);
+        for (const Index point : namedPoints(p)) add(point, roleColor(p, c, point), true);
         for (const CandidateMark& mark : p.candidates) {
             const bool kept = mark.state == CandidateState::Kept;
-            add(mark.point, "", kept ? c.used : c.rejected, false);
+            add(mark.point, kept ? c.used : c.rejected, false);
         }
     }
-    if (p.complete) add(p.nextPivot, "next pivot", c.pivot, true);
+    if (p.complete) add(p.nextPivot, c.pivot, true);
     // Of a figure, all points on the rings that it names.
     for (const PointName& each : in.names) {
         const bool onRing = each.point < p.status.size() && p.status[each.point] > 0;
-        if (onRing) add(each.point, "", c.used, false);
+        if (onRing) add(each.point, c.used, false);
     }
-    for (const Index point : in.labeled) add(point, "", c.text, false);
-    if (in.hovered != kNone) {
-        out.mark(in.at(in.hovered), Shape::Circle, c.text.withAlpha(0.8F), 1.5F);
-        add(in.hovered, "", c.text, true);
-    }
-    if (in.selected != kNone) {
-        out.mark(in.at(in.selected), Shape::Circle, c.text, 1.3F);
-        add(in.selected, "", c.text, true);
+    for (const Index point : in.labeled) add(point, c.text, false);
+    for (const auto& [point, size] : {std::pair{in.hovered, 1.5F}, {in.selected, 1.3F}}) {
+        if (point == kNone) continue;
+        out.mark(in.at(point), Shape::Circle, c.text.withAlpha(point == in.hovered ? 0.8F : 1.0F),
+                 size);
+        add(point, c.text, true);
     }
 }
 

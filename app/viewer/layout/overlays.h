@@ -18,10 +18,14 @@ struct CameraMatrices;
 
 /// Rank of a label, which decides order and maximum distance.
 enum class LabelRank : std::uint8_t {
-    Essential,  ///< Names of the pivot, its ends, the point under test and the selection.
+    Essential,  ///< Names of the pivot, of its ends and of the points of the test.
     Strong,     ///< Values of the stage at the cursor.
     Minor,      ///< The rest: left out if there is no room nearby.
+    Asked,      ///< What the user points at or chooses from, beside the number of the others.
 };
+
+/// Maximum number of labels in a view, without those that the user asks for.
+inline constexpr std::size_t kMaxLabels = 7;
 
 struct LabelRequest {
     glm::vec2 at{0.0F};     ///< Position of the labelled thing.
@@ -51,8 +55,8 @@ struct PlacedLabel {
     bool leader = false;
 };
 
-/// By rank, and within a rank in the order given. A label whose point is outside of the area, or
-/// for which there is no room, is not in the result.
+/// By rank, and within a rank in the order given, up to kMaxLabels and those asked for. A label
+/// whose point is outside of the area, or for which there is no room, is not in the result.
 std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelRequest> labels);
 
 /// True if `rect` lies within the area, up to `slack`.

@@ -95,10 +95,11 @@ struct Label {
     std::string text;
     Color color;
     bool strong = false;     ///< In bold type.
-    bool essential = false;  ///< Placed before all others.
+    bool essential = false;  ///< The name of a point of the decision: placed first.
     /// Radius of the labeled place, view units: it has no label where it is too small to be seen.
     /// 0: it always has.
     float extent = 0.0F;
+    bool asked = false;  ///< Of a point that the user points at or chooses from: always shown.
 };
 
 /// Styles of the points of the input, chosen per point by one byte.
@@ -211,7 +212,7 @@ struct DrawList {
     }
     void label(const glm::vec3& position, std::string text, const Color& color,
                bool strong = false) {
-        labels.push_back({position, std::move(text), color, strong, false, 0.0F});
+        labels.push_back({position, std::move(text), color, strong, false, 0.0F, false});
     }
     /// A circle about `center` with the unit vectors u and v, as `segments` lines.
     void circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,

@@ -70,6 +70,22 @@ TEST_CASE("Labels cover neither each other nor marks nor used areas, in any numb
     }
 }
 
+TEST_CASE("A view has seven labels, the essential ones first, and those that are asked for") {
+    std::vector<LabelRequest> labels = crowd(3, 12);
+    LabelRoom room{kView, {}, {}, nullptr, kView.min + 0.5F * kView.size, kEm};
+    const auto count = [&](LabelRank rank) {
+        const std::vector<PlacedLabel> placed = placeLabels(room, labels);
+        return std::count_if(placed.begin(), placed.end(), [&](const PlacedLabel& each) {
+            return labels[each.index].rank == rank;
+        });
+    };
+    CHECK(placeLabels(room, labels).size() == kMaxLabels);
+    CHECK(count(LabelRank::Essential) == kMaxLabels);
+    labels.push_back({kView.min + glm::vec2(60.0F, 60.0F), {30.0F, 20.0F}, LabelRank::Asked});
+    CHECK(placeLabels(room, labels).size() == kMaxLabels + 1);
+    CHECK(count(LabelRank::Asked) == 1);
+}
+
 TEST_CASE("Minor labels are left out first, essential ones last") {
     int dropped[3] = {0, 0, 0};
     for (unsigned seed = 1; seed <= 40; ++seed) {

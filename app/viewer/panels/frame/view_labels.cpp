@@ -16,15 +16,22 @@ struct Print {
     float size;
 };
 
+/// In Present capitals are at least 4 % of the view high; they are 0.6 of a line.
 Print printOf(const PanelContext& context, const Label& label) {
+    if (context.rects.layoutPreset == LayoutPreset::Present) {
+        const float least = 0.04F / 0.6F * context.rects.view.size.y;
+        return {context.fonts.caption, std::max(least, context.em)};
+    }
     if (label.strong) return {context.fonts.strong, context.em};
     return {context.fonts.text, 0.88F * context.em};
 }
 
-LabelRank rankOf(const Label& label) {
-    return label.essential ? LabelRank::Essential
-           : label.strong  ? LabelRank::Strong
-                           : LabelRank::Minor;
+/// `hovered`: the place of the point under the pointer, whose labels are all shown.
+LabelRank rankOf(const Label& label, const glm::vec3* hovered) {
+    return label.asked || (hovered != nullptr && label.position == *hovered) ? LabelRank::Asked
+           : label.essential                                                 ? LabelRank::Essential
+           : label.strong                                                    ? LabelRank::Strong
+                                                                             : LabelRank::Minor;
 }
 
 void drawPlate(const PanelContext& context, const DrawnLabel& drawn) {
@@ -44,6 +51,10 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     if (labels.empty()) return;
     const ScreenProjection projection(context);
     const float em = context.em;
+    const Session& session = context.session();
+    const Index under = session.highlights().hovered();
+    const glm::vec3* hovered =
+        session.ready() && under != kNone ? &session.shown().place[under] : nullptr;
     std::vector<std::size_t> shown;
     std::vector<LabelRequest> wanted;
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -56,16 +67,16 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         const Print print = printOf(context, label);
         const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
         shown.push_back(i);
-        wanted.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
+        wanted.push_back(
+            {*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label, hovered)});
     }
     const Rect& view = context.rects.view;
     const std::vector<LabelMark> marks = projection.marks();
     const OccupancyGrid occupancy = projection.occupancy();
     LabelRoom room{view, taken, marks, &occupancy, view.min + 0.5F * view.size, em};
-    const DecisionState& picture = context.session().picture();
-    if (context.session().ready() && picture.pivot != kNone) {
-        room.middle =
-            projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
+    const DecisionState& picture = session.picture();
+    if (session.ready() && picture.pivot != kNone) {
+        room.middle = projection.at(session.shown().place[picture.pivot]).value_or(room.middle);
     }
     for (const PlacedLabel& each : placeLabels(room, wanted)) {
         drawn.push_back({shown[each.index], wanted[each.index].at, each.plate,
