@@ -52,7 +52,7 @@ a_range_has_one_camera_and_captions() {
     expect 0 scene:figure-8 --from 9.sphere.1 --to 9.emit.4 -o frames/ --size 640x400
     is "$(find frames -name '*.png' | wc -l)" 8 "frames"
     is "$(wc -l <frames/captions.txt)" 8 "captions"
-    says frames/captions.txt "$(printf '002.png\t9.sphere.2\tq lies 0.26303 outside')"
+    says frames/captions.txt "$(printf '002.png\t9.sphere.2\tPoint q lies 0.26303 outside')"
     # What no decision changes is at the same place.
     alike frames/005.png frames/006.png
     alike frames/007.png frames/008.png
@@ -81,7 +81,7 @@ a_lesson_is_exported_step_by_step() {
     says err "a.lesson.md:9: at: "
     sed 's/sphere.7/sphere.2/' a.lesson.md >c.lesson.md
     expect 0 c.lesson.md -o own/ --size 320x240
-    says own/captions.txt "$(printf '001.png\t9.sphere.2\tB: q lies')"
+    says own/captions.txt "$(printf '001.png\t9.sphere.2\tB: Point q lies')"
     sed "s/^at = .*/&\ncamera = '{\"camera\": {}}'/" c.lesson.md >d.lesson.md
     expect 3 d.lesson.md -o x.png
     says err "camera: expected a position with its address"
@@ -290,7 +290,7 @@ a_drawing_looks_as_the_picture() {
 a_drawing_has_layers_text_and_points() {
     expect 0 scene:figure-8 --goto 9.sphere.2 -o a.svg
     for part in 'id="triangles"' 'id="edge-ring"' 'id="circumsphere-of-a-test"' 'id="labels"' \
-        'data-point="46"' '>S first</text>' '.used{fill:#56b4e9}' '<title>q lies 0.26303'; do
+        'data-point="46"' '>first</text>' '.used{fill:#56b4e9}' '<title>Point q lies 0.26303'; do
         says a.svg "$part"
     done
     expect 0 scene:figure-8 --goto 9.sphere.2 -o b.svg --captions off --labels off --background none

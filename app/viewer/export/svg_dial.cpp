@@ -8,7 +8,6 @@
 #include "layout/dial.h"
 #include "layout/overlays.h"
 #include "rows/dial_looks.h"
-#include "run/point_label.h"
 #include "svg_canvas.h"
 
 namespace se::view {
@@ -78,7 +77,7 @@ class SvgDialDrawer {
     /// Points in the list alone have no name.
     void addText(const DialTick& tick) {
         if (isFaint(tick) && !tick.underTest) return;
-        add(tick.degrees, pointLabel(tick.letter, tick.point, frame_.names),
+        add(tick.degrees, labelOf(tick, frame_.names),
             tick.underTest ? &Palette::text : lookOf(tick.role).color);
     }
 
@@ -156,7 +155,7 @@ class SvgDialDrawer {
     void drawTexts() {
         const Rect& area = frame_.area;
         text(area.min + glm::vec2(kDialMargin, 1.3F) * em_, em_, &Palette::textDim, "",
-             "Tangent plane at " + pointLabel("p", frame_.dial.pivot, frame_.names));
+             "Tangent plane at " + nameOf(frame_.dial.pivot, frame_.names));
         text({area.min.x + 0.5F * area.size.x, room_.max().y + 1.4F * em_}, em_, &Palette::text,
              " text-anchor=\"middle\"", frame_.dial.caption);
     }

@@ -64,9 +64,9 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
 
 /// The result of the test, at the candidate e.
 std::string reciprocalText(const ReciprocalEvidence& e) {
-    if (e.verdict == Verdict::Kept) return "e: p lies inside";
-    if (e.verdict == Verdict::NotReciprocal) return "e: p lies outside";
-    return "e: " + std::string(verdictText(e.verdict));
+    if (e.verdict == Verdict::Kept) return "the pivot lies inside";
+    if (e.verdict == Verdict::NotReciprocal) return "the pivot lies outside";
+    return std::string(verdictText(e.verdict));
 }
 
 /// The triangles that the candidate would form with its neighbors in the fan, hatched, and their
@@ -132,11 +132,9 @@ void addReciprocal(const LayerInput& in, DrawList& out) {
     addArc(*disc, {0.0, 360.0, radius}, c.test, 0.1F, out);
     addArc(*disc, {0.0, e->limitDegrees, radius}, c.test, 0.24F, out);
     out.arrow(disc->origin, in.at(from), e->printed ? c.first : c.last, 0.14F);
-    out.label(in.at(e->succ), "first of e", c.first);
     if (e->succ != e->pred) {
         const Index to = e->printed ? e->pred : e->succ;
         out.line(disc->origin, in.at(to), e->printed ? c.last : c.first, 0.14F, Depth::OnTop);
-        out.label(in.at(e->pred), "last of e", c.last);
     }
     out.line(disc->origin, in.at(in.picture.pivot), verdict, 0.2F, Depth::OnTop);
     addArc(*disc, {0.0, e->degrees, 0.6F * radius}, verdict, 0.14F, out);

@@ -97,7 +97,7 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     addMeasure(in, test, center, radius, out);
     const MeasureNames names = measureNames(in);
     out.label(center, names.center, color);
-    out.label(0.5F * (center + p), names.radius, color, true);
+    out.label(0.5F * (center + p), names.radius, color);
     const std::string sign = test.distance < test.radius             ? " < "
                              : test.verdict == Verdict::InsideSphere ? " = "
                                                                      : " \xE2\x89\xA5 ";

@@ -72,7 +72,7 @@ void addHolePlane(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     out.sheet(p, s, end, c.used.withAlpha(0.35F));
     out.loop(std::array{p, s, end}, c.used, 0.16F);
-    out.label((p + s + end) / 3.0F, "side of p", c.used, true);
+    out.label((p + s + end) / 3.0F, "side of the pivot", c.used, true);
     addPlane(in, way * up, out);
     addFeet(in, plane, glm::dot(p - s, plane.normal), out);
     if (e->point == kNone) return;

@@ -18,7 +18,8 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
         return;
     }
     out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
-    out.label(in.middleOf(e.from, e.to), start ? "S moves here" : "E moves here", color, true);
+    out.label(in.middleOf(e.from, e.to), start ? "start moves here" : "end moves here", color,
+              true);
     if (isWhatIf(e.verdict)) addVerdict(e.verdict, in.at(e.to), c, out);
     // The lost part of the range is dotted, outside of the remaining part.
     if (const std::optional<Disc> disc = pivotDisc(in)) {

@@ -38,15 +38,10 @@ std::string leastAngles(const LayerInput& in) {
 void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
     const Palette& c = in.palette;
     addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
-    const auto letter = [&](const char* name, Index point, const Color& color) {
-        addPoint(in, point, std::string(name) + " " + nameOf(point, in.names), Shape::Disc, color,
-                 out);
-    };
-    letter("u", e.u, c.rejected);
-    letter("v", e.v, c.rejected);
-    letter("x", e.x, c.used);
-    letter("y", e.y, c.used);
-    // Beside the figure: the letters are within it.
+    for (const Index point : {e.u, e.v, e.x, e.y})
+        addPoint(in, point, nameOf(point, in.names), Shape::Disc,
+                 point == e.u || point == e.v ? c.rejected : c.used, out);
+    // Beside the figure: the names are within it.
     out.label(in.middleOf(e.v, e.x), leastAngles(in), c.used, true);
 }
 

@@ -166,7 +166,7 @@ void addChoice(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
     const glm::vec3 q = in.at(e.third);
     out.arrow(before ? q : p, before ? p : q, c.test, 0.2F);
     out.mark(0.5F * (p + q), Shape::Disc, c.test, 0.5F);
-    out.label(0.5F * (p + q), before ? "+ before p" : "+ after p", c.test, true);
+    out.label(0.5F * (p + q), before ? "+ before the pivot" : "+ after the pivot", c.test, true);
 }
 
 }  // namespace

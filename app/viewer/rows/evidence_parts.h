@@ -28,8 +28,8 @@ class EvidenceRows {
     std::vector<EvidenceRow> rows_;
 };
 
-/// "12, 34"; "none" for no point.
-std::string pointsText(const std::vector<Index>& list);
+/// "12, 34", or the letters of a figure; "none" for no point.
+std::string pointsText(const std::vector<Index>& list, std::span<const PointName> names);
 
 // Where a ring begins, and at the walls.
 void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out);

@@ -25,11 +25,9 @@ void EvidenceRows::sign(const std::string& name, const std::string& value, doubl
     row(name, value, {number + reach, reach, 2.0 * reach});
 }
 
-std::string pointsText(const std::vector<Index>& list) {
+std::string pointsText(const std::vector<Index>& list, std::span<const PointName> names) {
     std::string text;
-    for (const Index p : list) {
-        text += (text.empty() ? "" : ", ") + (p == kNone ? std::string("none") : std::to_string(p));
-    }
+    for (const Index p : list) text += (text.empty() ? "" : ", ") + nameOf(p, names);
     return text;
 }
 
@@ -51,7 +49,7 @@ void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const PointSet& points = in.model.points;
     out.row("triangle", std::to_string(e.triangle));
     out.row("of this pivot", "number " + std::to_string(in.picture.newTriangles.size()));
-    out.row("corners", pointsText({e.corners.a, e.corners.b, e.corners.c}));
+    out.row("corners", pointsText({e.corners.a, e.corners.b, e.corners.c}, in.names));
     out.row("least angle", degreesText(leastDegrees(points, e.corners)),
             {leastDegrees(points, e.corners), 60.0, 60.0});
     out.row("area", numberText(triangleArea(points, e.corners)));
@@ -72,7 +70,7 @@ void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const auto& changes = in.picture.ringChanges;
     const auto inserted = static_cast<std::size_t>(std::count_if(
         changes.begin(), changes.end(), [](const RingEvidence& each) { return each.inserted; }));
-    out.row("point", pointsText({e.point}));
+    out.row("point", pointsText({e.point}, in.names));
     out.row("change", e.inserted ? "inserted" : "removed");
     const int before = e.inserted ? e.status - 1 : std::max(e.status, 0) + 1;
     out.row("ring entries", std::to_string(before) + " \xE2\x86\x92 " +
@@ -83,8 +81,8 @@ void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
             lengthOf(in.picture.oldRings) + " \xE2\x86\x92 " + lengthOf(in.picture.rings) + " now");
 }
 
-void addRows(const SplitEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    out.row("at point", pointsText({e.point}));
+void addRows(const SplitEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("at point", pointsText({e.point}, in.names));
     out.row("met again", "in the same ring");
     out.row("continues", counted(e.activeLength, "point", "points"));
     out.row("to the stack", counted(e.stackedLength, "point", "points"));
@@ -92,23 +90,25 @@ void addRows(const SplitEvidence& e, const EvidenceInput&, EvidenceRows& out) {
 }
 
 void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("at point", pointsText({e.point}));
-    out.row("met again", e.depthFromTop == kNone ? "in the active ring"
-                                                 : "in #" + std::to_string(e.depthFromTop + 1) +
-                                                       " of the stack, searched from the top");
+    out.row("at point", pointsText({e.point}, in.names));
+    out.row("met again", e.depthFromTop == kNone
+                             ? "in the active ring"
+                             : "in number " + std::to_string(e.depthFromTop + 1) +
+                                   " of the stack, searched from the top");
     out.row("joined ring", counted(e.length, "point", "points"));
     out.row("stack depth", std::to_string(stackedCount(in.picture.rings)));
 }
 
-void addRows(const CloseEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    e.b == kNone ? out.row("lone entry", pointsText({e.a}))
-                 : out.row(e.rest > 0 ? "within a ring" : "ring of two", pointsText({e.a, e.b}));
+void addRows(const CloseEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    e.b == kNone
+        ? out.row("lone entry", pointsText({e.a}, in.names))
+        : out.row(e.rest > 0 ? "within a ring" : "ring of two", pointsText({e.a, e.b}, in.names));
     if (e.rest > 0) out.row("remaining ring", counted(e.rest, "point", "points"));
     out.row("so", "it is a finished edge: closed");
 }
 
 void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("next pivot", e.to == kNone ? "none: no ring is left" : std::to_string(e.to));
+    out.row("next pivot", e.to == kNone ? "none: no ring is left" : nameOf(e.to, in.names));
     if (e.popped) out.row("ring", "taken off the stack");
     const std::vector<RingPath>& rings = in.picture.rings;
     const bool active = !rings.empty() && rings.front().active;
@@ -126,9 +126,9 @@ void addRows(const ShelveEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("waits for", "a join, or the last seed");
 }
 
-void addRows(const TakeUpEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+void addRows(const TakeUpEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("on the shelf", counted(e.rings, "ring", "rings") + ", taken up");
-    out.row("next pivot", std::to_string(e.to));
+    out.row("next pivot", nameOf(e.to, in.names));
 }
 
 void addRows(const FreeEvidence& e, const EvidenceInput&, EvidenceRows& out) {
@@ -179,7 +179,7 @@ const char* meaningOf(AlertKind kind) {
 
 void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("alert", meaningOf(e.kind));
-    if (e.point != kNone) out.row("point", pointsText({e.point}));
+    if (e.point != kNone) out.row("point", pointsText({e.point}, in.names));
     if (e.kind == AlertKind::TriangleCap) {
         const auto per = static_cast<double>(in.picture.finishedTriangles) /
                          static_cast<double>(std::max<std::size_t>(1, in.model.points.size()));
@@ -209,13 +209,13 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
     const RobustThresholds& thresholds = in.model.params.thresholds;
     const Triangle t{in.picture.pivot, e.a, e.b};
     if (e.verdict == Verdict::WideGap) {
-        out.angle("gap at p", freeDegrees(points, e.a, t.a, e.b), 180.0);
+        out.angle("gap at pivot", freeDegrees(points, e.a, t.a, e.b), 180.0);
     } else if (e.verdict == Verdict::Steep) {
         out.angle("off a normal", tiltDegrees(points, t), degreesOf(thresholds.steepCosine), 180.0);
     } else if (e.verdict == Verdict::AgainstNormal) {
         out.angle("off a normal", tiltDegrees(points, t), 90.0, 180.0);
     } else if (e.verdict == Verdict::OverRim) {
-        out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b),
+        out.angle("angle at pivot", freeDegrees(points, e.a, t.a, e.b),
                   degreesOf(thresholds.rimAngleCosine));
         const auto list = points.neighbors[t.a];
         const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
@@ -230,24 +230,25 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
 void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     if (e.a == kNone) return out.row("fan", "refused: what-if");
     const bool spoke = e.b == kNone;
-    out.row(spoke ? "spoke to" : "triangle",
-            spoke ? pointsText({e.a}) : pointsText({in.picture.pivot, e.a, e.b}));
+    out.row(
+        spoke ? "spoke to" : "triangle",
+        spoke ? pointsText({e.a}, in.names) : pointsText({in.picture.pivot, e.a, e.b}, in.names));
     if (isTaken(e.verdict)) return out.row("dropped", "nothing: what-if");
     out.row("against it", std::string(verdictText(e.verdict)));
     if (!spoke) addMeasured(e, in, out);
     out.row("dropped", e.dropped == kNone ? "nothing: the fan is refused"
-                                          : std::to_string(e.dropped) + ", 6.3 is repeated");
+                                          : nameOf(e.dropped, in.names) + ", 6.3 is repeated");
 }
 
 void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const double length = e.ringLength;
     const double limit = in.model.params.maxFillLength;
-    out.row("ear", pointsText({e.pivot, e.first, e.last}));
+    out.row("ear", pointsText({e.pivot, e.first, e.last}, in.names));
     out.row("hole", counted(e.ringLength, "point", "points") + ", limit " + numberText(limit),
             {length, limit, limit});
     out.row("least angle", degreesText(e.leastDegrees) + ", the best of all ears",
             {e.leastDegrees, 60.0, 60.0});
-    out.angle("angle at p", freeDegrees(in.model.points, e.first, e.pivot, e.last), 180.0);
+    out.angle("angle at pivot", freeDegrees(in.model.points, e.first, e.pivot, e.last), 180.0);
     if (e.forced) out.row("forced", "no ear without a fault was left");
 }
 
@@ -283,15 +284,15 @@ std::string countsText(const DecisionState& picture) {
 }
 
 void addRows(const FlipEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("edge before", pointsText({e.u, e.v}));
-    out.row("edge after", pointsText({e.x, e.y}));
+    out.row("edge before", pointsText({e.u, e.v}, in.names));
+    out.row("edge after", pointsText({e.x, e.y}, in.names));
     addLeastAngles(in, out);
     addFlipped(in, out);
 }
 
 void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const MeshEdges edges = edgesOf(in.picture.goneTriangles, in.picture.newTriangles, e.point);
-    out.row("point", pointsText({e.point}) + ", in no triangle until now");
+    out.row("point", pointsText({e.point}, in.names) + ", in no triangle until now");
     if (in.picture.goneTriangles.empty()) {
         out.row("put", "beside the border");
     } else if (edges.gone.empty()) {
@@ -299,33 +300,33 @@ void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& o
     } else if (edges.gone.size() > 1) {
         out.row("put", "in the place of several triangles");
     } else {
-        out.row("put", "on the edge " + pointsText({edges.gone[0][0], edges.gone[0][1]}));
+        out.row("put", "on the edge " + pointsText({edges.gone[0][0], edges.gone[0][1]}, in.names));
     }
     out.row("triangles", countsText(in.picture));
     addLeastAngles(in, out);
 }
 
-void addRows(const DropPatchEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+void addRows(const DropPatchEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("triangles", grouped(e.triangles) + ", taken out");
     if (e.kept > 0) out.row("kept", "a fan of " + grouped(e.kept));
-    out.row("point", pointsText({e.point}));
+    out.row("point", pointsText({e.point}, in.names));
 }
 
 void addRows(const CloseHoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("hole", grouped(e.length) + " points, at " + pointsText({e.first, e.second}));
+    out.row("hole", grouped(e.length) + " points, at " + pointsText({e.first, e.second}, in.names));
     out.row("triangles", countsText(in.picture));
     addLeastAngles(in, out);
 }
 
 void addRows(const RemeshEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("faulty", pointsText({e.faulty.a, e.faulty.b, e.faulty.c}));
+    out.row("faulty", pointsText({e.faulty.a, e.faulty.b, e.faulty.c}, in.names));
     out.row("triangles", countsText(in.picture));
     addFlipped(in, out);
     addLeastAngles(in, out);
 }
 
 void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("point", pointsText({e.point}) + ", taken out");
+    out.row("point", pointsText({e.point}, in.names) + ", taken out");
     out.row("triangles", countsText(in.picture));
     addFlipped(in, out);
     addLeastAngles(in, out);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "run/overview.h"
+#include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
@@ -28,6 +29,7 @@ struct EvidenceInput {
     const DecisionState& picture;  ///< State at the event.
     const Event& event;
     const RunOverview* run = nullptr;  ///< Overview so far; for `done`.
+    std::span<const PointName> names{};
 };
 
 /// The rows of the event's evidence, in order; the verdict is not among them.

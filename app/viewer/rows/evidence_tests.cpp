@@ -11,8 +11,8 @@ namespace se::view {
 void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const auto list = in.model.points.neighbors[e.first];
     const auto nearer = std::find(list.begin(), list.end(), e.second) - list.begin();
-    out.row("start point", pointsText({e.first}));
-    out.row("its neighbor", pointsText({e.second}));
+    out.row("start point", pointsText({e.first}, in.names));
+    out.row("its neighbor", pointsText({e.second}, in.names));
     out.row("distance", numberText(e.distance));
     out.row("nearer ones", nearer == 0 ? "none" : std::to_string(nearer) + ", none UNUSED");
     out.row("ring", "of two");
@@ -20,14 +20,14 @@ void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 
 void addRows(const StrandEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const std::size_t listed = in.model.points.neighbors[e.point].size();
-    out.row("point", pointsText({e.point}));
+    out.row("point", pointsText({e.point}, in.names));
     out.row("why", e.isolated   ? "its list is empty"
                    : e.unseeded ? "neighbors are UNUSED, but no seed is left to try"
                                 : "no neighbor left: all " + std::to_string(listed) + " are DONE");
 }
 
-void addRows(const PivotEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    out.row("first, last", pointsText({e.first, e.last}));
+void addRows(const PivotEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("first, last", pointsText({e.first, e.last}, in.names));
     out.row("ring", counted(e.ringLength, "point", "points"));
     out.row("free sector",
             degreesText(e.sectorDegrees) + (e.sectorDegrees > 180.0 ? ", over half a turn" : ""),
@@ -56,14 +56,14 @@ void addCross(const InsertEvidence& e, EvidenceRows& out) {
         if ((e.faces & bit) == 0) continue;
         const double component = (face < 3 ? 1.0 : -1.0) * e.cross[face % 3];
         out.sign("toward " + wallsText(bit),
-                 signedText(component) +
-                     (component > 0.0 ? " > 0: out, before p" : " \xE2\x89\xA4 0: after p"),
+                 signedText(component) + (component > 0.0 ? " > 0: out, before the pivot"
+                                                          : " \xE2\x89\xA4 0: after the pivot"),
                  component, size);
     }
     const bool outward = pointsOut(e.cross, e.faces);
     if (isRimPoint(e.faces) || outward == (e.verdict == Verdict::Before)) return;
     out.row("but", std::string("the sector ") + (outward ? "before" : "after") +
-                       " p would leave the box: the other side");
+                       " the pivot would leave the box: the other side");
 }
 
 /// §7.2: no cross product, but the ring neighbor on the other wall.
@@ -71,9 +71,9 @@ void addTransition(const InsertEvidence& e, const EvidenceInput& in, EvidenceRow
     const PointSet& points = in.model.points;
     const bool entering =
         e.third == kNone ? e.other == in.picture.last : e.verdict == Verdict::Before;
-    out.row("across", std::to_string(e.other) + ", wall " + wallsText(points.type[e.other]));
-    out.row("transition", entering ? "entering: the next ring point is across, so before p"
-                                   : "leaving: the ring point before is across, so after p");
+    out.row("across", nameOf(e.other, in.names) + ", wall " + wallsText(points.type[e.other]));
+    out.row("transition", entering ? "entering: the next ring point is across, so before it"
+                                   : "leaving: the ring point before is across, so after it");
     out.row("cross product", "not computed in 7.2");
     if (e.third == kNone) return;
     const double sector = entering ? freeDegrees(points, e.third, e.pivot, e.other)
@@ -84,23 +84,23 @@ void addTransition(const InsertEvidence& e, const EvidenceInput& in, EvidenceRow
 }  // namespace
 
 void addRows(const SkipEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("pivot", pointsText({e.pivot}));
+    out.row("pivot", pointsText({e.pivot}, in.names));
     out.row("wall", wallsText(e.type) + (isCorner(e.type) ? ", a corner" : ""));
     out.row("why", reasonToSkip(in));
 }
 
 void addRows(const InsertEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("rule", e.corner ? "7.2, from wall to wall" : "7.1, two boundary points");
-    out.row("wall of p", wallsText(e.faces) + (isCorner(e.faces) ? ", a corner" : ""));
-    out.row("third point", pointsText({e.third}));
+    out.row("wall of pivot", wallsText(e.faces) + (isCorner(e.faces) ? ", a corner" : ""));
+    out.row("third point", pointsText({e.third}, in.names));
     if (e.corner) return addTransition(e, in, out);
     // Without a point to insert nothing is computed.
     e.third == kNone ? out.row("cross product", "not computed: no point to insert")
                      : addCross(e, out);
 }
 
-void addRows(const SortEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    out.row("point", pointsText({e.point}));
+void addRows(const SortEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("point", pointsText({e.point}, in.names));
     if (e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd) {
         out.row("angle", "not computed: no candidate");
         return;
@@ -109,7 +109,7 @@ void addRows(const SortEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("n\xC2\xB7v", e.secondHalf ? "< 0: second half, 360\xC2\xB0 \xE2\x88\x92 arccos"
                                        : "\xE2\x89\xA5 0: first half, arccos");
     out.angle("angle", e.degrees, e.endDegrees);
-    if (e.rival != kNone) out.row("same angle as", std::to_string(e.rival) + ", which is nearer");
+    if (e.rival != kNone) out.row("same angle as", nameOf(e.rival, in.names) + ", which is nearer");
 }
 
 namespace {
@@ -121,8 +121,8 @@ struct Condition {
 };
 
 constexpr std::array kConditions = {
-    Condition{"not other end", Verdict::OtherLimit}, Condition{"mesh edge", Verdict::NotAnEdge},
-    Condition{"listed by p", Verdict::NotListed},    Condition{"between S and E", Verdict::Outside},
+    Condition{"not other end", Verdict::OtherLimit},  Condition{"mesh edge", Verdict::NotAnEdge},
+    Condition{"listed by pivot", Verdict::NotListed}, Condition{"in the sector", Verdict::Outside},
     Condition{"ring concave", Verdict::NotConcave},
 };
 
@@ -153,7 +153,7 @@ void addConditions(const LimitEvidence& e, const Params& rules, EvidenceRows& ou
 
 void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const std::string side = e.side == Side::Start ? "start" : "end";
-    out.row(side + ", next", pointsText({e.from, e.to}));
+    out.row(side + ", next", pointsText({e.from, e.to}, in.names));
     const std::string from = degreesText(e.fromDegrees);
     if (!isMeasured(e)) {
         out.row("angle of " + side, from + ", stays");
@@ -176,7 +176,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const DecisionState& picture = in.picture;
     const bool start = e.side == Side::Start;
     const std::string side = start ? "start" : "end";
-    out.row("point", pointsText({e.point}));
+    out.row("point", pointsText({e.point}, in.names));
     if (e.isLimit())
         return out.row("angle", degreesText(e.degrees) + ", where " + side + " is now");
     if (in.event.address.stage != Stage::Convex) {
@@ -191,7 +191,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const Index limit = start ? picture.start : picture.end;
     // A what-if drops points that are not next on the ring.
     const bool next = e.verdict != Verdict::WhatIfDropped;
-    if (next) out.row("next on ring", "after " + side + " " + pointsText({limit}));
+    if (next) out.row("next on ring", "after " + side + " " + pointsText({limit}, in.names));
     out.row("angle", degreesText(e.degrees) + ", inside " + degreesText(picture.startDegrees) +
                          " to " + degreesText(picture.endDegrees));
     if (next)
@@ -205,30 +205,31 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     if (distance > 0.0) out.row("of its distance", percentText(height / distance));
 }
 
-void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    out.row("point e", pointsText({e.point}));
-    out.row("e's first, last", pointsText({e.succ, e.pred}));
-    out.row("sector of e", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
-    out.row("angle of p at e", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
+void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("point", pointsText({e.point}, in.names));
+    out.row("its first, last", pointsText({e.succ, e.pred}, in.names));
+    out.row("its sector", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
+    out.row("pivot seen at", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
     const bool inside = e.degrees < e.limitDegrees;
     // Outside: either way around to the sector.
     const double margin = inside ? std::min(e.degrees, e.limitDegrees - e.degrees)
                                  : std::min(360.0 - e.degrees, e.degrees - e.limitDegrees);
     out.row("margin", degreesText(margin) + (inside ? " inside" : " outside"));
     if (e.verdict == Verdict::WallComplete) {
-        out.row("but", "both ring neighbors of e share its wall");
+        out.row("but", "both its ring neighbors share its wall");
     }
 }
 
 void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("hole of " + std::to_string(e.edges),
-            pointsText({in.picture.pivot, in.picture.start, in.picture.end}));
-    if (e.point != kNone) out.row("point", pointsText({e.point}));
+            pointsText({in.picture.pivot, in.picture.start, in.picture.end}, in.names));
+    if (e.point != kNone) out.row("point", pointsText({e.point}, in.names));
     const bool near = e.side * e.pivotSide > 0.0;
-    out.sign("off the plane", signedText(e.side) + (near ? ", side of p" : ", far side"), e.side,
-             e.pivotSide);
-    out.row("p off the plane", signedText(e.pivotSide));
-    if (e.pivotSide != 0.0) out.row("margin", percentText(e.side / e.pivotSide) + " of p's way");
+    out.sign("off the plane", signedText(e.side) + (near ? ", side of the pivot" : ", far side"),
+             e.side, e.pivotSide);
+    out.row("pivot off it", signedText(e.pivotSide));
+    if (e.pivotSide != 0.0)
+        out.row("margin", percentText(e.side / e.pivotSide) + " of the pivot's way");
 }
 
 namespace {
@@ -254,7 +255,8 @@ const char* twoPointEffect(const TwoPointEvidence& e) {
 }  // namespace
 
 void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("t, q, s", pointsText({e.t, e.q, e.s}));
+    out.row("point", pointsText({e.q}, in.names));
+    out.row("between", pointsText({e.t, e.s}, in.names));
     if (!isWhatIf(e.verdict)) out.row("decided by", ruleOf(e));
     if (hasSphere(e)) {
         const double over = e.distance - e.radius;
@@ -266,11 +268,11 @@ void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out
                                                                          : ", outside"));
         out.row("of r", percentText(over / e.radius));
     }
-    out.angle("gap t to s", e.gapDegrees, gapLimitDegrees(in.model.params));
+    out.angle("gap", e.gapDegrees, gapLimitDegrees(in.model.params));
 }
 
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("first, last", pointsText({in.picture.first, in.picture.last}));
+    out.row("first, last", pointsText({in.picture.first, in.picture.last}, in.names));
     out.angle("angle", e.degrees, 180.0);
     out.row("so", twoPointEffect(e));
 }

@@ -131,7 +131,7 @@ class SectionMaker {
             if (added == nullptr) continue;
             added->listed = true;
             added->underTest = tick.underTest;
-            added->letter = tick.letter;
+            added->named = tick.named;
         }
         for (std::size_t p = 0; p < model_.points.size(); ++p) {
             const auto point = static_cast<Index>(p);
@@ -152,7 +152,7 @@ class SectionMaker {
         const double off = plane_.off(at(point));
         if (!always && std::abs(off) > kNearShare * spacing_) return;
         if (point == made_.pivot || find(point) != nullptr) return;
-        made_.points.push_back({point, plane_.place(at(point)), off, role, false, false, {}});
+        made_.points.push_back({point, plane_.place(at(point)), off, role, false, false, false});
     }
 
     void addCircle() {

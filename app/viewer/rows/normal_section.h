@@ -25,7 +25,7 @@ struct SectionPoint {
     DialRole role = DialRole::Neighbor;
     bool listed = false;  ///< In the neighbor list of the pivot, or a point of the decision.
     bool underTest = false;
-    std::string letter;  ///< As on the dial: "S", "E", "q" ...
+    bool named = false;  ///< As on the dial.
 };
 
 /// The line in which the plane cuts a triangle.

@@ -124,7 +124,7 @@ std::string liveNumbers(const Event& event) {
             return formatted("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
         },
         [](const HoleEvidence& e) {
-            return formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+            return formatted("side %+.3g, that of the pivot %+.3g", e.side, e.pivotSide);
         },
         [](const SphereEvidence& e) {
             return hasSphere(e) ? formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0",

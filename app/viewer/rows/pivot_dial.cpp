@@ -68,10 +68,10 @@ class Maker {
             add(mark.point, rejected ? DialRole::Rejected : DialRole::Candidate);
             if (rejected) tickOf(mark.point)->note = std::string(verdictText(mark.verdict));
         }
-        addEnd(picture_.first, DialRole::First, "first");
-        addEnd(picture_.last, DialRole::Last, "last");
-        addEnd(picture_.end, DialRole::End, "E");
-        addEnd(picture_.start, DialRole::Start, "S");
+        addEnd(picture_.first, DialRole::First);
+        addEnd(picture_.last, DialRole::Last);
+        addEnd(picture_.end, DialRole::End);
+        addEnd(picture_.start, DialRole::Start);
         float farthest = 0.0F;
         for (const DialTick& t : dial_.ticks) farthest = std::max(farthest, t.reach);
         for (DialTick& t : dial_.ticks) {
@@ -81,10 +81,10 @@ class Maker {
         }
     }
 
-    void addEnd(Index point, DialRole role, const char* letter) {
+    void addEnd(Index point, DialRole role) {
         if (point == kNone) return;
         add(point, role);
-        name(point, letter);
+        name(point);
     }
 
     DialTick* tickOf(Index point) {
@@ -92,8 +92,11 @@ class Maker {
                                         [&](const DialTick& t) { return t.point == point; });
         return found == dial_.ticks.end() ? nullptr : &*found;
     }
-    void name(Index point, const char* letter) {
-        if (DialTick* tick = tickOf(point)) tick->letter = letter;
+    void name(Index point, const char* sign = "") {
+        DialTick* tick = tickOf(point);
+        if (tick == nullptr) return;
+        tick->named = true;
+        tick->sign = sign;
     }
 
     void addRange() {
@@ -175,18 +178,18 @@ class Maker {
                             e.degrees, start ? picture_.startDegrees : picture_.endDegrees);
     }
     void show(const ReciprocalEvidence& e) {
-        name(e.point, "e");
-        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, isTaken(e.verdict), e.printed};
-        dial_.caption = formatted("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+        name(e.point);
+        dial_.reciprocal = {e.point,  e.succ, e.pred, e.degrees, e.limitDegrees, isTaken(e.verdict),
+                            e.printed};
+        dial_.caption = formatted("seen from the point: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees,
+                                  e.limitDegrees);
     }
     void show(const HoleEvidence& e) {
         dial_.chord = {picture_.startDegrees, picture_.endDegrees};
-        dial_.caption = formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+        dial_.caption = formatted("side %+.3g, that of the pivot %+.3g", e.side, e.pivotSide);
     }
     void show(const SphereEvidence& e) {
-        name(e.q, "q");
-        if (e.t != picture_.start) name(e.t, "t");
-        if (e.s != picture_.end) name(e.s, "s");
+        for (const Index point : {e.q, e.t, e.s}) name(point);
         const double from = degreesOf(e.t);
         const double limit = gapLimit_;
         const bool wide = e.gapDegrees > limit;
@@ -210,11 +213,11 @@ class Maker {
                         (picture_.newTriangles.size() == 1 ? " triangle" : " triangles");
     }
     void show(const InsertEvidence& e) {
-        dial_.slots.push_back({0.0, "before p", e.verdict == Verdict::Before});
-        dial_.slots.push_back({degreesOf(picture_.last), "after p", e.verdict == Verdict::After});
+        dial_.slots.push_back({0.0, "before", e.verdict == Verdict::Before});
+        dial_.slots.push_back({degreesOf(picture_.last), "after", e.verdict == Verdict::After});
         dial_.caption = e.third == kNone               ? "no third point"
-                        : e.verdict == Verdict::Before ? "joins before p"
-                                                       : "joins after p";
+                        : e.verdict == Verdict::Before ? "joins before the pivot"
+                                                       : "joins after the pivot";
     }
     void show(const GuardEvidence& e) {
         if (e.b != kNone && !isTaken(e.verdict)) {
@@ -243,16 +246,16 @@ class Maker {
         dial_.caption = "+ enters the ring, \xE2\x88\x92 leaves it";
     }
     void show(const SplitEvidence& e) {
-        name(e.point, "a | b");
+        name(e.point);
         dial_.caption =
             formatted("the ring splits: %.0f and %.0f entries", e.activeLength, e.stackedLength);
     }
     void show(const JoinEvidence& e) {
-        name(e.point, "a + b");
+        name(e.point);
         dial_.caption = formatted("the rings join: %.0f entries", e.length);
     }
     void show(const AdvanceEvidence& e) {
-        name(e.to, "next");
+        name(e.to);
         dial_.caption = e.to == kNone ? "no ring is left" : "the next pivot";
     }
     template <typename Other>

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "run/model.h"
+#include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
@@ -30,11 +32,17 @@ struct DialTick {
     float height = 0.0F;   ///< Above the plane, in the same unit.
     DialRole role = DialRole::Neighbor;
     bool underTest = false;
-    std::string letter;   ///< The paper's letters: "S", "E", "first", "last", "t", "q", "s", "e".
+    std::string sign;     ///< Before its name: "+" joins the ring, "\xE2\x88\x92" leaves it.
+    bool named = false;   ///< A limit, or a point that the decision names.
     std::string note;     ///< Reason of the rejection; empty if it was not rejected.
     int rank = 0;         ///< Rank among the candidates that are kept, from start, counted from 1.
     bool passed = false;  ///< Passed the test of §6.3.
 };
+
+/// "20", or with a sign "+ 20".
+inline std::string labelOf(const DialTick& tick, std::span<const PointName> names) {
+    return (tick.sign.empty() ? "" : tick.sign + " ") + nameOf(tick.point, names);
+}
 
 /// A part of the full turn, with its meaning.
 struct DialArc {
@@ -53,6 +61,8 @@ struct DialArc {
 /// §6.1, Fig. 6: the second disc, of a USED candidate e.
 struct DialReciprocal {
     Index e = kNone;
+    Index first = kNone;        ///< After e on the ring: efirst.
+    Index last = kNone;         ///< Before e on the ring: elast.
     double pivotDegrees = 0.0;  ///< Angle of p at e.
     double limitDegrees = 0.0;  ///< The sector of e runs from 0 to here.
     bool kept = false;          ///< The candidate is kept.

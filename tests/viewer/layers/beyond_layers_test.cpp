@@ -90,7 +90,7 @@ const Palette& kColors = paletteOf(Theme::Dark);
 
 }  // namespace
 
-TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles, four letters") {
+TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles, four names") {
     // The first step after the last pivot: it edits the triangles of the run themselves.
     const auto place = RunAt::at<FlipEvidence>(spec("scene:small-torus", "robust"), Stage::Flip);
     REQUIRE(place != nullptr);
@@ -108,10 +108,7 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
         REQUIRE(lineOf(list, place->at(a), place->at(b)) != nullptr);
         CHECK(lineOf(list, place->at(a), place->at(b))->width < after->width);
     }
-    for (const auto& [letter, point] :
-         {std::pair{"u ", e.u}, std::pair{"v ", e.v}, std::pair{"x ", e.x}, std::pair{"y ", e.y}}) {
-        CHECK(says(list, letter + std::to_string(point)));
-    }
+    for (const Index point : {e.u, e.v, e.x, e.y}) CHECK(says(list, std::to_string(point)));
     CHECK(says(list, "least angle"));
     REQUIRE(list.faces.size() == 2);
     for (const Face& face : list.faces) CHECK(face.hatched);

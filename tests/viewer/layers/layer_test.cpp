@@ -80,7 +80,42 @@ TEST_CASE("The active ring is closed and has arrows, stacked rings are dashed an
         CHECK(line.width < active.lines[0].width);
     }
     REQUIRE_FALSE(stacked.labels.empty());
-    CHECK(stacked.labels[0].text == "#1");
+    CHECK(stacked.labels[0].text == "ring b");
+}
+
+TEST_CASE("A ring keeps its name while others split, join and close") {
+    OpenSession open("scene:torus");
+    const auto onPivot = [&](std::uint32_t pivot) {
+        open.session.moves().goTo({pivot, Stage::Pivot, 0});
+        return open.session.picture().rings;
+    };
+    using Names = std::set<std::string>;
+    const auto names = [&](std::uint32_t pivot) {
+        Names found;
+        for (const RingPath& ring : onPivot(pivot))
+            CHECK(found.insert(ringName(ring.number)).second);
+        return found;
+    };
+    // The ring that splits goes on as a, and leaves b to d on the stack.
+    CHECK(names(190) == Names{"a"});
+    for (std::uint32_t pivot = 210; pivot < 410; pivot += 20) {
+        CHECK(names(pivot) == Names{"a", "b", "c", "d"});
+        CHECK(ringName(onPivot(pivot).front().number) == "a");
+    }
+    // Of d, which goes on after a is closed, e is a part.
+    const Names later = names(430);
+    for (const char* kept : {"b", "c"}) CHECK(later.contains(kept));
+    CHECK_FALSE(later.contains("a"));
+}
+
+TEST_CASE("The lanes of the run have the names of its rings") {
+    OpenSession open("scene:torus");
+    std::vector<Index> numbers;
+    for (const LaneChange& change : open.session.overview().laneChanges) {
+        if (beginsLane(change.kind)) numbers.push_back(change.ring);
+    }
+    REQUIRE(numbers.size() >= 3);
+    for (std::size_t i = 0; i < numbers.size(); ++i) CHECK(numbers[i] == i);
 }
 
 TEST_CASE("The sphere of a test passes through p, s and t, in view space") {
@@ -117,7 +152,30 @@ TEST_CASE("Labels are only at the pivot, its candidates and the selection, one e
     std::set<std::string> texts;
     for (const Label& label : list.labels) CHECK(texts.insert(label.text).second);
     CHECK(texts.contains("7"));
-    CHECK(texts.contains("p " + std::to_string(picture.pivot)));
+    CHECK(texts.contains(std::to_string(picture.pivot)));
+}
+
+TEST_CASE("A point of a decision is labeled with its name alone, in a figure that of the paper") {
+    for (const char* scene : {"scene:torus", "scene:figure-8"}) {
+        CAPTURE(scene);
+        OpenSession open(scene);
+        const Address at = scene == std::string("scene:torus") ? Address{137, Stage::Sphere, 3}
+                                                               : Address{9, Stage::Sphere, 2};
+        const DrawList list = drawn(open, at, {LayerId::Labels});
+        const DecisionState& picture = open.session.picture();
+        REQUIRE(picture.sphere);
+        const auto names = open.session.names();
+        std::vector<std::string> wanted;
+        for (const Index point : {picture.pivot, picture.underTest, picture.sphere->t,
+                                  picture.sphere->s, picture.start, picture.end})
+            wanted.push_back(nameOf(point, names));
+        // Those of the decision come first, in this order.
+        std::vector<std::string> labels;
+        for (const Label& label : list.labels) labels.push_back(label.text);
+        REQUIRE(labels.size() >= wanted.size());
+        labels.resize(wanted.size());
+        CHECK(labels == wanted);
+    }
 }
 
 TEST_CASE("The measures of a sphere are written out where a point has one of their letters") {

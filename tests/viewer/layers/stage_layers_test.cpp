@@ -25,7 +25,7 @@ TEST_CASE(
     CHECK(list.sheets.size() == 2U * static_cast<unsigned>(walls));
     CHECK(says(list, "wall "));
     CHECK(says(list, "N \xC3\x97 v"));
-    CHECK(says(list, "after p"));
+    CHECK(says(list, "after the pivot"));
     CHECK(count(list, view::Shape::Circle) >= 1);
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("Drawn for sort: the slicing plane, the drop line and the angle") {
                       [&](const Line& line) { return line.from == tested && line.dash > 0.0F; }));
 }
 
-TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") {
+TEST_CASE("Drawn for limits: the concave corner filled, the limit on its way") {
     OpenSession open("scene:figure-8");
     const Address moved = firstWhere<LimitEvidence>(
         open, [](const LimitEvidence& e) { return e.verdict == Verdict::Moved; });
@@ -118,7 +118,8 @@ TEST_CASE(
     for (const char* rules : {"paper", "printed"}) {
         CAPTURE(rules);
         OpenSession open("scene:figure-6", rules);
-        const DrawList list = drawn(open, {1, Stage::Reciprocal, 1}, {LayerId::Reciprocal});
+        const DrawList list =
+            drawn(open, {1, Stage::Reciprocal, 1}, {LayerId::Reciprocal, LayerId::Labels});
         const auto* test = open.session.picture().evidence<ReciprocalEvidence>(Stage::Reciprocal);
         REQUIRE(test != nullptr);
         const Model& model = open.session.model();
@@ -128,10 +129,8 @@ TEST_CASE(
                        glm::distance(label.position, model.place[point]) < 1e-6F;
             });
         };
-        CHECK(isAt("first of e", test->succ));
-        CHECK(isAt("last of e", test->pred));
-        CHECK(nameOf(test->succ, findFigure(6)->names) == "efirst");
-        CHECK(nameOf(test->pred, findFigure(6)->names) == "elast");
+        CHECK(isAt("efirst", test->succ));
+        CHECK(isAt("elast", test->pred));
         // The sector begins at the last of e, as printed at the first.
         const bool printed = std::string(rules) == "printed";
         const glm::vec3 from = model.place[printed ? test->succ : test->pred];
@@ -164,7 +163,7 @@ TEST_CASE("Drawn for hole: the plane through start and end and the side of p") {
         drawn(open, firstWhere<HoleEvidence>(open, [](const auto&) { return true; }),
               {LayerId::HolePlane});
     CHECK(list.sheets.size() == 3);
-    CHECK(says(list, "side of p"));
+    CHECK(says(list, "side of the pivot"));
     CHECK(says(list, "far side"));
 }
 
@@ -182,7 +181,7 @@ TEST_CASE("Drawn for sphere: one circle, the radius and the limit of the gap") {
     const DecisionState& picture = open.session.picture();
     CHECK(hasLine(list, sphere.center, open.session.model().place[picture.pivot]));
     CHECK(hasLine(list, sphere.center, open.session.model().place[picture.sphere->q]));
-    for (const char* text : {"c", "r", "d ", "q ", "s", "t"}) CHECK(says(list, text));
+    for (const char* text : {"c", "r", "d "}) CHECK(says(list, text));
 }
 
 TEST_CASE("Drawn for twopoint: the one triangle hatched, its angle against 180 degrees") {

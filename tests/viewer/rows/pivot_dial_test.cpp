@@ -97,7 +97,9 @@ TEST_CASE("Dial: the range runs from start to end, and the gap of a sphere test 
             const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
             REQUIRE(gap != nullptr);
             CHECK(gap->to - gap->from == doctest::Approx(sphere->gapDegrees));
-            CHECK(tickOf(dial, sphere->q)->letter == "q");
+            for (const Index point : {sphere->q, sphere->t, sphere->s})
+                CHECK(tickOf(dial, point)->named);
+            CHECK(labelOf(*tickOf(dial, sphere->q), {}) == std::to_string(sphere->q));
             ++gaps;
         });
     CHECK(gaps > 50);

@@ -26,7 +26,7 @@ namespace se::view {
 
 namespace {
 
-/// The disc with the letter, and the arrow from its center to the tip, in em.
+/// The disc, a large sign of the pivot, and the arrow from its center to the tip, in em.
 constexpr float kDisc = 0.85F;
 constexpr float kTip = 1.75F;
 constexpr float kInset = 2.0F;
@@ -52,7 +52,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     ImGui::SetCursorScreenPos(toVec2(found.rect.min));
     if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size))) context.run("view.pivot");
     found.hovered = ImGui::IsItemHovered();
-    tooltip("The pivot, p " + std::to_string(pivot) +
+    tooltip("The pivot, " + nameOf(pivot, session.names()) +
             ", is outside of the view.\nClick to center it.");
     context.where()["pivot arrow"] = found.rect;
     return found;
@@ -72,10 +72,7 @@ void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow) {
     list->AddCircleFilled(toVec2(at), kDisc * em,
                           toU32(arrow.hovered ? colors.panelRaised : colors.background), 32);
     list->AddCircle(toVec2(at), kDisc * em, color, 32, std::max(1.5F, 0.14F * em));
-    const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, "p");
-    list->AddText(context.fonts.strong, em,
-                  {std::round(at.x - 0.5F * extent.x), std::round(at.y - 0.56F * extent.y)}, color,
-                  "p");
+    list->AddCircleFilled(toVec2(at), 0.45F * kDisc * em, color);
 }
 
 /// Minimum distance between corners of the line, in em.

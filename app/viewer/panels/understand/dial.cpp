@@ -6,7 +6,6 @@
 #include "dial_drawer.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
-#include "run/point_label.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -66,8 +65,7 @@ DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial)
     std::vector<RimText> texts;
     for (const DialTick& tick : dial.ticks) {
         if (tick.role == DialRole::Done) continue;
-        texts.push_back(
-            {tick.degrees, pointLabel(tick.letter, tick.point, context.session().names()), {}});
+        texts.push_back({tick.degrees, labelOf(tick, context.session().names()), {}});
     }
     for (const DialMark& mark : dial.marks) texts.push_back({mark.degrees, mark.text, {}});
     return discWithTexts(context, room, texts);
@@ -75,7 +73,8 @@ DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial)
 
 void explain(const PanelContext& context, const DialTick& tick) {
     ImGui::BeginTooltip();
-    ImGui::Text("point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
+    ImGui::Text("point %s: %.1f\xC2\xB0", nameOf(tick.point, context.session().names()).c_str(),
+                tick.degrees);
     const PointSet& points = context.session().shown().points;
     const Index p = context.session().picture().pivot;
     const double height =

@@ -8,7 +8,6 @@
 
 #include "panels/widgets/widgets.h"
 #include "rows/dial_looks.h"
-#include "run/point_label.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -225,10 +224,9 @@ class DialDrawer {
         for (const DialTick& tick : dial_.ticks) {
             const bool lit = tick.underTest || tick.point == c_.session().highlights().hovered();
             if (isFaint(tick) && !lit) continue;
-            const RimText text{tick.degrees,
-                               pointLabel(tick.letter, tick.point, c_.session().names()),
+            const RimText text{tick.degrees, labelOf(tick, c_.session().names()),
                                lit ? c_.palette.text : c_.palette.*colorOf(tick)};
-            const bool named = !tick.letter.empty();
+            const bool named = tick.named;
             (lit ? first : named ? ends : others).push_back(text);
         }
         for (const DialSlot& slot : dial_.slots)
@@ -295,13 +293,15 @@ const DialTick* tickUnderPointer(const PanelContext& context, const Dial& dial,
 void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, const Rect& room) {
     const Palette& colors = context.palette;
     const float em = context.em;
-    const std::string title = "e " + std::to_string(r.e);
+    const auto names = context.session().names();
+    const std::string title = "seen from " + nameOf(r.e, names);
     const glm::vec2 extent = rimTextSize(context, title);
     const Rect below{room.min + glm::vec2(0.0F, extent.y), room.size - glm::vec2(0.0F, extent.y)};
     const Color& verdict = r.kept ? colors.used : colors.rejected;
-    const std::vector<RimText> texts = {{r.firstDegrees(), "efirst", colors.first},
-                                        {r.lastDegrees(), "elast", colors.last},
-                                        {r.pivotDegrees, "p", verdict}};
+    const std::vector<RimText> texts = {
+        {r.firstDegrees(), nameOf(r.first, names), colors.first},
+        {r.lastDegrees(), nameOf(r.last, names), colors.last},
+        {r.pivotDegrees, nameOf(context.session().picture().pivot, names), verdict}};
     // Room is reserved for a name that moves along the rim.
     const glm::vec2 spare(0.0F, 0.8F * extent.y);
     const DialDisc disc =

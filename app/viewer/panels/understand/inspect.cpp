@@ -157,7 +157,7 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     std::optional<DecisionState> after;
     if (session.showsBefore()) after = session.replay().after(session.cursor());
     const EvidenceInput input{session.shown(), after ? *after : session.picture(), event,
-                              &session.overview()};
+                              &session.overview(), session.names()};
     for (const EvidenceRow& row : evidenceRows(input)) {
         valueRow(context, row.name.c_str(), row.value);
         if (row.gauge) drawGauge(context, *row.gauge, outcome.value_or(context.palette.accent));

@@ -8,7 +8,6 @@
 
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
-#include "run/point_label.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 
@@ -69,7 +68,7 @@ class SectionDrawer {
         if (section_.circle) drawCircle(*section_.circle);
         for (const SectionPoint& point : section_.points) drawPoint(point);
         drawShape(list_, at({0.0, 0.0}), 1.15F * c_.em, Shape::RingedDisc, toU32(colors.pivot));
-        addName({0.0, 0.0}, pointLabel("p", section_.pivot, c_.session().names()), colors.pivot);
+        addName({0.0, 0.0}, nameOf(section_.pivot, c_.session().names()), colors.pivot);
         for (const SectionPoint& each : section_.points) take(each.at, 0.3F * c_.em);
         for (const SectionCut& cut : section_.cuts) {
             for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
@@ -78,7 +77,7 @@ class SectionDrawer {
         // Those of the decision first: they get the best places.
         for (const bool tested : {true, false}) {
             for (const SectionPoint& each : section_.points) {
-                if (each.underTest == tested && isNamed(each)) nameOf(each);
+                if (each.underTest == tested && isNamed(each)) addNameOf(each);
             }
         }
         nameTangent();
@@ -98,7 +97,7 @@ class SectionDrawer {
     }
     bool isNamed(const SectionPoint& point) const {
         const bool lit = point.point == c_.session().highlights().hovered();
-        return point.underTest || !point.letter.empty() || lit;
+        return point.underTest || point.named || lit;
     }
 
     void drawTangent() {
@@ -172,12 +171,8 @@ class SectionDrawer {
         }
     }
 
-    /// Points beside the plane have their letter alone.
-    void nameOf(const SectionPoint& point) {
-        const bool beside = std::abs(point.off) > kPlaneShare * section_.reach;
-        if (beside && !point.underTest && !point.letter.empty())
-            return addName(point.at, point.letter, c_.palette.*sectionLook(point).color);
-        addName(point.at, pointLabel(point.letter, point.point, c_.session().names()),
+    void addNameOf(const SectionPoint& point) {
+        addName(point.at, nameOf(point.point, c_.session().names()),
                 point.underTest ? c_.palette.text : c_.palette.*sectionLook(point).color);
     }
 
