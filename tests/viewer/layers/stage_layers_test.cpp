@@ -219,35 +219,36 @@ TEST_CASE("Drawn for split and join: both loops and a mark where they meet") {
     OpenSession open("scene:figure-12");
     const DrawList split = drawn(open, {45, Stage::Split, 1}, {LayerId::Exchange});
     CHECK(says(split, "cut"));
-    CHECK(says(split, "a: "));
-    CHECK(says(split, "b: "));
+    CHECK(says(split, ": 7 entries, continues"));
+    CHECK(says(split, ": 10 entries, waits on the stack"));
     const DrawList join = drawn(open, {74, Stage::Join, 1}, {LayerId::Exchange});
     CHECK(says(join, "bridge"));
-    CHECK(says(join, "b was #1"));
+    CHECK(says(join, ", was on the stack"));
 }
 
 TEST_CASE(
     "Several splits in one pivot: each shows the loops that it cut, not what is left at the end") {
     OpenSession open("scene:figure-12");
     const DrawList first = drawn(open, {35, Stage::Split, 1}, {LayerId::Exchange});
-    CHECK(says(first, "a: 19 entries"));
-    CHECK(says(first, "b: 13 entries"));
+    CHECK(says(first, "ring a: 19 entries"));
+    CHECK(says(first, "ring b: 13 entries"));
     CHECK(open.session.picture().rings.size() == 2);
     CHECK(open.session.picture().rings[0].points.size() == 19);
     const DrawList second = drawn(open, {35, Stage::Split, 2}, {LayerId::Exchange});
-    CHECK(says(second, "a: 17 entries"));
-    CHECK(says(second, "b: 2 entries"));
+    CHECK(says(second, "ring a: 17 entries"));
+    CHECK(says(second, "ring c: 2 entries"));
     CHECK(open.session.picture().rings.size() == 3);
     const DrawList last = drawn(open, {35, Stage::Split, 3}, {LayerId::Exchange});
-    CHECK(says(last, "a: 15 entries"));
+    CHECK(says(last, "ring a: 15 entries"));
     // A pinned layer keeps showing the last one.
-    CHECK(says(drawn(open, {35, Stage::Advance, 1}, {LayerId::Exchange}), "a: 15 entries"));
+    CHECK(says(drawn(open, {35, Stage::Advance, 1}, {LayerId::Exchange}), "ring a: 15 entries"));
 }
 
 TEST_CASE("A join and a split in one pivot show the point of the later one") {
     OpenSession open("scene:torus");
-    CHECK(says(drawn(open, {560, Stage::Join, 1}, {LayerId::Exchange}), "b was #2"));
-    CHECK(says(drawn(open, {560, Stage::Split, 1}, {LayerId::Exchange}), "a: 60 entries"));
+    const DrawList join = drawn(open, {560, Stage::Join, 1}, {LayerId::Exchange});
+    CHECK(says(join, "e + b: bridge here"));
+    CHECK(says(drawn(open, {560, Stage::Split, 1}, {LayerId::Exchange}), "ring e: 60 entries"));
 }
 
 TEST_CASE("Drawn for seed, advance and done") {

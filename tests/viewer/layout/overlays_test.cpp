@@ -89,7 +89,7 @@ TEST_CASE("A view has seven labels, the essential ones first, and those that are
 TEST_CASE("Minor labels are left out first, essential ones last") {
     int dropped[3] = {0, 0, 0};
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        const std::vector<LabelRequest> labels = crowd(seed, 12);
+        const std::vector<LabelRequest> labels = crowd(seed, 5);
         const std::vector<LabelMark> marks = marksOf(labels);
         const LabelRoom room{kView, {}, marks, nullptr, kView.min + 0.5F * kView.size, kEm};
         const std::vector<PlacedLabel> placed = placeLabels(room, labels);
@@ -98,7 +98,7 @@ TEST_CASE("Minor labels are left out first, essential ones last") {
         }
     }
     CHECK(dropped[0] == 0);
-    CHECK(dropped[1] <= dropped[2]);
+    CHECK(dropped[1] < dropped[2]);
     CHECK(dropped[2] > 0);
 }
 
