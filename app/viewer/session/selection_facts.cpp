@@ -16,7 +16,7 @@ std::string ringWith(const std::vector<RingPath>& rings, const Selection& edge) 
         for (std::size_t i = 0; i < ring.points.size(); ++i) {
             const Index to = ring.points[(i + 1) % ring.points.size()];
             if (!(Selection::ofEdge(ring.points[i], to) == edge)) continue;
-            return "ring " + ringName(ring.number) + (ring.active ? ", active" : ", on the stack");
+            return ringName(ring.number) + (ring.active ? ", active" : ", on the stack");
         }
     }
     return {};

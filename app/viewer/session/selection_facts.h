@@ -18,7 +18,7 @@ struct SelectionFacts {
     bool present = false;  ///< Present at the cursor.
     // Of an edge.
     double length = 0.0;  ///< Scene units.
-    std::string ring;     ///< "active ring", "stacked ring #2"; empty: on none at the cursor.
+    std::string ring;     ///< "a, active", "b, on the stack"; empty: on none at the cursor.
     /// Numbers of the triangles at the edge, among the triangles known so far; those at the cursor
     /// first.
     std::vector<std::uint32_t> triangles;

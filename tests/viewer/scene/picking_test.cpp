@@ -255,7 +255,7 @@ TEST_CASE("An edge of the ring is reported as such, an edge of nothing is not pr
     open.session.waitUntilDone();
     const RingPath ring = open.session.picture().rings.front();
     const Selection edge = Selection::ofEdge(ring.points[0], ring.points[1]);
-    CHECK(factsOf(open.session, edge).ring == "active ring");
+    CHECK(factsOf(open.session, edge).ring == "a, active");
     CHECK(factsOf(open.session, edge).present);
     const Index far = open.session.model().points.neighbors[0].back() == 200 ? 201 : 200;
     const SelectionFacts none = factsOf(open.session, Selection::ofEdge(0, far));
