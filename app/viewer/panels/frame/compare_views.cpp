@@ -36,7 +36,7 @@ void drawTitle(const PanelContext& context, const Rect& bar, const ComparedTitle
             title.note.empty() ? 0.0F : ImGui::CalcTextSize(title.note.c_str()).x;
         const float room = bar.size.x - 2.2F * em - 0.7F * em;
         const bool both = noteWidth + 6.0F * em <= room;
-        const std::string shown = fitted(title.name, both ? room - noteWidth - em : room);
+        const std::string shown = fittedName(title.name, both ? room - noteWidth - em : room);
         list->AddText({bar.min.x + 2.2F * em, y}, toU32(context.palette.text), shown.c_str());
         if (both)
             list->AddText({bar.max().x - 0.7F * em - noteWidth, y}, toU32(color),

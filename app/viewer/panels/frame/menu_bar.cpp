@@ -244,7 +244,7 @@ std::string fittingNote(const PanelContext& context, float room) {
          {points + "   " + session.input().spec().rules + " rules", points, name}) {
         if (ImGui::CalcTextSize(note.c_str()).x <= room) return note;
     }
-    return room > 6.0F * context.em ? fitted(name, room) : std::string{};
+    return room > 6.0F * context.em ? fittedName(name, room) : std::string{};
 }
 
 }  // namespace
