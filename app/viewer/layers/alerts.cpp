@@ -8,6 +8,8 @@ namespace se::view {
 namespace {
 
 constexpr float kTint = 0.5F;
+/// Width of the outline of a hole.
+constexpr float kOutline = 0.34F;
 /// Limit of marks on the points of a large failure.
 constexpr std::size_t kMaxMarks = 400;
 
@@ -45,6 +47,8 @@ void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
         for (std::size_t i = 0; i < alert.corners.size(); ++i)
             addTriangle(in, alert.corners[i], isThere(in, failure.triangles[i]), out);
     }
+    for (const auto& [u, v] : failure.edges)
+        out.line(in.at(u), in.at(v), in.palette.rejected, kOutline, Depth::OnTop);
     const bool edge = failure.points.size() == 2 && !failure.triangles.empty();
     if (edge) addMarkedEdge(in, failure.points, out);
     // Corners of filled triangles need no marks.

@@ -550,6 +550,28 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
     CHECK(app.session.noticedHere().empty());
 }
 
+TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
+    AlertApp app("scene:four-edge-hole");
+    const auto& failures = app.session.alerts().search().failures();
+    const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
+        return each.failure.edges.size() == 4;
+    });
+    REQUIRE(hole != failures.end());
+    for (const char* address : {"20", "54.emit.1"}) {
+        app.session.moves().goToText(address);
+        app.session.waitUntilDone();
+        DrawList list;
+        LayerInput input{app.session.model(), app.session.picture(), paletteOf(Theme::Dark)};
+        input.alert = &*hole;
+        addAlerts(input, list);
+        for (const auto& edge : hole->failure.edges) {
+            CHECK(std::any_of(list.lines.begin(), list.lines.end(), [&](const Line& line) {
+                return line.from == input.at(edge[0]) && line.to == input.at(edge[1]);
+            }));
+        }
+    }
+}
+
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
     AlertApp app("scene:four-edge-hole");
     REQUIRE(app.session.alerts().chosen());
