@@ -15,6 +15,7 @@
 #include "panel_state/side_panels.h"
 #include "render/context.h"
 #include "scene/decision_view.h"
+#include "scene/framing.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
 #include "window_export.h"
@@ -47,9 +48,8 @@ Application::Application(const Options& options, const ViewSettings& settings)
     ui_.cheatSheet = options.cheatSheet;
     ui_.picture = options.picture;
     ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
-    ui_.follow = rowOf(ui_.layoutPreset).follows;
+    if (rowOf(ui_.layoutPreset).follows) ui_.follow = Follow::EachDecision;
     playback_.setRate(settings.playRate);
-    camera_.home();
 }
 
 Application::~Application() = default;
@@ -137,7 +137,7 @@ bool Application::animating() const {
            painter_.moving() || painter_.unfinished() || painter_.late() || compare_.late() ||
            ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
            session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
-           session_.questions().busy() || mesh_.busy() || alertFrames_ > 0 ||
+           session_.questions().busy() || mesh_.busy() || framed_.has_value() ||
            ui_.cameraMove.active() || lesson_.moving() || export_->busy() ||
            (session_.startPage() && ui_.startPage.sampling.busy());
 }
@@ -178,20 +178,16 @@ void Application::play(double seconds) {
 }
 
 /// Places the camera for a newly opened input.
-void Application::placeCamera(const PanelRects& rects) {
+void Application::placeCamera() {
     if (!session_.ready()) return;
+    settleCamera();
     if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
         // Another input resets the camera; reloading the same one keeps it.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
             camera_.setUp(document_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
-            camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
+            frameNow(FrameRequest::Home);
         }
         if (const auto pose = document_.takeCamera()) camera_.setPose(*pose);
-    }
-    if (std::exchange(ui_.requests.frameAlert, false)) alertFrames_ = 2;
-    if (alertFrames_ > 0 && !session_.moves().busy()) {
-        frameAlert(commands_, rects.view);
-        --alertFrames_;
     }
     if (lesson_.takeAim()) {
         lesson_.aim();
@@ -205,30 +201,51 @@ void Application::placeCamera(const PanelRects& rects) {
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
     const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
-    if (request == FrameRequest::Decision || atDifference) {
-        // The layout settles over the first frames: framed again while the view has another size.
-        const bool settled = framedIn_ == rects.view.size;
-        framedIn_ = settled ? glm::vec2(0.0F) : rects.view.size;
-        if (settled) return;
-        ui_.requests.frame = FrameRequest::Decision;
-        return frameDecision(commands_);
-    }
-    const bool toPivot = request == FrameRequest::Pivot && session_.picture().pivot != kNone;
-    if (request != FrameRequest::None) toPivot ? framePivot(commands_) : frameFocus(commands_);
+    if (atDifference) return frameNow(FrameRequest::Decision);
+    if (request != FrameRequest::None) frameNow(request);
+}
+
+/// Frames again what was framed in the last frame, if the view has another size since: the layout
+/// settles over the first frames. Not if something else has moved the camera.
+void Application::settleCamera() {
+    if (!framed_) return;
+    const bool stays = framed_->revision == camera_.revision();
+    if (!stays || framed_->part == ui_.viewPart()) return framed_.reset();
+    frameNow(framed_->request);
+    undo_.acceptCamera(camera_.pose());
+}
+
+void Application::frameNow(FrameRequest request) {
+    frameRequested(commands_, request);
+    framed_ = Framed{request, ui_.viewPart(), camera_.revision()};
 }
 
 /// Smooth moves of the camera. While the decision is followed, one begins where the cursor comes to
-/// another pivot, or to a decision that another side shows best; never on opening.
+/// another pivot, or to a decision that another side shows best; never on opening. Otherwise
+/// playing leads to a pivot that has left the view, unless the user has moved the view away from
+/// it.
 void Application::moveCamera() {
-    if (session_.ready() && !session_.moves().busy() && session_.picture().pivot != kNone) {
-        const FollowedDecision here{session_.generation(), session_.picture().pivot,
-                                    viewWayOf(session_.shown(), session_.picture())};
+    const bool placed = session_.ready() && !session_.moves().busy();
+    if (placed && session_.picture().pivot != kNone) {
+        const Model& model = session_.shown();
+        const Index pivot = session_.picture().pivot;
+        const FollowedDecision here{session_.generation(), pivot,
+                                    viewWayOf(model, session_.picture())};
         const FollowedDecision before = std::exchange(followed_, here);
         // Dragged points change the decision, not the view of it.
         const bool dragging = session_.drag().active();
-        const bool stays = std::exchange(dragged_, dragging) || dragging;
-        if (ui_.follow && !stays && before != here && before.generation == here.generation)
+        const bool stays = std::exchange(dragged_, dragging) || dragging || before == here ||
+                           before.generation != here.generation;
+        const bool moving = ui_.cameraMove.kind() == CameraMove::Kind::Followed;
+        const bool seen = isInView(model.place[pivot], ui_.viewPart(), camera_);
+        const bool left = std::exchange(pivotSeen_, seen || moving) && !seen && !moving;
+        if (ui_.follow == Follow::EachDecision && !stays)
             moveToDecision(commands_, CameraMove::Kind::Followed);
+        if (ui_.follow == Follow::LeavingPivot && left && playback_.playing() &&
+            !ImGui::IsAnyMouseDown()) {
+            pivotSeen_ = true;
+            followPivot(commands_);
+        }
     }
     ui_.cameraMove.apply(camera_, ui_.clock);
 }
@@ -291,11 +308,10 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     const PanelRects& rects = areas_;
     ui_.navigation.stripFolded = rects.stripFolded;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
-    ui_.viewEms = rects.view.size / imgui_->em();
     if (ui_.growth.open) {
         painter_.fillParticles(sampling_, ui_.settings.theme);
     } else {
-        placeCamera(rects);
+        placeCamera();
         moveCamera();
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
             session_.questions().requestClosest();

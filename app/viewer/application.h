@@ -109,6 +109,13 @@ class Application {
     void rememberSize(glm::ivec2 size);
 
   private:
+    /// What the camera was last made to frame, and in which part of the view.
+    struct Framed {
+        FrameRequest request = FrameRequest::None;
+        ViewPart part;
+        unsigned revision = 0;  ///< Of the camera, after that.
+    };
+
     void noteTimes(std::chrono::steady_clock::time_point built);
     PanelRects areasIn(glm::vec2 size) const;
     bool goToBoxTakes(const KeyChord& chord);
@@ -123,7 +130,9 @@ class Application {
     WindowState windowState() const;
     void followTask();
     float scaleIn(glm::ivec2 size) const;
-    void placeCamera(const PanelRects& rects);
+    void placeCamera();
+    void settleCamera();
+    void frameNow(FrameRequest request);
     void moveCamera();
     void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
@@ -163,17 +172,14 @@ class Application {
     CameraMove::Kind cameraKind_ = CameraMove::Kind::None;  ///< Of the frame before.
     std::string homeOf_;  ///< Name of the input that the camera was reset for.
     std::string writtenState_;
-    std::string narrated_;  ///< Address of the last sentence on stdout.
-    /// Frames in which the camera goes to the chosen alert: in the first one at the end of the run
-    /// the card with the verdict appears, in the next one it is known where.
-    int alertFrames_ = 0;
-    /// Size of the view in which a decision that is opened was framed; 0: none is being opened.
-    glm::vec2 framedIn_{0.0F};
-    PanelRects areas_;       ///< As last drawn.
-    std::string taskOf_;     ///< Source of the input that the column was reset for.
-    bool finished_ = false;  ///< The finished mesh was shown in the frame before.
-    bool judged_ = false;    ///< Its faults were known.
-    int redraws_ = 0;        ///< Number of frames to draw even if nothing changes.
+    std::string narrated_;          ///< Address of the last sentence on stdout.
+    std::optional<Framed> framed_;  ///< Framed while the layout was settling.
+    bool pivotSeen_ = false;        ///< The pivot was in the view, or the camera on the way to it.
+    PanelRects areas_;              ///< As last drawn.
+    std::string taskOf_;            ///< Source of the input that the column was reset for.
+    bool finished_ = false;         ///< The finished mesh was shown in the frame before.
+    bool judged_ = false;           ///< Its faults were known.
+    int redraws_ = 0;               ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

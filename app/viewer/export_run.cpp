@@ -9,11 +9,11 @@
 #include <numeric>
 #include <utility>
 
-#include "commands/command_actions.h"
+#include "commands/camera_actions.h"
 #include "export/lesson_frames.h"
 #include "picture_frames.h"
 #include "render/context.h"
-#include "scene/decision_view.h"
+#include "scene/framing.h"
 #include "session/compare/compared_titles.h"
 #include "session/view_position.h"
 #include "spiraling_edge/run/event_text.h"
@@ -23,10 +23,6 @@ namespace se::view {
 
 namespace {
 
-/// Share of the view that the points of a range fill.
-constexpr float kRangeShare = 0.72F;
-/// Share of the view that the points of a figure fill.
-constexpr float kFigureShare = 0.6F;
 /// Frames in which the layout comes to rest.
 constexpr int kFirstFrames = 4;
 
@@ -128,7 +124,7 @@ void ExportRun::start() {
     if (const Status begun = application_->start(1.0F); !begun)
         return fail(kExitNoDisplay, begun.error().message);
     context_ = ImGui::GetCurrentContext();
-    ui().follow = false;
+    ui().follow = Follow::Never;
     phase_ = Phase::Opening;
 }
 
@@ -188,20 +184,19 @@ void ExportRun::placeCamera() {
     } else if (glm::length(normal) > 1e-3F) {
         camera.face(glm::normalize(normal));
     }
-    camera.fill(places, ui().viewAspect, kRangeShare);
+    camera.fill(places, ui().viewPart(), kDecisionShare);
 }
 
 /// A single frame of a figure of the paper is seen as the figure.
 void ExportRun::aimAtFigure() {
     const Figure* figure = figureOfSource(session().input().spec().source);
     if (figure == nullptr || options_.camera || options_.session) return;
-    Camera& camera = application_->camera();
-    camera.faceStraight(glm::vec3(figure->view));
     // A given start has few points: all of them are the figure, with room for what is drawn around.
     const Model& model = session().model();
-    if (!model.params.start.empty()) return camera.fill(model.place, ui().viewAspect, kFigureShare);
-    frameFocus(application_->commands());
+    if (model.params.start.empty()) return frameDecision(application_->commands());
+    Camera& camera = application_->camera();
     camera.faceStraight(glm::vec3(figure->view));
+    camera.fill(model.place, ui().viewPart(), kDecisionShare);
 }
 
 Status ExportRun::goTo(const std::string& place) {

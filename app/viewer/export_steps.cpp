@@ -1,5 +1,5 @@
 // The steps of a lesson: input, position, looks, camera and second run of each.
-#include "commands/command_actions.h"
+#include "commands/camera_actions.h"
 #include "export/lesson_frames.h"
 #include "export_run.h"
 #include "jobs/open_lesson.h"
@@ -87,22 +87,7 @@ Status ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
         return success();
     }
     const auto direction = teach::viewDirection(teach::settingOf(order_.lesson->lesson, number));
-    if (direction) camera.faceStraight(glm::vec3(*direction));
-    if (step.frame == "all") {
-        actions::frameAll(application_->commands());
-        return success();
-    }
-    const DecisionState& decision = session().picture();
-    const bool aside = decision.pivot == kNone && decision.underTest != kNone;
-    // Without a pivot, from above the point in question.
-    if (aside && !direction) camera.faceStraight(session().shown().normal[decision.underTest]);
-    frameFocus(application_->commands());
-    if (direction) {
-        camera.faceStraight(glm::vec3(*direction));
-        return success();
-    }
-    lookAtDecision(session().shown(), session().picture(), session().shownTriangles(), camera,
-                   ui().viewEms);
+    frameStep(application_->commands(), step.frame == "all", direction);
     return success();
 }
 

@@ -18,6 +18,7 @@
 #include "picture_frames.h"
 #include "render/context.h"
 #include "run/strings.h"
+#include "scene/framing.h"
 #include "scene/picking.h"
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
@@ -237,7 +238,7 @@ int runBench(const Options& options) {
     benchMoves(options, target, application, "a click on the middle each", [](Application& each) {
         Session& session = each.session();
         Camera camera;
-        camera.home(session.model().beginning, session.model().sample);
+        frameModel(session.model(), {}, camera);
         const PickScene scene{session.model(), true, session.shownTriangles(),
                               session.picture().repaired ? nullptr : &session.meshIndex(),
                               session.picture().rings};

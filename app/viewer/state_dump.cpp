@@ -349,7 +349,7 @@ std::string Application::stateDump(const InputProgress& input) const {
                              : session_.showsBefore()    ? "before"
                                                          : "after"},
              {"blinking", ui_.look.blinking()},
-             {"follow", ui_.follow},
+             {"follow", ui_.follow == Follow::EachDecision},
              {"section_degrees", ui_.section.turnDegrees},
              {"moving", painter_.moving() || painter_.unfinished()},
              {"motions", painter_.motions()},

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <glm/geometric.hpp>
 
 #include "command_actions.h"
 #include "jobs/questions.h"
-#include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "run/overview.h"
 #include "run/strings.h"
@@ -18,64 +16,12 @@ namespace se::view {
 
 namespace {
 
-/// Diameter of a framed place over the smaller side of the view, or of its free part.
-constexpr float kShareOfView = 1.0F / 3.0F;
-/// The sphere of a framed place: its radius over that of its points, and the least one.
-constexpr float kMargin = 1.15F;
-constexpr float kLeastSpacings = 2.0F;
-
-void keepDrawable(const Model& model, std::vector<Index>& points) {
-    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
-}
-
-/// The points to frame: those of the triangles as well, of which an edge shows too little.
-std::vector<Index> pointsOf(const Model& model, const RunFailure& alert) {
-    std::vector<Index> points = alert.failure.points;
-    if (!isLoop(alert.failure)) {
-        for (const Triangle& t : alert.corners) points.insert(points.end(), {t.a, t.b, t.c});
-    }
-    keepDrawable(model, points);
-    return points;
-}
-
-/// The points of all faults at a place.
-std::vector<Index> pointsAt(const Model& model, const AlertSearch& alerts, std::size_t place) {
-    std::vector<Index> points;
-    for (const std::size_t i : alerts.places()[place].faults) {
-        const std::vector<Index>& ofFault = alerts.found()->all[i].points;
-        points.insert(points.end(), ofFault.begin(), ofFault.end());
-    }
-    keepDrawable(model, points);
-    return points;
-}
-
 RunSpec rulesWith(const RunSpec& rules, const Remedy& remedy) {
     if (remedy.rule == nullptr) return withSet(rules, remedy.set);
     return withRule(rules, remedy.rule->name, 1.0);
 }
 
 }  // namespace
-
-void frameAlert(CommandContext& context, const Rect& view) {
-    const RunAlerts& alerts = context.session.alerts();
-    const RunFailure* alert = alerts.shown();
-    if (alert == nullptr && !alerts.place()) return;
-    const Model& model = context.session.model();
-    const std::vector<Index> points = alerts.place()
-                                          ? pointsAt(model, alerts.search(), *alerts.place())
-                                          : pointsOf(model, *alert);
-    if (points.empty()) return;
-    const MarkedSphere place = sphereAround(model, points);
-    float radius = kLeastSpacings * model.spacing;
-    for (const Index p : points)
-        radius = std::max(radius, kMargin * glm::distance(place.center, model.place[p]));
-    if (place.normal != glm::vec3(0.0F)) context.camera.faceStraight(place.normal);
-    const auto card = context.ui.where.find("verdict card");
-    const Rect part = card == context.ui.where.end() ? view : freePart(view, card->second);
-    const glm::vec2 offset = part.min + 0.5F * part.size - (view.min + 0.5F * view.size);
-    context.camera.frameIn({view.size.y, offset, std::min(part.size.x, part.size.y)}, place.center,
-                           radius, kShareOfView);
-}
 
 std::string_view momentName(AlertMoment moment) {
     constexpr std::array<std::string_view, 3> kNames{"created", "unavoidable", "first touched"};
@@ -141,7 +87,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
     if (session.questions().subject() != subject) session.questions().askWhy(subject);
     if (moment) session.moves().goTo(momentOf(chosen, *moment).event.address);
-    context.ui.requests.frameAlert = true;
+    context.ui.requests.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;
 }
 
@@ -154,7 +100,7 @@ void showPlace(CommandContext& context, std::size_t place) {
     session.highlights().mark({});
     session.select(alerts.shown() != nullptr ? subjectOf(*alerts.shown()) : Selection{});
     if (!session.atEnd()) session.moves().toEnd();
-    context.ui.requests.frameAlert = true;
+    context.ui.requests.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;
     actions::showPart(context, kAlertsPart);
     session.messages().say(verdictSentence(alerts));

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "commands.h"
-#include "layout/panel_rects.h"
 #include "panel_state/side_panels.h"
 #include "session/session.h"
 
@@ -38,9 +37,6 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
 /// the subject of its most severe fault, frames it, and says what is there. Requires a position in
 /// session.alerts().search().places().
 void showPlace(CommandContext& context, std::size_t place);
-/// Looks straight at the chosen place or alert: it fills a third of `view`, or of the part that the
-/// card with the verdict left free in the last frame.
-void frameAlert(CommandContext& context, const Rect& view);
 /// The most severe fault that a point, an edge or a triangle is part of, by its alert; empty if
 /// there is none, or none that was followed.
 std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what);

@@ -17,9 +17,6 @@ using C = CommandContext;
 
 namespace {
 
-/// Share of the view that everything fills.
-constexpr float kFramedShare = 0.8F;
-
 constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
 void closeDialogs(UiState& ui) {
@@ -86,17 +83,6 @@ void nextMeshStyle(C& c) {
 void toggleTheme(C& c) {
     Theme& theme = c.ui.settings.theme;
     theme = theme == Theme::Dark ? Theme::Light : Theme::Dark;
-}
-
-void home(C& c) {
-    if (!c.session.ready()) return;
-    const Model& model = c.session.model();
-    c.camera.home(model.beginning, model.sample, c.ui.viewAspect);
-}
-
-void frameAll(C& c) {
-    if (!c.session.ready() || c.ui.growth.open) return c.camera.frame(glm::vec3(0.0F), 1.0F);
-    c.camera.fill(c.session.model().sample, c.ui.viewAspect, kFramedShare);
 }
 
 void oppositeView(C& c) {
@@ -267,7 +253,7 @@ void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     const LayoutPreset before = std::exchange(c.ui.layoutPreset, layoutPreset);
     c.ui.blank = BlankScreen::None;
     const LayoutPresetRow& row = rowOf(layoutPreset);
-    c.ui.follow = row.follows;
+    c.ui.follow = row.follows ? Follow::EachDecision : Follow::LeavingPivot;
     followLayout(c, before);
     c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
@@ -407,56 +393,6 @@ void playSteps(CommandContext& context, int count) {
             break;
         }
     }
-}
-
-namespace {
-
-/// For an edge or a triangle: also its surroundings.
-void frameSelection(CommandContext& context) {
-    const Model& model = context.session.shown();
-    const std::span<const Index> corners = context.session.selection().corners();
-    glm::vec3 middle(0.0F);
-    glm::vec3 normal(0.0F);
-    for (const Index p : corners) {
-        middle += model.place[p] / static_cast<float>(corners.size());
-        normal += model.normal[p];
-    }
-    float radius = model.spacing;
-    for (const Index p : corners) radius = std::max(radius, glm::distance(middle, model.place[p]));
-    if (glm::length(normal) > 0.0F) context.camera.face(glm::normalize(normal));
-    context.camera.frame(middle, 2.5F * radius);
-}
-
-/// A point and its neighbors.
-void framePoint(CommandContext& context, Index point) {
-    const Model& model = context.session.shown();
-    float radius = 2.0F * model.spacing;
-    for (const Index q : model.points.neighbors[point]) {
-        radius = std::max(radius, glm::distance(model.place[point], model.place[q]));
-    }
-    // Otherwise the camera would look from inside, through the other side of the surface.
-    context.camera.face(model.normal[point]);
-    context.camera.frame(model.place[point], 1.25F * radius);
-}
-
-}  // namespace
-
-void frameFocus(CommandContext& context) {
-    const Session& session = context.session;
-    if (!session.ready()) return;
-    const DecisionState& picture = session.picture();
-    if (session.selection().corners().size() > 1) return frameSelection(context);
-    Index focus = session.selected();
-    if (focus == kNone) focus = picture.pivot;
-    if (focus == kNone) focus = picture.underTest;
-    if (focus == kNone) return actions::frameAll(context);
-    framePoint(context, focus);
-}
-
-void framePivot(CommandContext& context) {
-    const Session& session = context.session;
-    if (!session.ready() || session.picture().pivot == kNone) return;
-    framePoint(context, session.picture().pivot);
 }
 
 }  // namespace se::view

@@ -19,9 +19,6 @@ void requestSettings(CommandContext& c, const RunSpec& spec);
 void escape(CommandContext& c);
 void nextMeshStyle(CommandContext& c);
 void toggleTheme(CommandContext& c);
-void home(CommandContext& c);
-/// Shows all points of the run; the direction stays.
-void frameAll(CommandContext& c);
 /// Turns to look from the opposite side.
 void oppositeView(CommandContext& c);
 /// The up axis of an input when it is opened: z for scenes and sampled points; for files the

@@ -28,10 +28,6 @@ std::string listActions();
 /// Moves by `count` playback units, at most to the end of the loop; back if it is
 /// negative.
 void playSteps(CommandContext& context, int count);
-/// Centers the pivot and its neighbors, or the selection, in the view.
-void frameFocus(CommandContext& context);
-/// Centers the pivot regardless of the selection; no effect without a pivot.
-void framePivot(CommandContext& context);
 
 /// Runs a command, from a key, a menu or the list of actions.
 void runCommand(const Command& command, CommandContext& context);

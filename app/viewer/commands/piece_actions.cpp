@@ -9,6 +9,7 @@
 #include "command_actions.h"
 #include "panel_state/ui_state.h"
 #include "run/strings.h"
+#include "scene/framing.h"
 #include "scene/picking.h"
 #include "session/session.h"
 #include "spiraling_edge/points/index_ranges.h"
@@ -131,7 +132,7 @@ void showAside(CommandContext& context, const AsidePoints& group) {
     }
     if (places.empty())
         return context.session.messages().say("These points have no finite position.");
-    context.camera.enclose(places, context.ui.viewAspect, glm::vec2(0.8F));
+    context.camera.fill(places, context.ui.viewPart(), kModelShare);
     LayerMode& mode = modeOf(context.ui.settings.layers, LayerId::Aside);
     if (mode == LayerMode::PinnedOff) mode = LayerMode::Automatic;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "jobs/doctor_job.h"
 #include "jobs/questions.h"
+#include "scene/framing.h"
 
 namespace se::view {
 
@@ -215,7 +215,7 @@ void CompareController::goToTraced(const std::optional<teach::TraceDifference>& 
         at = *each.address;
         break;
     }
-    c_.ui.requests.frame = FrameRequest::Pivot;
+    c_.ui.requests.frame = FrameRequest::Decision;
     comparison_.goTo(c_.session, {difference->run ? std::optional(at) : std::nullopt, {}});
 }
 
@@ -237,7 +237,7 @@ void CompareController::goTo(const std::optional<RunDifference>& difference, con
     const auto addressOf = [](const DifferenceSide& side) {
         return side.line ? std::optional(side.line->event.address) : std::nullopt;
     };
-    c_.ui.requests.frame = FrameRequest::Pivot;
+    c_.ui.requests.frame = FrameRequest::Decision;
     comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
 }
 
@@ -263,9 +263,7 @@ void CompareController::showRegion(std::size_t number) {
     });
     ghosts_[1] = ghostsOf(region.inA, shaded_->runs.a.triangles);
     ++lookRevision_;
-    const MarkedSphere place = sphereAround(*shaded_->b, region.points);
-    if (place.normal != glm::vec3(0.0F)) c_.camera.face(place.normal);
-    c_.camera.frame(place.center, place.radius);
+    frameFault(*shaded_->b, region.points, c_.ui.viewPart(), c_.camera);
     if (!c_.session.atEnd()) c_.session.moves().toEnd();
 }
 

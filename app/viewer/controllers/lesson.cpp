@@ -115,7 +115,7 @@ void LessonController::take(OpenedLesson lesson) {
     const bool stays =
         c_.ui.layoutPreset == LayoutPreset::Present || std::exchange(layoutGiven_, false) || again;
     if (!stays) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Debug));
-    c_.ui.follow = true;
+    c_.ui.follow = Follow::EachDecision;
     c_.ui.column.choose(Task::Lesson);
     if (isLessonFile(walk().source())) document_.note(walk().source());
     goTo(std::exchange(toStep_, std::nullopt).value_or(kept));
@@ -290,17 +290,9 @@ void LessonController::aim() {
         if (place && place.value().camera) return c_.camera.setPose(*place.value().camera);
     }
     const std::optional<Vec3> direction = teach::viewDirection(walk().setting());
-    const bool all = step.frame == "all" || c_.session.picture().pivot == kNone;
-    if (all) {
-        if (direction) c_.camera.faceStraight(glm::vec3(*direction));
-        return actions::frameAll(c_);
-    }
-    if (direction) {
-        frameFocus(c_);
-        return c_.camera.faceStraight(glm::vec3(*direction));
-    }
-    if (!fresh_) return moveToDecision(c_, CameraMove::Kind::Requested);
-    frameDecision(c_);
+    const bool all = step.frame == "all";
+    if (fresh_ || all || direction) return frameStep(c_, all, direction);
+    moveToDecision(c_, CameraMove::Kind::Requested);
 }
 
 void LessonController::follow(const std::string& address) {
@@ -332,7 +324,8 @@ void LessonController::close() {
     opening_.cancel();
     leaveStep();
     if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
-    c_.ui.follow = rowOf(c_.ui.layoutPreset).follows;
+    c_.ui.follow = rowOf(c_.ui.layoutPreset).follows ? Follow::EachDecision
+                                                      : Follow::LeavingPivot;
     c_.ui.column.reset();
     const std::uint64_t next = panel().nextPractice;
     panel() = {};

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "scene/framing.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 
@@ -139,8 +140,8 @@ void SamplingController::takePicture() {
 
 void SamplingController::home() {
     if (!model_) return;
-    c_.camera.setUp(UpAxis::Z);
-    c_.camera.home({0.5F, -0.87F, 0.4F}, model_->sample, c_.ui.viewAspect);
+    c_.camera.setPose({});
+    frameModel(*model_, c_.ui.viewPart(), c_.camera);
 }
 
 void SamplingController::playOrPause() {

@@ -35,25 +35,4 @@ std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std:
     return points;
 }
 
-MarkedSphere sphereAround(const Model& model, std::span<const Index> points) {
-    assert(!points.empty());
-    glm::vec3 low = model.place[points.front()];
-    glm::vec3 high = low;
-    MarkedSphere place;
-    for (const Index p : points) {
-        low = glm::min(low, model.place[p]);
-        high = glm::max(high, model.place[p]);
-        place.normal += model.normal[p];
-    }
-    place.center = 0.5F * (low + high);
-    // Points all around have no preferred side.
-    const float agreement = glm::length(place.normal) / static_cast<float>(points.size());
-    place.normal = agreement > 0.5F ? glm::normalize(place.normal) : glm::vec3(0.0F);
-    place.radius = 0.0F;
-    for (const Index p : points)
-        place.radius = std::max(place.radius, glm::distance(place.center, model.place[p]));
-    place.radius = std::max(1.15F * place.radius, 5.0F * model.spacing);
-    return place;
-}
-
 }  // namespace se::view

@@ -36,13 +36,4 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding,
                                 std::size_t limit = 2000);
 
-/// A sphere for the camera to frame, in view space.
-struct MarkedSphere {
-    glm::vec3 center{0.0F};
-    float radius = 1.0F;
-    glm::vec3 normal{0.0F};  ///< The side to look from; zero if there is none.
-};
-/// Around all of the points, with some of their surroundings. Requires at least one point.
-MarkedSphere sphereAround(const Model& model, std::span<const Index> points);
-
 }  // namespace se::view

@@ -164,15 +164,6 @@ std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
     return std::nullopt;
 }
 
-Rect freePart(const Rect& view, const Rect& card) {
-    if (!overlap(view, card)) return view;
-    const glm::vec2 end = glm::clamp(card.max(), view.min, view.max());
-    const Rect beside{{end.x, view.min.y}, {view.max().x - end.x, view.size.y}};
-    const Rect below{{view.min.x, end.y}, {view.size.x, view.max().y - end.y}};
-    const auto side = [](const Rect& rect) { return std::min(rect.size.x, rect.size.y); };
-    return side(beside) > side(below) ? beside : below;
-}
-
 std::optional<EdgeArrow> edgeArrow(const CameraMatrices& camera, const glm::vec3& place,
                                    glm::vec2 size, float inset) {
     const glm::vec2 half = 0.5F * size - glm::vec2(inset);

@@ -84,10 +84,6 @@ struct CornerRoom {
 std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
                                std::span<const Corner> corners);
 
-/// The larger part of `view` by its smaller side that a card in the upper left corner leaves free:
-/// beside it or below it. The whole view if the card does not overlap it.
-Rect freePart(const Rect& view, const Rect& card);
-
 struct EdgeArrow {
     glm::vec2 at{0.0F};   ///< In pixels of the view, y down.
     glm::vec2 way{0.0F};  ///< Unit direction to the target.

@@ -15,7 +15,13 @@
 namespace se::view {
 
 /// Target of the camera once the cursor has arrived.
-enum class FrameRequest : std::uint8_t { None, Focus, Pivot, Decision };
+enum class FrameRequest : std::uint8_t {
+    None,
+    Home,   ///< All of the input, broadside.
+    Focus,  ///< The selection, or the decision.
+    Decision,
+    Fault,  ///< The chosen place with faults, or alert.
+};
 
 /// Requests of a command or panel, carried out by the application in the same frame.
 struct UiRequests {
@@ -27,7 +33,6 @@ struct UiRequests {
     int walk = 0;  ///< Keyboard focus to the next panel (+1), or to the previous one (-1).
     bool copyPosition = false;
     bool pastePosition = false;
-    bool frameAlert = false;  ///< The camera goes to the chosen alert.
     bool saveSession = false;
     FrameRequest frame = FrameRequest::None;
     bool undo = false;

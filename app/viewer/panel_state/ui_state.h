@@ -44,6 +44,13 @@ struct CommandPalette {
     void show() { *this = {true, true, {}, 0}; }
 };
 
+/// Motion of the camera with the run.
+enum class Follow : std::uint8_t {
+    Never,         ///< Turned off by the user.
+    LeavingPivot,  ///< While playing, to a pivot that has left the view.
+    EachDecision,  ///< To the view of each decision.
+};
+
 /// The page of the menu Help that is open.
 enum class HelpPage : std::uint8_t { None, Guide, About };
 
@@ -54,6 +61,9 @@ struct UiState {
         return fileBrowser || cheatSheet || help != HelpPage::None || keyEditor || palette.open ||
                leaving.asked;
     }
+
+    /// The part of the view in which the camera frames its subject.
+    ViewPart viewPart() const { return {viewAspect, coveredBelow}; }
 
     /// The text fields that are open or about to be, as bits of TypedField.
     unsigned typedFields() const {
@@ -115,17 +125,16 @@ struct UiState {
     bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
     float scale = 1.0F;                     ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;                ///< Of the view, as last drawn.
-    glm::vec2 viewEms{50.0F, 30.0F};        ///< Size of the view, in em, as last drawn.
     bool offersTour = false;                ///< After the first run, until an answer.
-    bool follow = false;                    ///< The camera goes to the view of each decision.
+    float coveredBelow = 0.0F;  ///< Share of the view's height that the caption covers at its lower
+                                ///< edge, as last drawn.
+    Follow follow = Follow::LeavingPivot;
     CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
     /// Dial", "strip run"
     /// ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
     Column column;
-    /// Share of the view's height that the caption covers at its lower edge, as last drawn.
-    float coveredBelow = 0.0F;
     std::string addressLine;  ///< Line above the caption; empty: none.
     LookBack look;            ///< Whether the state before the decision is shown.
     double clock = 0.0;       ///< Seconds, summed over the frames.

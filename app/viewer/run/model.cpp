@@ -236,11 +236,6 @@ void placeModel(Model& model) {
     for (std::size_t p = 0; p < position.size(); p += stride) {
         if (model.drawable[p]) model.sample.push_back(model.place[p]);
     }
-    for (std::size_t p = 0; p < position.size(); ++p) {
-        if (!model.drawable[p] || model.points.neighbors[static_cast<Index>(p)].empty()) continue;
-        model.beginning = 0.5F * model.place[p] + model.normal[p];
-        break;
-    }
 }
 
 namespace {

@@ -74,8 +74,6 @@ struct Model {
     float radius = 1.0F;            ///< Greatest distance of such a point from `middle`.
     float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
     std::vector<glm::vec3> sample;  ///< Some of the positions, to fit the camera to.
-    /// A direction that shows the first steps: the run begins at the first usable point.
-    glm::vec3 beginning{0.0F};
 
     /// Index in the piece.
     Index numberInPiece(Index point) const { return inPiece.empty() ? point : inPiece[point]; }

@@ -1,10 +1,12 @@
 #include "camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <vector>
 
 namespace se::view {
 
@@ -16,19 +18,54 @@ constexpr float kNearest = 0.002F;
 constexpr float kFarthestAway = 60.0F;
 /// Degrees of turn for a drag over the whole height of the view.
 constexpr float kTurnPerHeight = 240.0F;
-/// Limits of the steepness with which home looks down.
-constexpr float kLowestHomeDegrees = 27.0F;
-constexpr float kHighestHomeDegrees = 46.0F;
 /// A surface whose normal points this much to the eye is seen from outside.
 constexpr float kFacesFrom = 0.15F;
-/// Room around the points, as a factor.
-constexpr float kHomeMargin = 1.12F;
-/// Rounds in which the share of a picture comes within a percent.
-constexpr int kFillRounds = 6;
+/// Least distance of the eye, over that of the nearest position, from the middle of all.
+constexpr float kBeforeEye = 1.25F;
+/// Halvings that center a picture to a fraction of a pixel.
+constexpr int kHalvings = 16;
 /// Radius of a sphere that everything fits into.
 constexpr float kSceneRadius = 1.0F;
 
 float halfTangent() { return std::tan(glm::radians(kFieldOfViewDegrees) * 0.5F); }
+
+/// Two planes through the eye, in one direction of the picture: across per depth, up or to the
+/// right.
+struct Wedge {
+    float low;
+    float high;
+};
+
+/// An eye, in one direction of the picture: across, and its distance from the middle.
+struct Apex {
+    float across;
+    float distance;
+};
+
+/// The nearest eye from which positions, across and towards the eye, lie between the two planes.
+/// Then one of them lies on each.
+Apex apexOf(std::span<const glm::vec2> places, const Wedge& wedge) {
+    float high = std::numeric_limits<float>::lowest();
+    float low = std::numeric_limits<float>::max();
+    for (const glm::vec2& p : places) {
+        high = std::max(high, p.x + p.y * wedge.high);
+        low = std::min(low, p.x + p.y * wedge.low);
+    }
+    const float distance = (high - low) / (wedge.high - wedge.low);
+    return {high - distance * wedge.high, distance};
+}
+
+/// Where the eye is, across, that sees positions in the middle of the part about `center`, no wider
+/// than `half`, from that distance.
+float centeredAt(std::span<const glm::vec2> places, float center, float half, float distance) {
+    float least = 0.0F;
+    for (int i = 0; i < kHalvings; ++i) {
+        const float middle = 0.5F * (least + half);
+        const bool fits = apexOf(places, {center - middle, center + middle}).distance <= distance;
+        (fits ? half : least) = middle;
+    }
+    return apexOf(places, {center - half, center + half}).across;
+}
 
 }  // namespace
 
@@ -112,22 +149,6 @@ void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
     ++revision_;
 }
 
-void Camera::frame(const glm::vec3& center, float radius) {
-    pose_.target = center;
-    pose_.distance = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
-                                kNearest, kFarthestAway);
-    ++revision_;
-}
-
-void Camera::frameIn(const ViewPart& part, const glm::vec3& center, float radius, float share) {
-    frame(glm::vec3(0.0F), kSceneRadius);
-    const float whole = pose_.distance;
-    const float near = radius * part.height / (share * part.side * halfTangent());
-    pose_.distance = std::clamp(near, kNearest, whole);
-    pose_.target = center;
-    pan(part.offset, part.height);
-}
-
 void Camera::face(const glm::vec3& normal) {
     if (glm::dot(direction(), normal) <= kFacesFrom) faceStraight(normal);
 }
@@ -164,82 +185,43 @@ void Camera::set(ViewPreset preset) {
     ++revision_;
 }
 
-void Camera::fit(std::span<const glm::vec3> sample, float aspect) {
-    glm::vec2 low(std::numeric_limits<float>::max());
-    glm::vec2 high(-low);
-    for (const glm::vec3& p : sample) {
-        const glm::vec2 seen(glm::dot(p, right()), glm::dot(p, upward()));
-        low = glm::min(low, seen);
-        high = glm::max(high, seen);
-    }
-    const glm::vec2 middle = 0.5F * (low + high);
-    pose_.target = right() * middle.x + upward() * middle.y;
-    const float t = halfTangent();
-    pose_.distance = kNearest;
-    for (const glm::vec3& p : sample) {
-        const float x = std::abs(glm::dot(p, right()) - middle.x);
-        const float y = std::abs(glm::dot(p, upward()) - middle.y);
-        const float depth = glm::dot(p, direction());
-        pose_.distance =
-            std::max(pose_.distance, depth + kHomeMargin * std::max(x / (t * aspect), y / t));
-    }
-}
-
-void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share) {
+void Camera::fill(std::span<const glm::vec3> places, const ViewPart& part, float share) {
     if (places.empty()) return;
+    const std::array axes = {right(), upward(), direction()};
     glm::vec3 low(std::numeric_limits<float>::max());
     glm::vec3 high(-low);
     const auto seen = [&](const glm::vec3& p) {
-        return glm::vec3(glm::dot(p, right()), glm::dot(p, upward()), glm::dot(p, direction()));
+        return glm::vec3(glm::dot(p, axes[0]), glm::dot(p, axes[1]), glm::dot(p, axes[2]));
     };
     for (const glm::vec3& p : places) {
         low = glm::min(low, seen(p));
         high = glm::max(high, seen(p));
     }
     const glm::vec3 middle = 0.5F * (low + high);
-    pose_.target = right() * middle.x + upward() * middle.y + direction() * middle.z;
-    const glm::vec2 half = halfTangent() * share * glm::vec2(aspect, 1.0F);
-    float distance = kNearest;
+    std::array<std::vector<glm::vec2>, 2> across;
     for (const glm::vec3& p : places) {
         const glm::vec3 off = seen(p) - middle;
-        distance = std::max(distance,
-                            off.z + std::max(std::abs(off.x) / half.x, std::abs(off.y) / half.y));
+        // In an orthographic view nothing is larger by being nearer.
+        const float depth = pose_.orthographic ? 0.0F : off.z;
+        across[0].emplace_back(off.x, depth);
+        across[1].emplace_back(off.y, depth);
     }
-    pose_.distance = std::min(distance, kFarthestAway);
-    ++revision_;
-}
-
-void Camera::fill(std::span<const glm::vec3> places, float aspect, float share) {
-    if (places.empty()) return;
-    enclose(places, aspect, glm::vec2(share));
-    // What is nearer looks larger: neither the middle nor the size is that of the box around all.
-    for (int round = 0; round < kFillRounds; ++round) {
-        const glm::mat4 toClip = matrices(aspect).viewProjection();
-        glm::vec2 low(std::numeric_limits<float>::max());
-        glm::vec2 high(-low);
-        for (const glm::vec3& p : places) {
-            const glm::vec4 clip = toClip * glm::vec4(p, 1.0F);
-            const glm::vec2 at = glm::vec2(clip) / std::max(clip.w, 1e-4F);
-            low = glm::min(low, at);
-            high = glm::max(high, at);
-        }
-        const glm::vec2 middle = 0.25F * (low + high) * heightAtTarget();
-        pose_.target += right() * (middle.x * aspect) + upward() * middle.y;
-        const glm::vec2 filled = 0.5F * (high - low);
-        pose_.distance = std::clamp(pose_.distance * std::max(filled.x, filled.y) / share, kNearest,
-                                    kFarthestAway);
+    const float free = 1.0F - part.coveredBelow;
+    const glm::vec2 half = halfTangent() * share * glm::vec2(part.aspect, free);
+    const glm::vec2 center(0.0F, halfTangent() * part.coveredBelow);
+    // The nearest of them lies well before the eye.
+    const float depth = pose_.orthographic ? 0.0F : high.z - middle.z;
+    pose_.distance = std::max(kNearest, kBeforeEye * depth);
+    for (int i = 0; i < 2; ++i) {
+        const Wedge wedge{center[i] - half[i], center[i] + half[i]};
+        pose_.distance = std::max(pose_.distance, apexOf(across[i], wedge).distance);
     }
+    pose_.distance = std::min(pose_.distance, kFarthestAway);
+    pose_.target = middle.z * axes[2];
+    for (int i = 0; i < 2; ++i)
+        pose_.target +=
+            (middle[i] + centeredAt(across[i], center[i], half[i], pose_.distance)) * axes[i];
     ++revision_;
-}
-
-void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample, float aspect) {
-    const glm::vec3 from = inFrame(beginning);
-    const float flat = std::hypot(from.x, from.y);
-    if (flat > 1e-3F) pose_.yawDegrees = glm::degrees(std::atan2(from.y, from.x)) - 35.0F;
-    const float elevation = glm::degrees(std::atan2(from.z, flat));
-    pose_.pitchDegrees = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
-    frame(glm::vec3(0.0F), kSceneRadius);
-    if (!sample.empty()) fit(sample, aspect);
 }
 
 Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel) {

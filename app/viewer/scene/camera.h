@@ -34,11 +34,11 @@ struct CameraPose {
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
-/// A part of a view, in pixels.
+/// The part of a view that nothing covers: from its upper edge down to the caption.
 struct ViewPart {
-    float height = 1.0F;     ///< Of the whole view.
-    glm::vec2 offset{0.0F};  ///< From the middle of the view to that of the part, y down.
-    float side = 1.0F;       ///< The smaller side of the part.
+    float aspect = 1.3F;        ///< Of the whole view.
+    float coveredBelow = 0.0F;  ///< Share of its height at the lower edge, in [0, 1).
+    friend bool operator==(const ViewPart&, const ViewPart&) = default;
 };
 
 /// Looks at `target` from `distance`. View space has the input in the unit sphere about the origin.
@@ -52,18 +52,10 @@ class Camera {
     /// Zooms by `notches` of the wheel, so that the point under `ndc` (in [-1, 1], y up) stays
     /// there.
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
-    /// Centers a sphere and makes it fill the view. The direction stays.
-    void frame(const glm::vec3& center, float radius);
-    /// Brings a sphere to the middle of a part of the view, with a diameter of that share of its
-    /// smaller side; no farther away than frame() is for everything. The direction stays.
-    void frameIn(const ViewPart& part, const glm::vec3& center, float radius, float share);
-    /// Centers positions, and comes as close as keeps them within a share of a view of
-    /// that aspect, horizontally and vertically, each in (0, 1]. The direction stays. No effect
-    /// without positions.
-    void enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share);
-    /// Centers the picture of positions, and makes it fill that share of a view of that aspect in
-    /// one direction, at most in the other. The direction stays. No effect without positions.
-    void fill(std::span<const glm::vec3> places, float aspect, float share);
+    /// Brings the picture of positions to the middle of that part of the view, where it fills that
+    /// share in one direction, at most in the other. The direction stays. No effect without
+    /// positions.
+    void fill(std::span<const glm::vec3> places, const ViewPart& part, float share);
     /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.
     void face(const glm::vec3& normal);
@@ -75,15 +67,13 @@ class Camera {
     UpAxis up() const { return pose_.up; }
     /// Turns so that this axis points up; yaw, pitch, target and distance stay.
     void setUp(UpAxis up);
+    glm::vec3 direction() const;  ///< From the target to the eye.
+    glm::vec3 right() const;      ///< In the picture.
+    glm::vec3 upward() const;     ///< In the picture.
     /// A direction in the frame of the camera, whose z is up, in which yaw and pitch are measured.
     glm::vec3 inFrame(const glm::vec3& direction) const;
     void toggleOrthographic();
     bool orthographic() const { return pose_.orthographic; }
-    /// View of everything from beside the direction `beginning`.
-    /// With `sample` points of the input, it fills a view of that aspect as well as it can.
-    void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F},
-              std::span<const glm::vec3> sample = {}, float aspect = 1.3F);
-
     const CameraPose& pose() const { return pose_; }
     /// Sets a pose, clamped to its limits.
     void setPose(const CameraPose& pose);
@@ -97,10 +87,6 @@ class Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 
   private:
-    void fit(std::span<const glm::vec3> sample, float aspect);
-    glm::vec3 direction() const;  ///< From the target to the eye.
-    glm::vec3 right() const;
-    glm::vec3 upward() const;  ///< In the picture.
     /// The inverse of inFrame().
     glm::vec3 fromFrame(const glm::vec3& direction) const;
 

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "framing.h"
 #include "hiding.h"
 #include "run/neighborhood.h"
 
@@ -14,12 +15,6 @@ namespace se::view {
 
 namespace {
 
-/// Target size of points, in em, if there is room: names fit beside them, and the surroundings
-/// are visible.
-constexpr glm::vec2 kPoints(18.0F, 11.0F);
-/// Limits of the share of the view that the points occupy.
-constexpr float kLeastShare = 0.45F;
-constexpr float kMaxShare = 0.68F;
 /// Along the normal: a small tilt, so that heights are no mere dots. Along the surface: from above,
 /// so that the disc is not a mere line. In degrees.
 constexpr float kTiltDegrees = 12.0F;
@@ -61,6 +56,13 @@ glm::vec3 wayAlongSurface(const Model& model, const DecisionState& picture) {
     return glm::length(way) > 1e-9F ? glm::normalize(way) : glm::vec3(0.0F);
 }
 
+/// Least radius of a decision, in spacings: of two points beside each other also the surroundings
+/// are seen.
+constexpr float kLeastDecision = 1.2F;
+/// A sphere is all in the view up to this share of the extent of the points; larger ones are almost
+/// planes.
+constexpr float kMaxSphere = 1.0F;
+
 void lookAlongNormal(const glm::vec3& normal, Camera& camera) {
     camera.faceStraight(normal);
     CameraPose pose = camera.pose();
@@ -68,20 +70,24 @@ void lookAlongNormal(const glm::vec3& normal, Camera& camera) {
     camera.setPose(pose);
 }
 
-/// Centers the points, and comes close. The direction stays.
-void encloseDecision(const Model& model, std::span<const Index> points, Index pivot, Camera& camera,
-                     glm::vec2 size) {
+/// Frames the points of the decision, and the sphere under test. The direction stays.
+void frameNeighborhood(const Model& model, const DecisionState& picture, const ViewPart& part,
+                       Camera& camera) {
     std::vector<glm::vec3> places;
-    places.reserve(points.size() + 6);
-    for (const Index point : points) places.push_back(model.place[point]);
-    // Also if the point is alone: the disc and the normal.
-    for (const glm::vec3& way : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
-        places.push_back(model.place[pivot] + (0.6F * model.spacing) * way);
-        places.push_back(model.place[pivot] - (0.6F * model.spacing) * way);
+    float reach = 0.0F;
+    for (const Index point : neighborhoodOf(picture)) {
+        places.push_back(model.place[point]);
+        reach = std::max(reach, glm::distance(places.front(), places.back()));
     }
-    const glm::vec2 share = kPoints / glm::max(size, glm::vec2(1.0F));
-    camera.enclose(places, size.x / std::max(1.0F, size.y),
-                   glm::clamp(share, glm::vec2(kLeastShare), glm::vec2(kMaxShare)));
+    const auto* test =
+        picture.event ? std::get_if<SphereEvidence>(&picture.event->evidence) : nullptr;
+    const float radius = test != nullptr ? static_cast<float>(test->radius * model.scale) : 0.0F;
+    if (radius > 0.0F && radius <= kMaxSphere * reach) {
+        const glm::vec3 center = model.toView(test->center);
+        for (const glm::vec3& way : {camera.right(), camera.upward(), camera.direction()})
+            places.insert(places.end(), {center + radius * way, center - radius * way});
+    }
+    framePlaces(places, kLeastDecision * model.spacing, part, kDecisionShare, camera);
 }
 
 }  // namespace
@@ -106,30 +112,29 @@ ViewWay viewWayOf(const Model& model, const DecisionState& picture) {
 }
 
 void lookAtDecision(const Model& model, const DecisionState& picture,
-                    std::span<const Triangle> finished, Camera& camera, glm::vec2 size) {
-    if (picture.pivot == kNone) return;
-    const Index pivot = picture.pivot;
-    const glm::vec3& normal = model.normal[pivot];
-    const std::vector<Index> points = neighborhoodOf(picture);
-    const glm::vec3 way = viewWayOf(model, picture) == ViewWay::AlongSurface
+                    std::span<const Triangle> finished, const ViewPart& part, Camera& camera,
+                    const std::optional<glm::vec3>& from) {
+    const Index center = picture.pivot != kNone ? picture.pivot : picture.underTest;
+    if (center == kNone) return;
+    const glm::vec3& normal = model.normal[center];
+    const glm::vec3 way = !from && viewWayOf(model, picture) == ViewWay::AlongSurface
                               ? wayAlongSurface(model, picture)
                               : glm::vec3(0.0F);
     if (way == glm::vec3(0.0F)) {
-        lookAlongNormal(normal, camera);
-        return encloseDecision(model, points, pivot, camera, size);
+        from ? camera.faceStraight(*from) : lookAlongNormal(normal, camera);
+        return frameNeighborhood(model, picture, part, camera);
     }
     const float raised = glm::radians(kRaisedDegrees);
-    const auto from = [&](float side) {
+    const auto aimFrom = [&](float side) {
         Camera aim = camera;
         aim.faceStraight(std::cos(raised) * side * way + std::sin(raised) * normal);
-        encloseDecision(model, points, pivot, aim, size);
+        frameNeighborhood(model, picture, part, aim);
         return aim;
     };
-    const glm::vec3 toEye = camera.matrices(1.0F).eye - camera.target();
-    const float nearer = glm::dot(way, toEye) < 0.0F ? -1.0F : 1.0F;
-    const DecisionPlace place = decisionPlace(model, pivot, points);
-    const Camera near = from(nearer);
-    const Camera far = from(-nearer);
+    const float nearer = glm::dot(way, camera.direction()) < 0.0F ? -1.0F : 1.0F;
+    const DecisionPlace place = decisionPlace(model, center, neighborhoodOf(picture));
+    const Camera near = aimFrom(nearer);
+    const Camera far = aimFrom(-nearer);
     const bool changes = isHidden(model, finished, near.matrices(1.0F), place) &&
                          !isHidden(model, finished, far.matrices(1.0F), place);
     camera.setPose((changes ? far : near).pose());

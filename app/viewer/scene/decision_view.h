@@ -2,6 +2,7 @@
 /// along the surface where heights above it do.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "camera.h"
@@ -26,10 +27,12 @@ bool hasCloseSheets(const Model& model, Index pivot);
 /// `convex`, and where sheets are close.
 ViewWay viewWayOf(const Model& model, const DecisionState& picture);
 
-/// Looks at the points of the decision, as close as their names allow in a view of `size`, in em;
-/// along the surface from the side where no triangle of `finished` hides them, or from the nearer
-/// one. No effect without a pivot.
+/// Looks at the decision of the picture and frames its points, and the sphere under test: from that
+/// direction, if there is one; else along the normal of the pivot, or along the surface from the
+/// side where no triangle of `finished` hides them, or from the nearer one. No effect without a
+/// pivot and a point under test.
 void lookAtDecision(const Model& model, const DecisionState& picture,
-                    std::span<const Triangle> finished, Camera& camera, glm::vec2 size);
+                    std::span<const Triangle> finished, const ViewPart& part, Camera& camera,
+                    const std::optional<glm::vec3>& from = {});
 
 }  // namespace se::view

@@ -1,10 +1,9 @@
 #include "controllers/alerts.h"
 #include "commands/alert_actions.h"
+#include "commands/camera_actions.h"
 #include "headless_app.h"
-#include "jobs/doctor_job.h"
 #include "jobs/mesh_export.h"
 #include "layers/layer.h"
-#include "layout/overlays.h"
 #include "panel_state/side_panels.h"
 #include "point_files.h"
 #include "run/model.h"
@@ -119,7 +118,7 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
             CHECK(app.place() == toString(momentOf(alerts.failures()[i], moment).event.address));
             CHECK(app.session.alerts().chosen() == i);
             CHECK(app.session.selection() == subjectOf(alerts.failures()[i]));
-            CHECK(app.ui.requests.frameAlert);
+            CHECK(app.ui.requests.frame == FrameRequest::Fault);
         }
     }
 }
@@ -136,7 +135,7 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     REQUIRE_FALSE(worst.empty());
     CHECK(alerts.chosen() == worst.front());
     CHECK(app.session.selection() == subjectOf(search.failures()[worst.front()]));
-    CHECK(app.ui.requests.frameAlert);
+    CHECK(app.ui.requests.frame == FrameRequest::Fault);
     CHECK(app.ui.column.part == kAlertsPart);
     CHECK(app.session.messages().last() ==
           "Place 1 of " + std::to_string(search.places().size()) + ": " +
@@ -167,47 +166,35 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     CHECK(open.session.messages().last() == "No faults found.");
 }
 
-TEST_CASE(
-    "A place is looked at straight, beside the card with the verdict, on a third of the view") {
+TEST_CASE("A place is looked at straight, with all of its faults on half of the view") {
     AlertApp app("scene:uneven-density", {}, "0");
     const AlertSearch& search = app.session.alerts().search();
     REQUIRE(search.places().size() > 2);
-    const Rect view{{200.0F, 60.0F}, {760.0F, 520.0F}};
-    const Rect card{{211.0F, 71.0F}, {432.0F, 150.0F}};
     const Model& model = app.session.model();
     int seen = 0;
     for (std::size_t i = 0; i < search.places().size(); ++i) {
         showPlace(app.context, i);
         app.session.waitUntilDone();
-        for (const bool withCard : {true, false}) {
-            app.ui.where.clear();
-            if (withCard) app.ui.where["verdict card"] = card;
-            frameAlert(app.context, view);
-            std::vector<Index> points;
+        for (const float covered : {0.0F, 0.2F}) {
+            app.ui.coveredBelow = covered;
+            frameRequested(app.context, FrameRequest::Fault);
+            glm::vec2 low(1.0F);
+            glm::vec2 high(0.0F);
             for (const std::size_t fault : search.places()[i].faults) {
-                const std::vector<Index>& its = search.found()->all[fault].points;
-                points.insert(points.end(), its.begin(), its.end());
+                for (const Index p : search.found()->all[fault].points) {
+                    const CameraMatrices camera = app.camera.matrices(app.ui.viewAspect);
+                    const glm::vec2 at(project(camera, model.place[p], glm::vec2(1.0F)));
+                    low = glm::min(low, at);
+                    high = glm::max(high, at);
+                }
             }
-            const MarkedSphere place = sphereAround(model, points);
-            const CameraMatrices camera = app.camera.matrices(view.size.x / view.size.y);
-            const glm::vec2 at = view.min + glm::vec2(project(camera, place.center, view.size));
-            const Rect part = withCard ? freePart(view, card) : view;
-            CHECK(glm::distance(at, part.min + 0.5F * part.size) < 1.0F);
-            CHECK_FALSE((withCard && card.contains(at)));
-            const glm::vec3 right(camera.view[0][0], camera.view[1][0], camera.view[2][0]);
-            float radius = 2.0F * model.spacing;
-            for (const Index p : points)
-                radius = std::max(radius, 1.15F * glm::distance(place.center, model.place[p]));
-            const glm::vec3 side = project(camera, place.center + radius * right, view.size);
-            const float share = 2.0F * glm::distance(view.min + glm::vec2(side), at) /
-                                std::min(part.size.x, part.size.y);
-            // The whole input is not shown smaller than the view.
-            const bool large = app.camera.distance() > 4.0F;
-            CHECK((large ? share > 0.33F : share == doctest::Approx(1.0 / 3.0).epsilon(0.02)));
-            seen += large ? 0 : 1;
-            if (place.normal == glm::vec3(0.0F)) continue;
-            const glm::vec3 back(camera.view[0][2], camera.view[1][2], camera.view[2][2]);
-            CHECK(glm::dot(back, place.normal) > 0.999F);
+            const float free = 1.0F - covered;
+            const glm::vec2 size = (high - low) / glm::vec2(1.0F, free);
+            // Of smaller ones the surroundings are shown.
+            // The whole input is not shown smaller than by itself.
+            CHECK((std::max(size.x, size.y) < 0.51F || app.camera.distance() > 3.0F));
+            seen += std::max(size.x, size.y) > 0.49F ? 1 : 0;
+            CHECK(glm::distance(0.5F * (low + high), glm::vec2(0.5F, 0.5F * free)) < 0.1F);
         }
     }
     CHECK(seen > 2);
@@ -554,7 +541,7 @@ TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
     AlertApp app("scene:four-edge-hole");
     const auto& failures = app.session.alerts().search().failures();
     const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
-        return each.failure.edges.size() == 4;
+        return isLoop(each.failure) && each.failure.kind->fault;
     });
     REQUIRE(hole != failures.end());
     for (const char* address : {"20", "54.emit.1"}) {
@@ -599,7 +586,6 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     // Its result is visible: the whole mesh, from the same camera.
     CHECK(app.session.atEnd());
     CHECK(app.camera.pose() == camera);
-    CHECK_FALSE(app.ui.requests.frameAlert);
     CHECK(app.ui.requests.frame == FrameRequest::None);
     CHECK(best.rule->isOn(app.session.model().params));
     CHECK(app.session.alerts().search().failures().size() == best.all);

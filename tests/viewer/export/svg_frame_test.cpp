@@ -28,7 +28,7 @@ struct FrontView {
 
     FrontView() {
         camera.set(ViewPreset::Front);
-        camera.frame(glm::vec3(0.0F), 1.0F);
+        camera.setPose({glm::vec3(0.0F), 4.0633F, -90.0F, 0.0F});
         list.cloudVisible = list.meshVisible = false;
     }
     std::string drawn(const DrawList* other = nullptr) {

@@ -105,26 +105,6 @@ TEST_CASE("Of a large finding evenly chosen points are marked, and none without 
     CHECK(std::find(drawn.begin(), drawn.end(), 3U) == drawn.end());
 }
 
-TEST_CASE(
-    "The camera's target holds all marked points, and points of one side are seen from there") {
-    const auto model = sphereModel();
-    REQUIRE(model);
-    std::vector<Index> all;
-    std::vector<Index> cap;
-    for (Index p = 0; p < model->points.size(); ++p) {
-        all.push_back(p);
-        if (model->normal[p].z > 0.8F) cap.push_back(p);
-    }
-    for (const auto& points : {all, cap, std::vector<Index>{5}}) {
-        const MarkedSphere place = sphereAround(*model, points);
-        for (const Index p : points)
-            CHECK(glm::distance(place.center, model->place[p]) <= place.radius);
-    }
-    CHECK(sphereAround(*model, all).normal == glm::vec3(0.0F));
-    CHECK(sphereAround(*model, cap).normal.z > 0.9F);
-    CHECK(sphereAround(*model, std::vector<Index>{5}).radius > model->spacing);
-}
-
 TEST_CASE("Marked points get a diamond each, over everything else") {
     OpenSession open;
     open.session.highlights().mark({4, 8, 15});

@@ -186,17 +186,3 @@ TEST_CASE("A line that crosses the area counts only within it") {
     occupancy.finish();
     CHECK(occupancy.under({{0.0F, 0.0F}, {100.0F, 100.0F}}) == doctest::Approx(10.0));
 }
-
-TEST_CASE("A card leaves the larger part of the view free, beside it or below it") {
-    const Rect wide{{10, 20}, {900, 400}};
-    const Rect beside = freePart(wide, {{20, 30}, {300, 200}});
-    CHECK(beside.min == glm::vec2(320, 20));
-    CHECK(beside.max() == wide.max());
-    const Rect high{{10, 20}, {500, 800}};
-    const Rect below = freePart(high, {{20, 30}, {300, 100}});
-    CHECK(below.min == glm::vec2(10, 130));
-    CHECK(below.max() == high.max());
-    const Rect whole = freePart(high, {{600, 30}, {300, 100}});
-    CHECK(whole.min == high.min);
-    CHECK(whole.size == high.size);
-}

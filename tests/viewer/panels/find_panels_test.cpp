@@ -206,7 +206,7 @@ TEST_CASE("A right click in the view queries what is there") {
     DrivenApp app({"scene:stranded-point", "--goto", "60", "--focus"});
     if (!app) return;
     app.press("Esc");
-    app.command("frame pivot");
+    app.press("F");
     app.click(app.in("region view"));
     REQUIRE(app.session.selection().kind == SelectionKind::Point);
     const Selection there = app.session.selection();

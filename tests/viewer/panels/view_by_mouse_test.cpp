@@ -7,6 +7,8 @@
 #include "driven_app.h"
 #include "open_session.h"
 #include "point_files.h"
+#include "scene/framing.h"
+#include "session/playback.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 using namespace se;
@@ -39,10 +41,9 @@ TEST_CASE("The view orbits, pans and zooms by the mouse, and only a click select
     CHECK(app.pose().distance < before.distance);
     CHECK(app.address() == "40.advance.1");
     CHECK(app.session.selected() == kNone);
-    // Frame pivot centers the pivot; a click there selects it, and stepping keeps it.
-    app.press("Enter");
-    app.command("frame pivot");
-    app.click(app.in("region view"));
+    // F frames the pivot; a click there selects it, and stepping keeps it.
+    app.press("Enter F");
+    app.click(placeOf(app, app.session.picture().pivot));
     const Index point = app.session.selected();
     CHECK(point != kNone);
     app.press("F10 F10");
@@ -55,7 +56,7 @@ TEST_CASE("The view orbits, pans and zooms by the mouse, and only a click select
     app.click(app.in("region view", 0.03F, 0.06F));
     CHECK(app.session.selected() == kNone);
     // A neighbor of the pivot is highlighted under the pointer.
-    app.command("frame pivot");
+    app.press("F");
     const Index pivot = app.session.picture().pivot;
     app.moveTo(placeOf(app, app.session.model().points.neighbors[pivot][0]));
     CHECK(app.session.highlights().hovered() != kNone);
@@ -108,7 +109,7 @@ TEST_CASE("F goes to the view of a decision, Follow to each one, a swing ends wh
     app.press("F F11 F11 F10");  // without Follow the camera never moves by itself
     CHECK(app.pose() == best);
     app.press("Shift+V");
-    CHECK(app.ui.follow);
+    CHECK(app.ui.follow == Follow::EachDecision);
     CameraPose here = app.pose();
     CHECK_FALSE(here == best);
     app.goTo("139.sphere.1");
@@ -130,8 +131,49 @@ TEST_CASE("F goes to the view of a decision, Follow to each one, a swing ends wh
     CHECK(app["undo"] == depth);
     for (const bool follows : {true, false}) {  // Present, Debug
         app.press("F2");
-        CHECK(app.ui.follow == follows);
+        CHECK((app.ui.follow == Follow::EachDecision) == follows);
     }
+}
+
+TEST_CASE("Playing leads the camera to a pivot that leaves the view, not against the user") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    Playback& playback = app.app.commands().playback;
+    playback.setRate(16.0);
+    const CameraPose opened = app.pose();
+    const auto seen = [&] {
+        const glm::vec3& pivot = app.session.model().place[app.session.picture().pivot];
+        return isInView(pivot, app.ui.viewPart(), app.app.camera());
+    };
+    constexpr int kFrames = 120;
+    const auto play = [&] {
+        app.goTo("137.sphere.1");
+        app.app.camera().setPose(opened);
+        app.frames(1);
+        playback.play();
+        int frames = 0;
+        for (int i = 0; i < kFrames; ++i) {
+            app.frames(1);
+            frames += seen() ? 1 : 0;
+        }
+        playback.pause();
+        app.settle();
+        return frames;
+    };
+    const std::string undo = app["undo"];
+    CHECK(play() > 9 * kFrames / 10);
+    CHECK_FALSE(app.pose().target == opened.target);
+    CHECK(app.pose().distance == opened.distance);
+    // While a button is held, the view is the user's.
+    app.moveTo(app.in("region view", 0.2F, 0.8F));
+    app.hold(0, true);
+    CHECK(play() < kFrames / 2);
+    CHECK(app.pose() == opened);
+    app.hold(0, false);
+    app.press("Esc Shift+V Shift+V");
+    CHECK(app.ui.follow == Follow::Never);
+    CHECK(play() < kFrames / 2);
+    CHECK(app.pose() == opened);
 }
 
 TEST_CASE("The section opens by its key, and is turned by keys and by a drag") {

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "commands/commands.h"
+#include "commands/camera_actions.h"
 #include "layout/dial.h"
 #include "layout/overlays.h"
 #include "open_session.h"
 #include "panel_state/ui_state.h"
 #include "run/neighborhood.h"
 #include "scene/decision_view.h"
+#include "scene/framing.h"
 #include "session/playback.h"
 
 using namespace se;
@@ -92,14 +93,13 @@ TEST_CASE("A click on the arrow brings the pivot into the view, with any selecti
     Camera camera;
     UiState ui;
     CommandContext context{open.session, playback, camera, ui};
-    camera.home();
     camera.lookAt({50.0F, 0.0F, 0.0F});
     const glm::vec3 pivot = open.session.model().place[open.session.picture().pivot];
     REQUIRE(edgeArrow(camera.matrices(kAspect), pivot, kSize, kInset));
     open.session.select(Index{0});
-    findCommand("view.pivot")->run(context);
+    frameRequested(context, FrameRequest::Decision);
     CHECK_FALSE(edgeArrow(camera.matrices(kAspect), pivot, kSize, kInset));
-    CHECK(glm::distance(camera.target(), pivot) < 1e-5F);
+    CHECK(isInView(pivot, ui.viewPart(), camera));
 }
 
 TEST_CASE("The legend leaves the corner where it would hide the pivot") {
@@ -188,25 +188,44 @@ TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it nam
     CHECK(neighborhoodOf(DecisionState{}).empty());
 }
 
-TEST_CASE("A close-up shows all points of a decision, with room for names") {
-    for (const glm::vec2 size : {glm::vec2(64, 28), glm::vec2(20, 11), glm::vec2(32, 9)}) {
-        for (const char* address : {"42.reciprocal.1", "15.twopoint.1", "30.advance.1"}) {
-            CAPTURE(size.x);
+TEST_CASE("A decision and the sphere under test fill two thirds of the view") {
+    for (const ViewPart& part : {ViewPart{2.3F, 0.0F}, {0.7F, 0.0F}, {1.5F, 0.2F}}) {
+        for (const char* address : {"42.reciprocal.1", "15.twopoint.1", "137.sphere.3"}) {
+            CAPTURE(part.aspect);
             CAPTURE(address);
-            OpenSession open("scene:coarse-torus");
+            const bool sphere = std::string_view(address) == "137.sphere.3";
+            const bool small = std::string_view(address) == "15.twopoint.1";
+            OpenSession open(sphere ? "scene:torus" : "scene:coarse-torus");
             open.session.moves().goToText(address);
             open.session.waitUntilDone();
+            const Model& model = open.session.model();
             Camera camera;
-            lookAtDecision(open.session.model(), open.session.picture(), {}, camera, size);
-            const CameraMatrices matrices = camera.matrices(size.x / size.y);
-            glm::vec2 farthest(0.0F);
-            for (const Index point : neighborhoodOf(open.session.picture())) {
-                const glm::vec3 seen = project(matrices, open.session.model().place[point], size);
-                REQUIRE(seen.z > 0.0F);
-                farthest = glm::max(farthest, glm::abs(glm::vec2(seen) - 0.5F * size));
+            lookAtDecision(model, open.session.picture(), {}, part, camera);
+            std::vector<glm::vec3> places;
+            for (const Index point : neighborhoodOf(open.session.picture()))
+                places.push_back(model.place[point]);
+            const auto* test = std::get_if<SphereEvidence>(&open.session.picture().event->evidence);
+            CHECK((test != nullptr) == sphere);
+            if (test != nullptr) {
+                const auto radius = static_cast<float>(test->radius * model.scale);
+                for (const glm::vec3& way : {camera.right(), camera.upward()}) {
+                    places.push_back(model.toView(test->center) + radius * way);
+                    places.push_back(model.toView(test->center) - radius * way);
+                }
             }
-            CHECK(farthest.x <= 0.71F * 0.5F * size.x);
-            CHECK(farthest.y <= 0.71F * 0.5F * size.y);
+            glm::vec2 low(1.0F);
+            glm::vec2 high(0.0F);
+            for (const glm::vec3& place : places) {
+                const glm::vec2 at(project(camera.matrices(part.aspect), place, glm::vec2(1.0F)));
+                low = glm::min(low, at);
+                high = glm::max(high, at);
+            }
+            const float free = 1.0F - part.coveredBelow;
+            const glm::vec2 size = (high - low) / glm::vec2(1.0F, free);
+            // Of a few points the surroundings are seen as well.
+            const float filled = std::max(size.x, size.y);
+            CHECK((small ? filled < 0.66F : filled == doctest::Approx(2.0 / 3.0).epsilon(0.02)));
+            CHECK(glm::distance(0.5F * (low + high), glm::vec2(0.5F, 0.5F * free)) < 0.02F);
         }
     }
 }

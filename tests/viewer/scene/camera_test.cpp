@@ -50,7 +50,6 @@ TEST_CASE("The presets look along the axes") {
 
 TEST_CASE("Zooming keeps the point under the pointer there") {
     Camera camera;
-    camera.home();
     const glm::vec2 pixel(600.0F, 200.0F);
     const glm::vec2 ndc(2.0F * pixel.x / kSize.x - 1.0F, 1.0F - 2.0F * pixel.y / kSize.y);
     // The point of the plane through the target that lies under the pixel.
@@ -67,7 +66,6 @@ TEST_CASE("Zooming keeps the point under the pointer there") {
 
 TEST_CASE("A pan moves the picture with the pointer") {
     Camera camera;
-    camera.home();
     const glm::vec3 before = seen(camera, glm::vec3(0.0F));
     camera.pan({30.0F, -20.0F}, kSize.y);
     const glm::vec3 after = seen(camera, glm::vec3(0.0F));
@@ -85,37 +83,6 @@ TEST_CASE("Turning keeps target and distance, and never goes over the pole") {
     CHECK(camera.matrices(kAspect).eye.z == doctest::Approx(distance));
 }
 
-TEST_CASE("A framed sphere fits the view and fills it") {
-    Camera camera;
-    for (const bool orthographic : {false, true}) {
-        if (orthographic) camera.toggleOrthographic();
-        camera.frame({0.2F, 0.1F, -0.3F}, 0.25F);
-        const CameraMatrices m = camera.matrices(kAspect);
-        const glm::vec3 up(m.view[0][1], m.view[1][1], m.view[2][1]);
-        const glm::vec3 top = project(m, camera.target() + 0.25F * up, kSize);
-        CHECK(top.y > 0.0F);
-        CHECK(top.y < 60.0F);
-    }
-}
-
-TEST_CASE("Home shows all points of a sample, as large as fits, in any aspect") {
-    const std::vector<glm::vec3> sample = {
-        {1, 0, 0}, {-0.2F, 0.1F, 0}, {0, 0, 0.3F}, {0.4F, -0.5F, -0.1F}};
-    for (const float aspect : {0.6F, 1.0F, 2.2F}) {
-        Camera camera;
-        camera.home(sample[0], sample, aspect);
-        const glm::vec2 size(600.0F * aspect, 600.0F);
-        glm::vec2 largest(0.0F);
-        for (const glm::vec3& point : sample) {
-            const glm::vec3 at = project(camera.matrices(aspect), point, size);
-            CHECK(at.z > 0.0F);
-            largest = glm::max(largest, glm::abs(2.0F * glm::vec2(at) / size - 1.0F));
-        }
-        CHECK(std::max(largest.x, largest.y) <= 1.0F);
-        CHECK(std::max(largest.x, largest.y) >= 0.7F);
-    }
-}
-
 TEST_CASE("Facing a surface seen from within turns to its outer side, otherwise it has no effect") {
     Camera camera;
     for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, -1)}) {
@@ -130,7 +97,7 @@ TEST_CASE("Facing a surface seen from within turns to its outer side, otherwise 
 TEST_CASE("Everything in the unit sphere is between the planes of the camera") {
     Camera camera;
     for (const float radius : {0.02F, 0.3F, 1.0F}) {
-        camera.frame({0.6F, 0.6F, 0.0F}, radius);
+        camera.setPose({{0.6F, 0.6F, 0.0F}, 4.0F * radius});
         for (const glm::vec3 corner :
              {glm::vec3(-1, 0, 0), glm::vec3(0, -1, 0), glm::vec3(0, 0, 1)}) {
             const glm::vec4 clip =
@@ -156,7 +123,7 @@ TEST_CASE("Every change is counted, so that pictures are redrawn") {
     CHECK(changed());
     camera.lookAt({0.1F, 0, 0});
     CHECK(changed());
-    camera.home();
+    camera.fill(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}}, {}, 0.8F);
     CHECK(changed());
 }
 
@@ -166,7 +133,6 @@ TEST_CASE("The axis that is up points up in the picture, from every side") {
                                     {UpAxis::Z, glm::vec3(0, 0, 0.5F)}}) {
         Camera camera;
         camera.setUp(axis);
-        camera.home({0.3F, 0.2F, 0.4F});
         const glm::vec3 at = seen(camera, tip);
         CHECK(at.x == doctest::Approx(400.0F).epsilon(0.001));
         CHECK(at.y < 300.0F);
@@ -202,34 +168,6 @@ TEST_CASE("A surface is faced from its outer side, for any up axis") {
     }
 }
 
-TEST_CASE(
-    "A place is framed in a part of the view: in its middle, with a share of its smaller side") {
-    const glm::vec3 center(0.2F, -0.3F, 0.1F);
-    constexpr float kRadius = 0.05F;
-    for (const bool orthographic : {false, true}) {
-        Camera camera;
-        if (orthographic) camera.toggleOrthographic();
-        // The lower two thirds of the view.
-        const ViewPart part{kSize.y, {0.0F, kSize.y / 6.0F}, kSize.y * 2.0F / 3.0F};
-        camera.frameIn(part, center, kRadius, 1.0F / 3.0F);
-        const glm::vec3 middle = seen(camera, center);
-        CHECK(middle.x == doctest::Approx(0.5F * kSize.x).epsilon(0.001));
-        CHECK(middle.y == doctest::Approx(kSize.y * 2.0F / 3.0F).epsilon(0.001));
-        const CameraMatrices m = camera.matrices(kAspect);
-        const glm::vec3 up(m.view[0][1], m.view[1][1], m.view[2][1]);
-        const float radius = middle.y - seen(camera, center + kRadius * up).y;
-        CHECK(2.0F * radius == doctest::Approx(part.side / 3.0F).epsilon(0.01));
-    }
-}
-
-TEST_CASE("A place as large as everything is framed no farther away than everything is") {
-    Camera whole;
-    whole.frame(glm::vec3(0.0F), 1.0F);
-    Camera camera;
-    camera.frameIn({kSize.y, glm::vec2(0.0F), kSize.y}, glm::vec3(0.0F), 1.0F, 1.0F / 3.0F);
-    CHECK(camera.distance() == doctest::Approx(whole.distance()));
-}
-
 TEST_CASE("A surface is faced straight, also one that is seen from its outer side") {
     for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
         for (const glm::vec3 way : {glm::vec3(0.3F, -0.8F, 0.5F), glm::vec3(0, 0, 1)}) {
@@ -240,29 +178,6 @@ TEST_CASE("A surface is faced straight, also one that is seen from its outer sid
             camera.faceStraight(normal);
             const glm::vec3 eye = camera.matrices(kAspect).eye - camera.target();
             CHECK(glm::dot(glm::normalize(eye), normal) > 0.999F);
-        }
-    }
-}
-
-TEST_CASE("Everything fills the requested share of the view, from any side and in any projection") {
-    const std::vector<glm::vec3> places = {
-        {1, 0, 0}, {-0.2F, 0.1F, 0.6F}, {0, 0.9F, 0.3F}, {0.4F, -0.5F, -0.1F}};
-    for (const float aspect : {0.6F, 1.0F, 2.2F}) {
-        for (const bool orthographic : {false, true}) {
-            Camera camera;
-            camera.orbit({40.0F * aspect, 10.0F}, 600.0F);
-            if (orthographic) camera.toggleOrthographic();
-            camera.fill(places, aspect, 0.8F);
-            glm::vec2 low(1.0F);
-            glm::vec2 high(0.0F);
-            for (const glm::vec3& place : places) {
-                const glm::vec2 at(project(camera.matrices(aspect), place, glm::vec2(1.0F)));
-                low = glm::min(low, at);
-                high = glm::max(high, at);
-            }
-            const glm::vec2 filled = high - low;
-            CHECK(std::max(filled.x, filled.y) == doctest::Approx(0.8F).epsilon(0.01));
-            CHECK(glm::distance(0.5F * (low + high), glm::vec2(0.5F)) < 0.01F);
         }
     }
 }

@@ -20,7 +20,7 @@ float steepness(OpenSession& open, const Address& address) {
     open.session.moves().goTo(address);
     open.session.waitUntilDone();
     Camera camera;
-    lookAtDecision(open.session.model(), open.session.picture(), {}, camera, {42.0F, 30.0F});
+    lookAtDecision(open.session.model(), open.session.picture(), {}, {1.4F, 0.0F}, camera);
     const glm::vec3 toEye = glm::normalize(camera.matrices(1.0F).eye - camera.target());
     return glm::dot(toEye, open.session.model().normal[open.session.picture().pivot]);
 }
@@ -69,7 +69,7 @@ TEST_CASE("Along the surface, the side is chosen where no triangle hides the dec
         CameraPose pose = camera.pose();
         pose.yawDegrees = yaw;
         camera.setPose(pose);
-        lookAtDecision(model, picture, shown, camera, {42.0F, 30.0F});
+        lookAtDecision(model, picture, shown, {1.4F, 0.0F}, camera);
         CHECK_FALSE(isHidden(model, shown, camera.matrices(1.0F), place));
     }
 }

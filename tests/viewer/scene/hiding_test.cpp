@@ -22,7 +22,7 @@ struct SeenDecision {
         open.session.waitUntilDone();
         const DecisionState& picture = open.session.picture();
         place = decisionPlace(open.session.model(), picture.pivot, neighborhoodOf(picture));
-        lookAtDecision(open.session.model(), picture, {}, camera, {42.0F, 30.0F});
+        lookAtDecision(open.session.model(), picture, {}, {1.4F, 0.0F}, camera);
     }
     bool hidden() const {
         const std::size_t finished = open.session.picture().finishedTriangles;

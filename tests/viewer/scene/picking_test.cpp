@@ -30,7 +30,7 @@ Model smallModel() {
 
 CameraMatrices front() {
     Camera camera;
-    camera.frame(glm::vec3(0.0F), 1.0F);
+    camera.setPose({glm::vec3(0.0F), 4.0633F});
     camera.set(ViewPreset::Front);
     return camera.matrices(kSize.x / kSize.y);
 }

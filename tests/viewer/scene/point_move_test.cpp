@@ -12,7 +12,6 @@ constexpr glm::vec2 kViewSize{800.0F, 600.0F};
 
 Camera tiltedCamera() {
     Camera camera;
-    camera.home({0.3F, -0.8F, 0.6F});
     return camera;
 }
 

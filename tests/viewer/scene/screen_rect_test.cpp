@@ -10,7 +10,6 @@ constexpr glm::ivec2 kScreenSize(640, 480);
 
 CameraMatrices lookingAtMiddle() {
     Camera camera;
-    camera.home();
     return camera.matrices(640.0F / 480.0F);
 }
 

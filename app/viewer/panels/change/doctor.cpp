@@ -10,7 +10,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
-#include "scene/camera.h"
+#include "scene/framing.h"
 #include "session/session.h"
 #include "spiraling_edge/base/shell_word.h"
 
@@ -34,9 +34,7 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
                                           ? "This is about the file as a whole."
                                           : "These points have no finite position.");
     }
-    const MarkedSphere place = sphereAround(session.model(), points);
-    if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
-    context.camera().frame(place.center, place.radius);
+    frameFault(session.model(), points, context.ui().viewPart(), context.camera());
     session.highlights().mark(std::move(points));
 }
 

@@ -158,7 +158,7 @@ void drawFound(const PanelContext& context, const FoundDecisions& found) {
     if (smallButton(context, "Break on these", "query break"))
         addBreakpoint(context.commands, {"", context.session().questions().line()});
     drawDecisionRows(context, {found.lines, context.state<QueryPanel>().found},
-                     FrameRequest::Pivot);
+                     FrameRequest::Decision);
 }
 
 void drawByWords(const PanelContext& context) {
@@ -199,7 +199,7 @@ void drawNearestDecisions(const PanelContext& context, const ClosestAnswer& clos
         closest.lines, context.state<QueryPanel>().closest, {}, false, [&](std::size_t i) {
             return moveNote(closest.decisions.decisions[i].move);
         }};
-    drawDecisionRows(context, rows, FrameRequest::Pivot);
+    drawDecisionRows(context, rows, FrameRequest::Decision);
 }
 
 void drawClosest(const PanelContext& context) {

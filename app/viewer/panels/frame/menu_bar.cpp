@@ -84,7 +84,7 @@ std::optional<bool> checkOf(const PanelContext& context, const Command& command)
     if (id == "view.spotlight") return ui.spotlight;
     if (id == "view.legend") return ui.settings.legend;
     if (id == "view.names") return ui.settings.names;
-    if (id == "view.follow") return ui.follow;
+    if (id == "view.follow") return ui.follow == Follow::EachDecision;
     if (id == "view.column") return ui.settings.panels.folded;
     if (id == "view.strips") return ui.navigation.stripFolded;
     if (!id.starts_with("layer.")) return std::nullopt;

@@ -50,7 +50,8 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     const glm::vec2 half(kTip * context.em);
     PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};
     ImGui::SetCursorScreenPos(toVec2(found.rect.min));
-    if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size))) context.run("view.pivot");
+    if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size)))
+        context.requests().frame = FrameRequest::Decision;
     found.hovered = ImGui::IsItemHovered();
     tooltip("The pivot, " + nameOf(pivot, session.names()) +
             ", is outside of the view.\nClick to center it.");

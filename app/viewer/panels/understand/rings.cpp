@@ -10,8 +10,8 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/ring_slice.h"
-#include "scene/camera.h"
 #include "scene/draw_list.h"
+#include "scene/framing.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -23,18 +23,13 @@ constexpr float kStripHeight = 4.4F;
 /// Distance between points of the strip, beyond the width of a number.
 constexpr float kPointGap = 0.9F;
 
-/// Centers a ring in the view; the direction stays.
+/// Frames a ring; the direction stays.
 void frameRing(const PanelContext& context, const RingPath& ring) {
     const Model& model = context.session().model();
-    if (ring.points.empty()) return;
-    glm::vec3 low(1e9F);
-    glm::vec3 high(-1e9F);
-    for (const Index point : ring.points) {
-        low = glm::min(low, model.place[point]);
-        high = glm::max(high, model.place[point]);
-    }
-    const float radius = std::max(0.5F * glm::distance(low, high), 2.0F * model.spacing);
-    context.camera().frame(0.5F * (low + high), 1.1F * radius);
+    std::vector<glm::vec3> places;
+    for (const Index point : ring.points) places.push_back(model.place[point]);
+    framePlaces(places, 2.0F * model.spacing, context.ui().viewPart(), kDecisionShare,
+                context.camera());
 }
 
 void drawRow(const PanelContext& context, const RingPath& ring) {

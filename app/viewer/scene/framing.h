@@ -1,0 +1,46 @@
+/// The rule of the camera: how much of the view its subject fills, and the side from which a model
+/// is seen. The subject is in the middle of the part of the view that nothing covers.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "camera.h"
+#include "run/model.h"
+
+namespace se::view {
+
+/// Shares of the height of the view, or of its width where that limits, that subjects fill.
+inline constexpr float kDecisionShare = 2.0F / 3.0F;
+inline constexpr float kModelShare = 0.8F;
+inline constexpr float kFaultShare = 0.5F;
+
+/// Positions without those far outside of the rest along an axis: at most one in a hundred at each
+/// end, farther out than half the extent of the others.
+std::vector<glm::vec3> withoutFar(std::span<const glm::vec3> places);
+
+/// Fills a share of the view with positions, or with a ball of radius `least` around them where
+/// they need less room. The direction stays.
+void framePlaces(std::vector<glm::vec3> places, float least, const ViewPart& part, float share,
+                 Camera& camera);
+/// All of a model. The direction stays.
+void frameModel(const Model& model, const ViewPart& part, Camera& camera);
+/// All of a model, broadside: its least extent points to the eye, as far as it can from above,
+/// upright and not too steeply; of both sides that which more points face. What is as thick as wide
+/// is seen from the front, right and above.
+void showBroadside(const Model& model, const ViewPart& part, Camera& camera);
+/// A fault, finding or difference: its points, straight from the side to which most of them face;
+/// no farther away than the model. No effect without points that can be drawn.
+void frameFault(const Model& model, std::span<const Index> points, const ViewPart& part,
+                Camera& camera);
+/// Points chosen by the user, with their neighbors, not from within. Requires at least one.
+void frameSelected(const Model& model, std::span<const Index> points, const ViewPart& part,
+                   Camera& camera);
+
+/// True if a position is seen in that part of the view.
+bool isInView(const glm::vec3& place, const ViewPart& part, const Camera& camera);
+/// Brings a position to the middle of that part, and turns to the outer side of the surface there.
+void centerPlace(const glm::vec3& place, const glm::vec3& normal, const ViewPart& part,
+                 Camera& camera);
+
+}  // namespace se::view
