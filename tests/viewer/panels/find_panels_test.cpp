@@ -207,11 +207,15 @@ TEST_CASE("A right click in the view queries what is there") {
     if (!app) return;
     app.press("Esc");
     app.press("F");
-    app.click(app.in("region view"));
+    const Rect view = app.ui.where.at("region view");
+    const glm::vec3& pivot = app.session.model().place[app.session.picture().pivot];
+    const glm::vec2 at = view.min + glm::vec2(project(app.app.camera().matrices(app.ui.viewAspect),
+                                                      pivot, view.size));
+    app.click(at);
     REQUIRE(app.session.selection().kind == SelectionKind::Point);
     const Selection there = app.session.selection();
     app.press("Esc");
-    app.click(app.in("region view"), 1);
+    app.click(at, 1);
     app.clickOn("menu why");
     CHECK(app.session.selection() == there);
     CHECK(app["ledger"].find(selectionText(there)) != std::string::npos);
