@@ -1,12 +1,15 @@
 /// Commands that move the camera by its rule (scene/framing.h).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "commands.h"
 #include "scene/camera_move.h"
 
 namespace se::view {
+
+enum class FrameRequest : std::uint8_t;
 
 namespace actions {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "commands/alert_actions.h"
+#include "commands/command_actions.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 

@@ -3,6 +3,8 @@
 
 #include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
+#include "commands/command_actions.h"
+#include "panel_state/column.h"
 #include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_requests.h"

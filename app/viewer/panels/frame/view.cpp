@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/break_commands.h"
+#include "commands/command_actions.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
 #include "panel_state/lesson_panel.h"
