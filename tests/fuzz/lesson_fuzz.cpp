@@ -30,7 +30,7 @@ void checkReading(const se::teach::LessonReading& reading) {
     for (std::size_t i = 0; i < reading.lesson.steps.size(); ++i) {
         const se::teach::StepSetting setting = se::teach::settingOf(reading.lesson, i);
         demand(!setting.input.empty() && !setting.at.empty(), "a step without a position");
-        demand(se::teach::runSettings(setting).ok(), "settings that are not valid");
+        demand(se::teach::runSpec(setting).ok(), "a run that is not valid");
         se::teach::plainTextOf(se::teach::textBlocks(reading.lesson.steps[i].text));
     }
 }

@@ -215,7 +215,7 @@ TEST_CASE("Until a picture of the new size is finished, the frame before it stay
     frames.next(8);
     frames.resize({700, 600});
     CHECK(frames.next());
-    CHECK(frames.shareOf(frames.app().areas().view, paletteOf(Theme::Dark).background) > 0.75);
+    CHECK(frames.shareOf(frames.app().areas().view, paletteOf(Theme::Dark).background) > 0.7);
     frames.next(12);
     checkView(frames, Theme::Dark);
 }

@@ -36,7 +36,7 @@ TEST_CASE("A first run plays all pivots in the given time") {
     CHECK_FALSE(app.first.poll());
 }
 
-TEST_CASE("Any key pauses a first run, and does nothing else; then the tour is offered") {
+TEST_CASE("Any key pauses a first run and does nothing else, and the tour is offered") {
     FirstRunApp app;
     app.first.poll();
     CHECK_FALSE(app.ui.offersTour);
