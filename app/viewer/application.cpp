@@ -307,6 +307,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     areas_ = areasIn(glm::vec2(size));
     const PanelRects& rects = areas_;
     ui_.navigation.stripFolded = rects.stripFolded;
+    ui_.phone = rects.phone;
     ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
     if (ui_.growth.open) {
         painter_.fillParticles(sampling_, ui_.settings.theme);

@@ -148,7 +148,9 @@ void Window::listenToPresses() {
         if (action == GLFW_PRESS) of(window).presses_.push_back({button, mods, pointer});
         of(window).noteInput(kSettleFrames);
     });
-    // Also those typed with Ctrl: its position differs between keyboards.
+    // Dear ImGui's own would take each character a second time.
+    glfwSetCharCallback(window_, nullptr);
+    // Also those typed with Ctrl: their position differs between keyboards.
     glfwSetCharModsCallback(window_, [](GLFWwindow* window, unsigned sign, int mods) {
         KeyPress typed;
         std::vector<KeyPress>& keys = of(window).keys_;

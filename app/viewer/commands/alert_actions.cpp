@@ -138,9 +138,9 @@ void nextPlace(CommandContext& context, int direction) {
                                             : "No place to show: " + verdictText(alerts) + ".");
     }
     const auto chosen = session.alerts().chosen();
-    const auto from = session.alerts().place() ? session.alerts().place()
-                      : chosen                 ? alerts.placeOf(*chosen)
-                                               : std::nullopt;
+    const auto from = session.alerts().place()    ? session.alerts().place()
+                      : chosen && session.atEnd() ? alerts.placeOf(*chosen)
+                                                  : std::nullopt;
     const std::ptrdiff_t next = from            ? static_cast<std::ptrdiff_t>(*from) + direction
                                 : direction > 0 ? 0
                                                 : count - 1;

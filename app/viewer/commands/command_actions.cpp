@@ -55,6 +55,7 @@ void escape(C& c) {
     const bool covered =
         ui.dialogOpen() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
+    ui.offersTour = false;
     ui.requests.closePopups = true;
     if (covered) return;
     if (ui.growth.open) {
@@ -208,6 +209,7 @@ void toMark(C& c, int direction) {
 
 void step(C& c) {
     pause(c);
+    c.ui.offersTour = false;
     c.ui.column.suggest(Task::Step);
 }
 
@@ -287,10 +289,11 @@ void openPart(C& c, std::string_view title) {
 
 void pickTask(C& c, Task task) {
     Column& column = c.ui.column;
-    const bool again = column.task == task && !c.ui.settings.panels.folded;
+    bool& folded = c.ui.settings.panels.folded;
+    const bool open = c.ui.phone ? column.sheet : !folded;
     if (c.ui.layoutPreset == LayoutPreset::Present) applyLayoutPreset(c, LayoutPreset::Debug);
-    c.ui.settings.panels.folded = again;
-    column.sheet = column.task != task || !column.sheet;
+    if (open && column.task == task) return foldColumn(c);
+    if (!c.ui.phone) folded = false;
     column.choose(task);
 }
 
@@ -302,7 +305,13 @@ void turnSection(C& c, int direction) {
     if (!shown) openPart(c, kSectionPart);
 }
 
-void foldColumn(C& c) { c.ui.settings.panels.folded = !c.ui.settings.panels.folded; }
+void foldColumn(C& c) {
+    if (c.ui.phone) {
+        c.ui.column.sheet = !c.ui.column.sheet;
+    } else {
+        c.ui.settings.panels.folded = !c.ui.settings.panels.folded;
+    }
+}
 
 void goToBirth(C& c) {
     if (!c.session.ready()) return;

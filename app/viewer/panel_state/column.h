@@ -43,12 +43,12 @@ struct PartRow {
     std::string_view title;
     Task task;
     bool open = true;  ///< Unless the user has folded or unfolded it.
-    /// Its least height in em, if it scrolls by itself and takes the room that is left; 0: it is as
+    /// The least height in em, if it scrolls by itself and takes the room that is left; 0: it is as
     /// high as its content.
     float least = 0.0F;
 };
 std::span<const PartRow> partRows();
-/// Null if there is none.
+/// The part of that title; null if there is none.
 const PartRow* partNamed(std::string_view title);
 
 /// Which parts the user has folded (false) or unfolded (true), by title.
@@ -68,7 +68,7 @@ struct Column {
     /// The user picks a task.
     void choose(Task picked) {
         show(picked);
-        chosen = true;
+        chosen = sheet = true;
     }
     /// What happens calls for a task; the user's own choice stays.
     void suggest(Task wanted) {
@@ -91,7 +91,6 @@ struct Column {
     /// A command needs a part.
     void open(const PartRow& row) {
         show(row.task);
-        chosen = false;
         sheet = true;
         part = reveal = row.title;
     }

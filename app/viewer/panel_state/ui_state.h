@@ -125,14 +125,14 @@ struct UiState {
     bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
     float scale = 1.0F;                     ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;                ///< Of the view, as last drawn.
+    bool phone = false;                     ///< The window has a phone's shape, as last drawn.
     bool offersTour = false;                ///< After the first run, until an answer.
     float coveredBelow = 0.0F;  ///< Share of the view's height that the caption covers at its lower
                                 ///< edge, as last drawn.
     Follow follow = Follow::LeavingPivot;
     CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
-    /// Dial", "strip run"
-    /// ... For --state-dump, so that test scripts find them.
+    /// Step", "part Dial", "strip run" ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
     Column column;
     std::string addressLine;  ///< Line above the caption; empty: none.

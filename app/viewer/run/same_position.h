@@ -57,7 +57,7 @@ std::optional<SamePosition> findSamePosition(const RunInput& before, const Curso
 /// test of that stage, or the end of the last stage before it.
 std::size_t sameStep(const PivotRecord& record, const SamePosition& place);
 
-/// The new cursor position and the reason for it: one sentence for the status bar.
+/// The new cursor position and the reason for it: one sentence, shown as a notice.
 std::string describe(const SamePosition& place, const Address& landed);
 
 }  // namespace se::view

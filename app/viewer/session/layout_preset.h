@@ -26,8 +26,8 @@ struct LayoutPresetRow {
 /// All layouts; F2 cycles through the first two in this order.
 std::span<const LayoutPresetRow> layoutPresets();
 const LayoutPresetRow& rowOf(LayoutPreset layoutPreset);
-/// Empty if there is none of that name. The layout "learn" of version 0.2 is Debug with the column
-/// at Lesson: see opensLessons().
+/// The layout of that name; empty if there is none. The layout "learn" of version 0.2 is Debug with
+/// the column at Lesson: see opensLessons().
 std::optional<LayoutPreset> layoutPresetFromName(std::string_view name);
 /// Whether a layout of this name opens the column at Lesson.
 inline bool opensLessons(std::string_view name) { return name == "learn"; }

@@ -36,6 +36,9 @@ TEST_CASE("Alerts: clicks lead to the moments of one, and F8 frames its place") 
     CHECK(app.address() == "54.sphere.1");
     app.reach("region column", "alert first touched");
     CHECK(app.session.record().pivot < 80);
+    // From within the run F8 begins with the worst place, wherever the cursor is.
+    app.press("F8");
+    CHECK(app["message"].starts_with("Place 1 of 2: "));
     app.press("F8 F8");
     CHECK(app["message"] == "This is the last place.");
     app.press("Esc");

@@ -1,10 +1,7 @@
 // The part Verdict: the faults of the finished mesh, and the next actions.
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "commands/alert_actions.h"
@@ -54,10 +51,10 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
         numberCell(before);
         if (then != nullptr) numberCell(after);
     };
-    const auto spacings = [&](const MeshVerdict* of) {
-        return of == nullptr
-                   ? std::string{}
-                   : formatted("%.1g", of->fidelity.meanDistance * model.scale / model.spacing);
+    const auto spacings = [&](const MeshVerdict* of) -> std::string {
+        if (of == nullptr) return {};
+        const double mean = of->fidelity.meanDistance * model.scale / model.spacing;
+        return mean > 0.0 && mean < 0.001 ? "< 0.001" : formatted("%.3f", mean);
     };
     if (then != nullptr) row("", "now", "then");
     row("places with faults", grouped(now.places), then != nullptr ? grouped(then->places) : "");
@@ -69,7 +66,7 @@ void drawNumbers(const PanelContext& context, const MeshVerdict& now, const Mesh
     row("mean distance", spacings(&now), spacings(then));
     ImGui::EndTable();
     nameItem(context, "verdict numbers",
-             "The mean distance of the points from the mesh is in spacings");
+             "The mean distance of the points from the mesh is in spacings of the points");
 }
 
 /// The triangles that Fix would change, in the colors that they have in the view.

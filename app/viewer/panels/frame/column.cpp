@@ -2,7 +2,11 @@
 // which can be folded to its title.
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "commands/command_actions.h"
 #include "input/tab_order.h"
@@ -27,7 +31,6 @@ bool compares(const PanelContext& context) {
     return context.rects.layoutPreset == LayoutPreset::Compare;
 }
 
-/// In the order of partRows().
 constexpr auto kPanels = std::to_array<PartPanel>({
     {"Dial", drawDial, hasPivot},
     {"Inspect", drawInspect},
@@ -57,12 +60,19 @@ struct Shown {
     std::size_t number;
 };
 
+const PartPanel& panelOf(const PartRow& row) {
+    const auto found = std::find_if(kPanels.begin(), kPanels.end(),
+                                    [&](const PartPanel& each) { return each.title == row.title; });
+    assert(found != kPanels.end());
+    return *found;
+}
+
 std::vector<Shown> partsOf(const PanelContext& context) {
     std::vector<Shown> parts;
     const auto rows = partRows();
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const PartPanel& panel = kPanels[i];
         if (rows[i].task != context.state<Column>().task) continue;
+        const PartPanel& panel = panelOf(rows[i]);
         if (panel.isThere == nullptr || panel.isThere(context))
             parts.push_back({&rows[i], &panel, i});
     }
@@ -162,8 +172,9 @@ void drawEntry(const PanelContext& context, const TaskRow& row, const Rect& area
     const std::string title(row.title);
     if (ImGui::InvisibleButton(("##" + title).c_str(), toVec2(area.size)))
         actions::pickTask(context.commands, row.id);
-    nameItem(context, "rail " + title,
-             std::string(row.help) + (here ? "\nClick to fold the panels." : ""));
+    // A finger would leave the tooltip over the buttons.
+    const std::string tip = std::string(row.help) + (here ? "\nClick to fold the panels." : "");
+    nameItem(context, "rail " + title, context.rects.phone ? std::string{} : tip);
     const bool hovered = ImGui::IsItemHovered();
     if (column.task == row.id && context.state<KeyWalk>().offer(KeyStop::Rail)) takeKeyboard();
     ImDrawList* list = ImGui::GetWindowDrawList();

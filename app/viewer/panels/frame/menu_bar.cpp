@@ -27,7 +27,7 @@ void drawRecent(const PanelContext& context) {
     if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
     for (const std::string& path : recent) {
         const std::string shown = isSample(path) ? recentName(path) : path;
-        const std::string name = fitted(shown, 30.0F * context.em) + "##" + path;
+        const std::string name = fittedName(shown, 30.0F * context.em) + "##" + path;
         if (ImGui::MenuItem(name.c_str())) context.requests().open = path;
     }
     ImGui::EndMenu();

@@ -70,7 +70,7 @@ void drawUnit(const PanelContext& context) {
     tooltip(withKeys(context, "Unit of playback and single steps; click for the next", "run.unit"));
 }
 
-/// Buttons that a finger can hit, over the whole width: as many as fit.
+/// The five buttons that a finger needs, over the whole width.
 void drawLarge(const PanelContext& context, const Rect& area) {
     const Session& session = context.session();
     const bool on = session.ready() && !session.atEnd();

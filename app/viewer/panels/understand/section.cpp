@@ -19,8 +19,6 @@ namespace {
 constexpr float kTurnPerEm = 6.0F;
 /// Width of the picture relative to its height, at most: a profile is flat.
 constexpr float kFlattest = 1.6F;
-/// A point farther from the plane than this share of the reach is beside it.
-constexpr double kPlaneShare = 0.15;
 /// Size of a name, in em.
 constexpr float kSectionName = 0.8F;
 
