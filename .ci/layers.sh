@@ -94,7 +94,7 @@ for i in "${!steps[@]}"; do
     done
 done
 below render 'imgui\.h'
-groups='understand|find|change|frame|dialogs'
+groups='step|why|faults|find|change|input|lesson|pages|frame|dialogs'
 for group in ${groups//|/ }; do
     below "panels/$group" "panels/($(tr '|' '\n' <<<"$groups" | grep -vx "$group" | paste -sd '|'))/"
 done

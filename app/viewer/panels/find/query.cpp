@@ -3,7 +3,7 @@
 
 #include "commands/ask_actions.h"
 #include "commands/break_commands.h"
-#include "decision_rows.h"
+#include "panels/widgets/decision_rows.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/settings.h"
