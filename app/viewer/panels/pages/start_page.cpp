@@ -183,9 +183,11 @@ std::string_view partOf(const SceneTile& tile) {
 void drawTiles(const PanelContext& context) {
     const float em = context.em;
     heading(context, "Start here");
-    ImGui::SameLine(0.0F, context.em);
-    ImGui::TextDisabled(
-        "A click opens a lesson, a figure of the paper at its decision, or a scene.");
+    if (!context.rects.phone) {
+        ImGui::SameLine(0.0F, context.em);
+        ImGui::TextDisabled(
+            "A click opens a lesson, a figure of the paper at its decision, or a scene.");
+    }
     StartPage& page = context.state<StartPage>();
     page.prepare();
     page.poll();
@@ -313,6 +315,29 @@ void drawSide(const PanelContext& context) {
     ImGui::EndChild();
 }
 
+/// What brings points in, beside the tiles.
+void drawBesides(const PanelContext& context, float side) {
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * context.em, 0.0F});
+    if (ImGui::BeginTable("##page", 2, 0, ImGui::GetContentRegionAvail())) {
+        ImGui::TableSetupColumn("side", ImGuiTableColumnFlags_WidthFixed, side);
+        ImGui::TableSetupColumn("tiles", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableNextColumn();
+        drawSide(context);
+        ImGui::TableNextColumn();
+        drawTiles(context);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
+/// In a phone's shape the tiles are below, and nothing is said about keys.
+void drawBelow(const PanelContext& context) {
+    drawMessage(context);
+    drawDropHint(context);
+    ImGui::Spacing();
+    drawTiles(context);
+}
+
 }  // namespace
 
 void drawStartPage(const PanelContext& context) {
@@ -324,21 +349,12 @@ void drawStartPage(const PanelContext& context) {
     const bool open = beginRegion("##start", area);
     ImGui::PopStyleVar();
     if (open) {
-        textIn(context.fonts.large,
-               "Watch the Spiraling Edge triangulate points, decision by decision");
+        ImGui::PushFont(context.fonts.large);
+        wrappedText("Watch the Spiraling Edge triangulate points, decision by decision");
+        ImGui::PopFont();
         ImGui::Spacing();
-        const float side = std::min(kSide * em, 0.4F * area.size.x);
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.0F});
-        if (ImGui::BeginTable("##page", 2, 0, ImGui::GetContentRegionAvail())) {
-            ImGui::TableSetupColumn("side", ImGuiTableColumnFlags_WidthFixed, side);
-            ImGui::TableSetupColumn("tiles", ImGuiTableColumnFlags_WidthStretch);
-            ImGui::TableNextColumn();
-            drawSide(context);
-            ImGui::TableNextColumn();
-            drawTiles(context);
-            ImGui::EndTable();
-        }
-        ImGui::PopStyleVar();
+        context.rects.phone ? drawBelow(context)
+                            : drawBesides(context, std::min(kSide * em, 0.4F * area.size.x));
     }
     ImGui::End();
 }
