@@ -64,7 +64,8 @@ std::string sentenceOf(const Session& session, const PictureLook& look) {
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event, session.names()) +
                session.noticedText();
-    if (!session.messages().last().empty()) return session.messages().last();
+    // At the start a message has the place of the decision, for a while.
+    if (!session.ready() || !session.messages().notice().empty()) return session.messages().last();
     return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";
 }
 
