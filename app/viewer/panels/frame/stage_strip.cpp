@@ -103,9 +103,12 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     const float size = 0.85F * em;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const std::string name(stageName(run.stage));
+    // Of the stage at the cursor as much as fits; of the others the whole name or none.
+    const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str()).x;
     list->PushClipRect({block.min.x, textTop}, {block.max().x + 0.3F * em, block.max().y}, true);
-    list->AddText(context.fonts.text, size, {block.min.x, textTop},
-                  toU32(here ? context.palette.text : context.palette.textDim), name.c_str());
+    if (here || width <= block.size.x + 0.3F * em)
+        list->AddText(context.fonts.text, size, {block.min.x, textTop},
+                      toU32(here ? context.palette.text : context.palette.textDim), name.c_str());
     list->PopClipRect();
     drawTicks(context, run, block);
     if (here) frameHere(context, block);
