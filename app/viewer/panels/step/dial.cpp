@@ -13,11 +13,11 @@ namespace se::view {
 namespace {
 
 /// Size of the second disc, in em.
-constexpr float kSecondWide = 6.6F;
+constexpr float kSecondWide = 6.2F;
 constexpr float kSecondHigh = 6.2F;
 constexpr float kBetween = 0.5F;
 /// Minimum size of the first disc: with less beside it, the second one is below.
-constexpr float kFirstWide = 10.5F;
+constexpr float kFirstWide = 10.4F;
 /// Minimum height in a low panel, which scrolls.
 constexpr float kLeastHigh = 9.0F;
 /// Share of the height of the column.
@@ -37,9 +37,10 @@ bool hasSecondDisc(const PanelContext& context) {
     });
 }
 
-/// A pivot with a second disc at one of its decisions reserves room for it at all of them, so that
-/// the first one does not move.
-DialRooms roomsIn(const Rect& room, const PanelContext& context) {
+/// A pivot with a second disc at one of its decisions reserves room for it beside the first one at
+/// all of them, so that the first one does not move. In a narrow panel the second one is below, and
+/// has room only where it is drawn: the first one would be too small at all others.
+DialRooms roomsIn(const Rect& room, const PanelContext& context, bool second) {
     const float em = context.em;
     const float least = std::min(kLeastHigh * em, room.size.x);
     const auto high = [&](float rest) { return std::max(std::min(rest, room.size.x), least); };
@@ -53,6 +54,7 @@ DialRooms roomsIn(const Rect& room, const PanelContext& context) {
         rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - beside, beside};
         return rooms;
     }
+    if (!second) return rooms;
     rooms.main.size.y = high(room.size.y - below.y);
     rooms.height = rooms.main.size.y + below.y;
     rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - below, below};
@@ -110,8 +112,8 @@ void drawDial(const PanelContext& context) {
     const std::vector<std::string> caption = wrapped(dial.caption, room.x);
     const float captionHeight = ImGui::GetTextLineHeightWithSpacing() *
                                 static_cast<float>(std::max<std::size_t>(1, caption.size()));
-    const DialRooms rooms =
-        roomsIn({{corner.x, corner.y}, {room.x, room.y - captionHeight}}, context);
+    const DialRooms rooms = roomsIn({{corner.x, corner.y}, {room.x, room.y - captionHeight}},
+                                    context, dial.reciprocal.has_value());
     const float height = rooms.height;
     const Rect whole{{corner.x, corner.y}, {room.x, height}};
     const DialDisc disc = discIn(rooms.main, context, dial);
