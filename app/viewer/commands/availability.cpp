@@ -32,7 +32,7 @@ constexpr std::string_view kNothing = "Nothing is open.";
 constexpr std::string_view kFinished = "The run is finished.";
 
 /// The first one that does not hold is the reason.
-constexpr auto kNeeds = std::to_array<Need>({
+constexpr auto kCommandNeeds = std::to_array<Need>({
     {"edit.", isOpen, kNothing},
     {"run.", isOpen, kNothing},
     {"step.", isOpen, kNothing},
@@ -59,10 +59,10 @@ constexpr auto kNeeds = std::to_array<Need>({
 }  // namespace
 
 std::string_view whyUnavailable(const Command& command, const CommandContext& context) {
-    const auto missing = std::find_if(kNeeds.begin(), kNeeds.end(), [&](const Need& need) {
-        return command.id.starts_with(need.id) && !need.holds(context);
-    });
-    return missing == kNeeds.end() ? std::string_view{} : missing->reason;
+    const auto missing = std::find_if(
+        kCommandNeeds.begin(), kCommandNeeds.end(),
+        [&](const Need& need) { return command.id.starts_with(need.id) && !need.holds(context); });
+    return missing == kCommandNeeds.end() ? std::string_view{} : missing->reason;
 }
 
 }  // namespace se::view

@@ -17,7 +17,7 @@ constexpr std::array<TaskRow, kTaskCount> kTasks = {{
     {Task::Lesson, "Lesson", "The open lesson, or all of them."},
 }};
 
-constexpr auto kParts = std::to_array<PartRow>({
+constexpr auto kPartRows = std::to_array<PartRow>({
     {"Dial", Task::Step},
     {"Inspect", Task::Step},
     {"Paper", Task::Step},
@@ -38,18 +38,18 @@ constexpr auto kParts = std::to_array<PartRow>({
     {kPreparePart, Task::Input, false, 18.0F},
     {kLessonPart, Task::Lesson, true, 12.0F},
 });
-static_assert(kParts.size() <= std::tuple_size_v<decltype(Column::heights)>);
+static_assert(kPartRows.size() <= std::tuple_size_v<decltype(Column::heights)>);
 
 }  // namespace
 
 std::span<const TaskRow> taskRows() { return kTasks; }
 
-std::span<const PartRow> partRows() { return kParts; }
+std::span<const PartRow> partRows() { return kPartRows; }
 
 const PartRow* partNamed(std::string_view title) {
-    const auto found = std::find_if(kParts.begin(), kParts.end(),
+    const auto found = std::find_if(kPartRows.begin(), kPartRows.end(),
                                     [&](const PartRow& each) { return each.title == title; });
-    return found == kParts.end() ? nullptr : &*found;
+    return found == kPartRows.end() ? nullptr : &*found;
 }
 
 bool isOpen(const FoldedParts& parts, const PartRow& part) {

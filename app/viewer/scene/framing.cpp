@@ -62,7 +62,7 @@ std::optional<glm::vec3> leastAxis(std::span<const glm::vec3> places) {
     const std::vector<Vec3> exact(places.begin(), places.end());
     std::vector<Index> rest(exact.empty() ? 0 : exact.size() - 1);
     std::iota(rest.begin(), rest.end(), Index{1});
-    const PlaneFit fit = planeAt(exact, 0, rest);
+    const PlaneFit fit = se::planeAt(exact, 0, rest);
     if (!(fit.variance[0] < kDistinct * fit.variance[1])) return std::nullopt;
     return glm::vec3(fit.normal);
 }

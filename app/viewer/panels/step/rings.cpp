@@ -27,6 +27,7 @@ constexpr float kPointGap = 0.9F;
 void frameRing(const PanelContext& context, const RingPath& ring) {
     const Model& model = context.session().model();
     std::vector<glm::vec3> places;
+    places.reserve(ring.points.size());
     for (const Index point : ring.points) places.push_back(model.place[point]);
     framePlaces(places, 2.0F * model.spacing, context.ui().viewPart(), kDecisionShare,
                 context.camera());
