@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "commands/ask_actions.h"
-#include "panels/widgets/decision_rows.h"
 #include "jobs/questions.h"
+#include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 

@@ -3,10 +3,10 @@
 
 #include "commands/ask_actions.h"
 #include "commands/break_commands.h"
-#include "panels/widgets/decision_rows.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/settings.h"
+#include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "run/strings.h"

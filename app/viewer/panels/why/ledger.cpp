@@ -1,8 +1,8 @@
 // The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
 #include "commands/ask_actions.h"
-#include "panels/widgets/decision_rows.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
+#include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
