@@ -182,7 +182,7 @@ TEST_CASE("Points set aside for noise are seen while their layer is on, and retu
     CHECK(aside.starts_with(R"({"noise":)"));
     app.command("doctor");
     const Picture marks = app.picture();
-    app.clickOn("layers");
+    app.clickOn("layers menu");
     app.clickOn("layer aside");
     CHECK(app["pins"].find(R"("aside":"off")") != std::string::npos);
     CHECK(differing(marks, app.picture()) > 100);

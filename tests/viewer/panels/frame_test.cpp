@@ -299,7 +299,7 @@ TEST_CASE("Notes are typed and saved while their field has the keyboard, the tex
     DrivenApp app({"scene:sphere", "--goto", "40.sphere.2"});
     if (!app) return;
     app.save(folder / "one.sesession");
-    app.clickOn("notes");
+    app.clickOn("notes menu");
     app.clickOn("field notes");
     app.type("look here n");
     CHECK(app.ui.notes == "look here n");

@@ -55,7 +55,7 @@ void drawNotesMenu(const PanelContext& context, const Rect& area) {
                                area.min.y + 0.5F * (area.size.y - ImGui::GetFrameHeight())});
     const bool clicked = iconButton("##notesButton", Icon::Bookmark, "Bookmarks and your own text",
                                     context.session().ready(), false, context);
-    nameItem(context, "notes");
+    nameItem(context, "notes menu");
     const Rect place = lastItem();
     if (std::exchange(context.state<Navigation>().opensNotes, false) || clicked)
         ImGui::OpenPopup("##notes");

@@ -285,7 +285,7 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
                      {textWidth(kLayersTitle) + 1.2F * em, 1.6F * em}};
     ImGui::SetCursorScreenPos(toVec2(place.min));
     const bool clicked = ImGui::InvisibleButton("##layersButton", toVec2(place.size));
-    nameItem(context, "layers", "What the view draws, and when");
+    nameItem(context, "layers menu", "What the view draws, and when");
     const OverButton button{place, ImGui::IsItemHovered()};
     if (std::exchange(context.state<Navigation>().opensLayers, false) || clicked)
         ImGui::OpenPopup("##layers");
