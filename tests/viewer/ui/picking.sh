@@ -58,8 +58,8 @@ press Escape
 # A press right after a jump of the pointer, both within one frame, does not move the camera; nor
 # does a press that is moved by less than a drag.
 press Return
-read -r x y < <(inside "region view" 5 5)
-read -r far_x far_y < <(inside "region view" 95 95)
+read -r x y < <(inside "region view" 5 45)
+read -r far_x far_y < <(inside "region view" 95 45)
 camera=$(field camera | sed 's/[][{}.*+?()|^$\\]/\\&/g')
 for button in 1 2 3; do
     move_to "$x" "$y"
