@@ -48,7 +48,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
     ui_.cheatSheet = options.cheatSheet;
     ui_.picture = options.picture;
     ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
-    if (rowOf(ui_.layoutPreset).follows) ui_.follow = Follow::EachDecision;
+    ui_.follow = followIn(ui_.layoutPreset);
     playback_.setRate(settings.playRate);
 }
 

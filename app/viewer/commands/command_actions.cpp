@@ -255,7 +255,7 @@ void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     const LayoutPreset before = std::exchange(c.ui.layoutPreset, layoutPreset);
     c.ui.blank = BlankScreen::None;
     const LayoutPresetRow& row = rowOf(layoutPreset);
-    c.ui.follow = row.follows ? Follow::EachDecision : Follow::LeavingPivot;
+    c.ui.follow = followIn(layoutPreset);
     followLayout(c, before);
     c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }

@@ -324,7 +324,7 @@ void LessonController::close() {
     opening_.cancel();
     leaveStep();
     if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
-    c_.ui.follow = rowOf(c_.ui.layoutPreset).follows ? Follow::EachDecision : Follow::LeavingPivot;
+    c_.ui.follow = followIn(c_.ui.layoutPreset);
     c_.ui.column.reset();
     const std::uint64_t next = panel().nextPractice;
     panel() = {};

@@ -51,6 +51,11 @@ enum class Follow : std::uint8_t {
     EachDecision,  ///< To the view of each decision.
 };
 
+/// The usual motion in a layout.
+inline Follow followIn(LayoutPreset layout) {
+    return rowOf(layout).follows ? Follow::EachDecision : Follow::LeavingPivot;
+}
+
 /// The page of the menu Help that is open.
 enum class HelpPage : std::uint8_t { None, Guide, About };
 
