@@ -109,7 +109,7 @@ class Application {
     void rememberSize(glm::ivec2 size);
 
   private:
-    /// What the camera was last made to frame, and in which part of the view.
+    /// The subject that the camera was last made to frame, and the part of the view for it.
     struct Framed {
         FrameRequest request = FrameRequest::None;
         ViewPart part;

@@ -46,7 +46,7 @@ WindowState Application::windowState() const {
     return state;
 }
 
-/// What happens in the run calls for a panel, unless the user has picked one.
+/// Switches the column to the task that the run calls for, unless the user has picked one.
 void Application::followTask() {
     const std::string& source = session_.input().spec().source;
     if (std::exchange(taskOf_, source) != source && !ui_.lesson.walk.isOpen()) {

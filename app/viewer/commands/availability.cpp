@@ -11,7 +11,7 @@ namespace se::view {
 
 namespace {
 
-/// What the commands whose ids begin so need.
+/// A condition of the commands whose ids begin so.
 struct Need {
     std::string_view id;
     bool (*holds)(const CommandContext& context);

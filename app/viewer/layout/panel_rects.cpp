@@ -125,7 +125,6 @@ class Cutter {
 /// figures.
 void layOutRow(PanelRects& l, const Cutter& cut, const Rect& row, bool finished) {
     const float ems = row.size.x / cut.px(1.0F);
-    Cutter rest(row.size, cut.px(1.0F));
     const float buttons = cut.px(ems >= kWideFrom ? kButtons : kButtonsAlone);
     const float figures = ems >= kFiguresFrom ? cut.px(kFigures) : 0.0F;
     l.transport = {row.min, {std::min(buttons, row.size.x), row.size.y}};

@@ -57,7 +57,7 @@ struct PanelRects {
     bool captionInView() const { return narration.size.y <= 0.0F; }
 };
 
-/// What the areas depend on beside sizes.
+/// State of the window on which the areas depend, beside its size.
 struct WindowState {
     LayoutPreset layoutPreset = LayoutPreset::Debug;
     StripChoice strip = StripChoice::Auto;

@@ -11,7 +11,7 @@
 
 namespace se::view {
 
-/// What a user does, in the order of the rail.
+/// Tasks of a user, in the order of the rail.
 enum class Task : std::uint8_t { Step, Why, Faults, Find, Change, Input, Lesson };
 inline constexpr std::size_t kTaskCount = 7;
 
@@ -70,7 +70,7 @@ struct Column {
         show(picked);
         chosen = sheet = true;
     }
-    /// What happens calls for a task; the user's own choice stays.
+    /// The run calls for a task; the user's own choice stays.
     void suggest(Task wanted) {
         if (!chosen) show(wanted);
     }

@@ -1,4 +1,4 @@
-/// What the panels of the column and the strips remember. Plain values, no ImGui.
+/// State of the panels of the column and of the strips. Plain values, no ImGui.
 #pragma once
 
 #include <array>

@@ -90,8 +90,7 @@ void drawAround(const PanelContext& context) {
         drawRail(context);
         return drawStrip(context);
     }
-    if (beginRegion("##rail", context.rects.rail)) {
-    }
+    beginRegion("##rail", context.rects.rail);
     ImGui::End();
     if (beginRegion("##strip", context.rects.strip)) dimText(kHiddenNote);
     ImGui::End();

@@ -140,7 +140,7 @@ void askWhyShown(const PanelContext& context) {
     actions::askWhySelected(context.commands);
 }
 
-/// What an engineer does next: Fix and Save mesh; then looking at the places.
+/// The next actions of an engineer: Fix and Save mesh; then a look at the places.
 void drawActions(const PanelContext& context, const AlertSearch& alerts) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool fixes = canFix(context.commands) && !context.state<VerdictPart>().fixing;

@@ -72,7 +72,8 @@ void drawEmptyView(const PanelContext& context) {
     ImGui::End();
 }
 
-/// What a mesh or a trace says about the decision at the cursor, at the lower edge of its view.
+/// The sentence of a mesh or a trace about the decision at the cursor, at the lower edge of its
+/// view.
 void drawStillSentence(const PanelContext& context) {
     const Compared* found = context.state<ComparePage>().result();
     const Comparison* now = context.state<ComparePage>().now;

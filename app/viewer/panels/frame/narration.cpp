@@ -83,7 +83,7 @@ void drawAddressLine(const PanelContext& context) {
     context.where()["address line"] = {at, {extent.x, extent.y}};
 }
 
-/// What is said, and in which color.
+/// The sentence, and its color.
 struct Said {
     std::string whole;
     std::string text;  ///< With short numbers.

@@ -315,7 +315,7 @@ void drawSide(const PanelContext& context) {
     ImGui::EndChild();
 }
 
-/// What brings points in, beside the tiles.
+/// The ways to bring points in, beside the tiles.
 void drawBesides(const PanelContext& context, float side) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * context.em, 0.0F});
     if (ImGui::BeginTable("##page", 2, 0, ImGui::GetContentRegionAvail())) {
