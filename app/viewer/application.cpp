@@ -33,7 +33,8 @@ constexpr const char* kViewWindow = "##view";
 
 Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options),
-      commands_{session_, playback_, camera_, ui_},
+      commands_{session_, playback_, camera_,  ui_,   document_,
+                history_, lesson_,   compare_, mesh_, sampling_},
       document_(commands_),
       alerts_(commands_, document_),
       sampling_(commands_),
@@ -41,7 +42,8 @@ Application::Application(const Options& options, const ViewSettings& settings)
       mesh_(commands_),
       lesson_(commands_, document_),
       firstRun_(commands_, document_),
-      export_(std::make_unique<WindowExport>(commands_)) {
+      export_(std::make_unique<WindowExport>(commands_)),
+      history_(commands_) {
     compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
@@ -57,6 +59,12 @@ Application::~Application() = default;
 Status Application::start(float contentScale) {
     contentScale_ = contentScale;
     imgui_ = std::make_unique<Ui>();
+    ui_.clipboard.connect(
+        [] {
+            const char* text = ImGui::GetClipboardText();
+            return std::string(text != nullptr ? text : "");
+        },
+        [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); });
     if (const Status status = painter_.start(options_.shaders); !status) return status;
     document_.begin(options_);
     alerts_.begin(options_);
@@ -91,7 +99,7 @@ bool Application::poll() {
     if (options_.atDifference && found != nullptr && !session_.moves().busy() &&
         !std::exchange(differenceAsked_, true)) {
         options_.atDifference = !found->meshes.same() || found->alignment().diverge;
-        actions::askOfComparison(commands_, CompareAsk::FirstDifference);
+        compare_.toFirstDifference();
     }
     followTask();
     // The lists of a figure are those of its drawing, and nothing is to be mended.
@@ -124,7 +132,6 @@ Status Application::waitUntilDone() {
     // First the jump, then the compared run.
     for (int i = 0; i < 2; ++i) {
         poll();
-        compare_.carryOut();
         session_.waitUntilDone();
         compare_.waitUntilDone();
     }
@@ -192,15 +199,15 @@ void Application::placeCamera() {
     if (lesson_.takeAim()) {
         lesson_.aim();
         // Not a change of the user's.
-        undo_.acceptCamera(captureEdits(commands_).camera);
+        history_.acceptCamera();
     }
     // The undo stack begins here: the user has not changed anything yet.
-    if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
-    const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
-                              session_.event() != nullptr && !session_.moves().busy() &&
+    if (alerts_.takeOpened()) history_.begin();
+    const bool atDifference = differenceAsked_ && session_.event() != nullptr &&
+                              !session_.moves().busy() &&
                               std::exchange(options_.atDifference, false);
     if (session_.moves().busy()) return;
-    const FrameRequest request = std::exchange(ui_.requests.frame, FrameRequest::None);
+    const FrameRequest request = std::exchange(ui_.frame, FrameRequest::None);
     if (atDifference) return frameNow(FrameRequest::Decision);
     if (request != FrameRequest::None) frameNow(request);
 }
@@ -212,7 +219,7 @@ void Application::settleCamera() {
     const bool stays = framed_->revision == camera_.revision();
     if (!stays || framed_->part == ui_.viewPart()) return framed_.reset();
     frameNow(framed_->request);
-    undo_.acceptCamera(camera_.pose());
+    history_.acceptCamera();
 }
 
 void Application::frameNow(FrameRequest request) {
@@ -253,7 +260,7 @@ void Application::moveCamera() {
 void Application::drawUserInterface(const PanelRects& rects) {
     const StatusCounts& counts = session_.picture().status.counts();
     Session* other = compare_.other();
-    CommandContext beside{other != nullptr ? *other : session_, playback_, camera_, ui_};
+    CommandContext beside = commands_.of(other != nullptr ? *other : session_);
     std::optional<OtherView> view;
     if (compare_.shows())
         view.emplace(OtherView{other != nullptr ? &beside : nullptr, compare_.list(),
@@ -316,17 +323,18 @@ bool Application::frame(glm::ivec2 size, double seconds) {
         moveCamera();
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
             session_.questions().requestClosest();
-        const bool onPaper = ui_.requests.screenshot || options_.onPaper();
+        const bool onPaper = ui_.takesPicture || options_.onPaper();
         painter_.fill(commands_, onPaper, compare_.look());
         compare_.fill(onPaper);
     }
+    ui_.betweenFrames.beginDrawing();
     drawUserInterface(rects);
     const bool panelsChanged = imgui_->endFrame();
     const auto built = std::chrono::steady_clock::now();
     const bool viewChanged = painter_.draw(commands_, rects.view, imgui_->em());
     const bool otherViewChanged = compare_.draw(rects.otherView, imgui_->em());
     // A picture is read from what this frame draws.
-    const bool forced = redraws_ > 0 || ui_.requests.screenshot;
+    const bool forced = redraws_ > 0 || ui_.takesPicture;
     redraws_ = std::max(redraws_ - 1, 0);
     // A view of another size is shown only with its picture: until then the frame before stays, if
     // the window has it.
@@ -342,29 +350,16 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     if (options_.narrate) narrate();
     ui_.typing.endFrame(ImGui::GetIO().WantTextInput);
     ui_.typing.see(ui_.typedFields());
-    observeEdits();
-    undoOrRedo();
-    sampling_.carryOut();
-    compare_.carryOut();
-    mesh_.carryOut();
-    export_->carryOut();
-    document_.carryOut(ui_.requests);
-    lesson_.carryOut();
+    history_.observe(ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput);
+    ui_.betweenFrames.endDrawing();
+    export_->advance();
     ui_.unsaved = document_.unsaved();
-    const std::string copied = std::exchange(ui_.requests.copyText, {});
-    if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
-    if (std::exchange(ui_.requests.copyPosition, false)) copyPosition();
-    if (std::exchange(ui_.requests.pastePosition, false)) pastePosition();
     // A picture requested while this frame was drawn is taken from the next one.
-    if (ui_.requests.screenshot && (painter_.onPaper() || !session_.ready())) {
-        ui_.requests.screenshot = false;
+    if (ui_.takesPicture && (painter_.onPaper() || !session_.ready())) {
+        ui_.takesPicture = false;
         saveWindowPicture(size);
     }
-    if (const int direction = std::exchange(ui_.requests.walk, 0); direction != 0) {
-        ui_.walk.go(direction);
-        ui_.requests.closePopups = ui_.walk.at() == KeyStop::View;
-    }
-    if (std::exchange(ui_.requests.closePopups, false)) {
+    if (std::exchange(ui_.closesPopups, false)) {
         ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
@@ -385,46 +380,6 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
         longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
     }
     lastFrame_ = drawn;
-}
-
-void Application::observeEdits() {
-    // The result of an opening belongs to the change that requested it.
-    if (session_.input().phase() == SessionPhase::Loading || ui_.growth.open) return;
-    const Edits now = captureEdits(commands_);
-    if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
-        const RunSpec& spec = session_.input().spec();
-        const bool same = std::exchange(undoSource_, spec.source) == spec.source;
-        const bool changed = std::exchange(undoInput_, spec) != spec;
-        if (!same || !changed) return undo_.begin(now);
-    }
-    // The user did not move the camera: there is nothing to undo.
-    if (cameraKind_ == CameraMove::Kind::Followed) undo_.acceptCamera(now.camera);
-    cameraKind_ = ui_.cameraMove.kind();
-    const bool changing =
-        ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput || ui_.cameraMove.active();
-    const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
-    undo_.observe(now, std::chrono::duration<double>(sinceStart).count(), changing);
-}
-
-void Application::undoOrRedo() {
-    const bool undo = std::exchange(ui_.requests.undo, false);
-    const bool redo = std::exchange(ui_.requests.redo, false);
-    if (!undo && !redo) return;
-    if (session_.input().phase() == SessionPhase::Loading) {
-        return session_.messages().say("Wait until the input is open.");
-    }
-    const Edits now = captureEdits(commands_);
-    const auto step = undo ? undo_.undo(now) : undo_.redo(now);
-    if (!step)
-        return session_.messages().say(undo ? "There is nothing to undo."
-                                            : "There is nothing to redo.");
-    applyEdits(step->edits, commands_);
-    Edits made = captureEdits(commands_);
-    // An input that was opened again has no selection.
-    if (ui_.requests.settings) made.selected = {};
-    made.input = step->edits.input;
-    undo_.accept(made);
-    session_.messages().say((undo ? "Undone: " : "Redone: ") + step->change + ".");
 }
 
 void Application::narrate() {

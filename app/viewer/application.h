@@ -10,6 +10,7 @@
 #include "controllers/compare.h"
 #include "controllers/document.h"
 #include "controllers/first_run.h"
+#include "controllers/edit_history.h"
 #include "controllers/lesson.h"
 #include "controllers/mesh_saving.h"
 #include "controllers/sampling.h"
@@ -53,7 +54,7 @@ class Application {
     /// Files from the desktop: the first is opened; a notice reports the others.
     void drop(const std::vector<std::string>& paths);
     /// The window is to be closed: at once, or after a question.
-    void requestQuit() { ui_.requests.quit = true; }
+    void requestQuit() { document_.quit(); }
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
@@ -96,7 +97,7 @@ class Application {
     /// The next frame differs from this one even without new input.
     bool animating() const;
     bool wantsToQuit() const { return ui_.quitting; }
-    bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
+    bool fullScreen() const { return ui_.fullScreen; }
     bool inputFailed() const {
         return session_.input().phase() == SessionPhase::Failed ||
                ui_.growth.phase == GrowthPhase::Failed || !lesson_.status();
@@ -120,8 +121,6 @@ class Application {
     PanelRects areasIn(glm::vec2 size) const;
     bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
-    void undoOrRedo();
-    void observeEdits();
     bool holdsLook(const Command& command, int key);
     bool endsBlankScreen(const KeyChord& chord);
     const Command* commandFor(const KeyChord& chord) const;
@@ -136,8 +135,6 @@ class Application {
     void moveCamera();
     void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
-    void copyPosition();
-    void pastePosition();
     void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }
 
@@ -159,18 +156,14 @@ class Application {
     LessonController lesson_;
     FirstRun firstRun_;
     std::unique_ptr<WindowExport> export_;
-    UndoStack undo_;
-    std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
-    std::string undoSource_;
-    RunSpec undoInput_;              ///< Options that the open run was made with.
+    EditHistory history_;
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.
     bool working_ = false;           ///< Without threads: there is work left.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
     FollowedDecision followed_;      ///< Last decision at the cursor.
     bool dragged_ = false;           ///< A point was being dragged in the last frame.
-    CameraMove::Kind cameraKind_ = CameraMove::Kind::None;  ///< Of the frame before.
-    std::string homeOf_;  ///< Name of the input that the camera was reset for.
+    std::string homeOf_;             ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;          ///< Address of the last sentence on stdout.
     std::optional<Framed> framed_;  ///< Framed while the layout was settling.

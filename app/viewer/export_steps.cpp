@@ -62,11 +62,11 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
     if (words.empty() && !compares) return success();
     ui().layoutPreset = words.empty() ? LayoutPreset::Debug : LayoutPreset::Compare;
     if (words.empty()) {
-        ui().compare.ask = CompareAsk::Stop;
+        application_->commands().compare.stop();
     } else {
         const Result<RunSpec> other = comparedInput(opened_, words);
         if (!other) return Error{stepPlace(file, step, "compare") + other.error().message};
-        ui().compare.begin = CompareWith::otherRun(other.value());
+        application_->commands().compare.begin(CompareWith::otherRun(other.value()));
     }
     draw(1);
     if (const Status done = application_->waitUntilDone(); !done)

@@ -11,15 +11,6 @@
 
 namespace se::view {
 
-namespace {
-
-std::string clipboard() {
-    const char* text = ImGui::GetClipboardText();
-    return text != nullptr ? text : "";
-}
-
-}  // namespace
-
 void Application::character(const KeyPress& typed) {
     if (ui_.goTo.active()) {
         if (isText(typed)) ui_.goTo.type(typed.sign);
@@ -35,15 +26,13 @@ void Application::character(const KeyPress& typed) {
 bool Application::goToBoxTakes(const KeyChord& chord) {
     GoToBox& box = ui_.goTo;
     if (chord == KeyChord{'V', kCtrl}) {
-        const std::string text = clipboard();
+        const std::string text = ui_.clipboard.text();
         const Result<ViewPosition> place = viewPositionFromText(text);
         box.paste(place ? place.value().address : text);
         return true;
     }
     if (!box.press(chord)) return false;
-    if (const std::string copied = box.takeCopied(); !copied.empty()) {
-        ImGui::SetClipboardText(copied.c_str());
-    }
+    if (const std::string copied = box.takeCopied(); !copied.empty()) ui_.clipboard.copy(copied);
     if (box.takeSubmitted()) goToTyped();
     return true;
 }
@@ -89,8 +78,6 @@ bool Application::key(const KeyChord& chord, bool repeated) {
                             io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
-    // Handled at once, since two keys may come within a frame.
-    sampling_.carryOut();
     ui_.typing.see(ui_.typedFields());
     // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;
@@ -129,23 +116,6 @@ bool Application::holdsLook(const Command& command, int key) {
 void Application::keyReleased(const KeyChord& chord) {
     ui_.look.released(chord.key);
     if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
-}
-
-void Application::copyPosition() {
-    if (!session_.ready()) return;
-    const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
-    ImGui::SetClipboardText(toText(ViewPosition{address, camera_.pose()}).c_str());
-    session_.messages().say("Copied: " + address + " and the camera.");
-}
-
-void Application::pastePosition() {
-    const Result<ViewPosition> place = viewPositionFromText(clipboard());
-    if (!place) return session_.messages().say(place.error().message);
-    playback_.pause();
-    if (place.value().camera) camera_.setPose(*place.value().camera);
-    const Status status = session_.moves().goToText(place.value().address);
-    if (!status) return session_.messages().say(status.error().message);
-    if (!place.value().camera) ui_.requests.frame = FrameRequest::Decision;
 }
 
 }  // namespace se::view

@@ -247,7 +247,7 @@ void dumpMeshForm(json& out, const UiState& ui) {
     out["mesh_saving"] = form.saving;
     out["mesh_question"] = form.question;
     out["mesh_complaint"] = form.complaint;
-    out["mesh_command"] = form.copied;
+    out["mesh_command"] = ui.clipboard.copied();
 }
 
 /// The open lesson, without answers that are not shown.
@@ -323,8 +323,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"notes", ui_.notes},
              {"unsaved", !ui_.unsaved.empty()},
              {"title", title()},
-             {"undo", undo_.undoDepth()},
-             {"redo", undo_.redoDepth()},
+             {"undo", history_.undoDepth()},
+             {"redo", history_.redoDepth()},
              {"em", imgui_ ? imgui_->em() : 0.0F},
              {"key_editor", ui_.keyEditor},
              {"changed_keys", ui_.settings.keys.changes().size()},

@@ -279,7 +279,8 @@ bool Window::turn() {
     // A write error is reported on exit.
     static_cast<void>(
         application_->writeState({inputs_, unsettled_ == 0 && keys_.empty() && presses_.empty()}));
-    if (application_->takeFullScreenRequest()) toggleFullScreen();
+    const bool full = application_->fullScreen();
+    if (std::exchange(fullScreen_, full) != full) toggleFullScreen();
     return true;
 }
 

@@ -69,6 +69,7 @@ class Window {
     double frameSeconds_ = 0.0;         ///< Duration of drawing the last frame.
     std::string title_;
     std::uint64_t inputs_ = 0;  ///< Events since the start.
+    bool fullScreen_ = false;   ///< As the application last wanted it.
     int wake_ = 5;              ///< Frames still to draw: the layout settles over a few of them.
     int unsettled_ = 0;         ///< Of them, those that the last input asks for.
     double lastFrame_ = 0.0;

@@ -19,13 +19,15 @@ WindowExport::WindowExport(CommandContext& context) : c_(context) {}
 
 WindowExport::~WindowExport() = default;
 
-void WindowExport::carryOut() {
+void WindowExport::advance() {
     ExportForm& form = c_.ui.exported;
-    const ExportAsk ask = std::exchange(form.ask, ExportAsk::None);
-    if (ask == ExportAsk::Save && !run_ && c_.session.ready()) begin();
+    if (form.working && !run_) {
+        form.working = c_.session.ready();
+        if (form.working) begin();
+    }
     if (!run_) return;
     // A closed dialog cancels as its button does.
-    if (ask == ExportAsk::Cancel || !isExportOpen(c_.ui)) {
+    if (!form.working || !isExportOpen(c_.ui)) {
         form.complaint = "Cancelled.";
         c_.session.messages().say("The export was cancelled.");
         return end();
@@ -54,6 +56,7 @@ void WindowExport::begin() {
                      ? std::make_shared<const LessonFile>(LessonFile{walk.lesson(), walk.folder()})
                      : nullptr);
     form.complaint = order ? "" : order.error().message;
+    form.working = order.ok();
     if (!order) return;
     ViewSettings settings = c_.ui.settings;
     Options options;
@@ -71,7 +74,6 @@ void WindowExport::begin() {
     settings.height = pictureSize(form.size)->y;
     settings.uiScale = 0.0;
     run_ = std::make_unique<ExportRun>(options, settings);
-    form.working = true;
     form.made = form.total = 0;
 }
 

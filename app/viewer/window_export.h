@@ -17,9 +17,9 @@ class WindowExport {
     WindowExport(const WindowExport&) = delete;
     WindowExport& operator=(const WindowExport&) = delete;
 
-    /// Carries out the requests of the dialog, and the next part of the work. Once per frame of the
-    /// window, with its OpenGL context.
-    void carryOut();
+    /// Begins, continues or ends the work as the dialog says. Once per frame of the window, with
+    /// its OpenGL context.
+    void advance();
     bool busy() const { return run_ != nullptr; }
 
   private:

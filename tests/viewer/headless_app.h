@@ -1,23 +1,47 @@
-/// A program without a window, for tests of opening, saving and leaving.
+/// A program without a window, for tests of its actions.
 #pragma once
 
+#include "controllers/compare.h"
 #include "controllers/document.h"
+#include "controllers/edit_history.h"
+#include "controllers/lesson.h"
+#include "controllers/mesh_saving.h"
+#include "controllers/sampling.h"
 #include "open_session.h"
 #include "session/playback.h"
 
 namespace se::view::test {
 
-/// Has a folder of its own that is removed after the test.
-struct HeadlessApp {
-    Session session;
+/// All that acts on a session.
+struct AroundSession {
     Playback playback;
     Camera camera;
     UiState ui;
-    CommandContext context{session, playback, camera, ui};
+    CommandContext context;
     DocumentController document{context};
+    EditHistory history{context};
+    LessonController lesson{context, document};
+    CompareController compare{context};
+    MeshController mesh{context};
+    SamplingController sampling{context};
+
+    explicit AroundSession(Session& session)
+        : context{session, playback, camera,  ui,   document,
+                  history, lesson,   compare, mesh, sampling} {}
+    AroundSession(const AroundSession&) = delete;
+    AroundSession& operator=(const AroundSession&) = delete;
+};
+
+struct OwnSession {
+    Session session;
+};
+
+/// Has a folder of its own that is removed after the test.
+struct HeadlessApp : OwnSession, AroundSession {
     std::filesystem::path folder;
 
-    explicit HeadlessApp(const std::string& name) : folder(ownPlace(name)) {
+    explicit HeadlessApp(const std::string& name)
+        : AroundSession(OwnSession::session), folder(ownPlace(name)) {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
     }
@@ -25,6 +49,12 @@ struct HeadlessApp {
     HeadlessApp(const HeadlessApp&) = delete;
     HeadlessApp& operator=(const HeadlessApp&) = delete;
 
+    /// Opens another input; what is unsaved is discarded.
+    void openInstead(const std::string& source) {
+        document.open(source);
+        document.answer(LeaveAnswer::Discard);
+        waitUntilDone();
+    }
     void waitUntilDone() {
         session.waitUntilDone();
         document.poll();

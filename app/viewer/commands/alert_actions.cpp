@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include "controllers/compare.h"
+#include "controllers/document.h"
 
 #include "command_actions.h"
 #include "jobs/questions.h"
@@ -87,7 +89,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
     if (session.questions().subject() != subject) session.questions().askWhy(subject);
     if (moment) session.moves().goTo(momentOf(chosen, *moment).event.address);
-    context.ui.requests.frame = FrameRequest::Fault;
+    context.ui.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;
 }
 
@@ -100,7 +102,7 @@ void showPlace(CommandContext& context, std::size_t place) {
     session.highlights().mark({});
     session.select(alerts.shown() != nullptr ? subjectOf(*alerts.shown()) : Selection{});
     if (!session.atEnd()) session.moves().toEnd();
-    context.ui.requests.frame = FrameRequest::Fault;
+    context.ui.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;
     actions::showPart(context, kAlertsPart);
     session.messages().say(verdictSentence(alerts));
@@ -167,8 +169,7 @@ bool showsFinishedMesh(const CommandContext& context) {
 }
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
-    context.ui.requests.rules = rulesWith(context.session.input().spec(), remedy);
-    context.ui.requests.resume = Resume::End;
+    context.document.rerun(rulesWith(context.session.input().spec(), remedy), Resume::End);
 }
 
 bool canFix(const CommandContext& context) {
@@ -184,8 +185,7 @@ void fixByTrials(CommandContext& context) {
     context.ui.verdict.fixing = !job.ended();
     if (context.ui.verdict.fixing) return job.start();
     assert(job.best() != nullptr);
-    actions::requestSettings(context, changed(context.session.input().spec(), job.best()->change));
-    context.ui.requests.resume = Resume::End;
+    context.document.run(changed(context.session.input().spec(), job.best()->change), Resume::End);
 }
 
 std::string fixText(const TrialJob& job) {
@@ -213,8 +213,7 @@ void closeHoles(CommandContext& context, double width) {
     assert(closes != nullptr);
     if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.rules = "robust";
     context.ui.verdict.closing = {width, context.session.alerts().search().openLoops().count};
-    context.ui.requests.rules = withRule(rules, "holewidth", width);
-    context.ui.requests.resume = Resume::End;
+    context.document.rerun(withRule(rules, "holewidth", width), Resume::End);
 }
 
 std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
@@ -237,7 +236,7 @@ void showBeside(CommandContext& context, const Remedy& remedy) {
     const RunSpec& spec = context.session.input().spec();
     actions::pause(context);
     actions::applyLayoutPreset(context, LayoutPreset::Compare);
-    context.ui.compare.begin = CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy)));
+    context.compare.begin(CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy))));
 }
 
 bool openOnVerdict(CommandContext& context) {

@@ -1,6 +1,7 @@
 #include "ask_actions.h"
 
 #include "command_actions.h"
+#include "controllers/compare.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "run/strings.h"
@@ -28,8 +29,7 @@ void askWhy(CommandContext& c, const Selection& what) {
     c.session.select(what);
     if (c.ui.layoutPreset == LayoutPreset::Compare) {
         // About both runs; the column beside the views has the answers.
-        c.ui.compare.wantsWhy = what;
-        return;
+        return c.compare.askWhy(what);
     }
     c.ui.ledger.seen = what;
     c.ui.ledger.complaint.clear();

@@ -28,7 +28,7 @@ std::vector<Index> pointsOfFault(const RunAlerts& alerts) {
 /// Moves the camera smoothly to what a function frames.
 void moveTo(CommandContext& context, CameraMove::Kind kind, void (*frame)(CommandContext&)) {
     Camera aim = context.camera;
-    CommandContext aimed{context.session, context.playback, aim, context.ui};
+    CommandContext aimed = context.of(context.session, aim);
     frame(aimed);
     context.ui.cameraMove.begin(context.camera, aim.pose(), kind);
 }

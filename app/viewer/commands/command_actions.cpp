@@ -5,6 +5,11 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
+#include "controllers/compare.h"
+#include "controllers/document.h"
+#include "controllers/mesh_saving.h"
+#include "controllers/sampling.h"
+#include "session/view_position.h"
 
 #include "piece_actions.h"
 #include "run/model.h"
@@ -32,36 +37,19 @@ void closeDialogs(UiState& ui) {
 
 void pause(C& c) { c.playback.pause(); }
 
-void requestSettings(C& c, const RunSpec& spec) {
-    UiRequests& requests = c.ui.requests;
-    if (withRulesOf(c.session.input().spec(), spec) == spec) {
-        requests.rules = spec;
-        return;
-    }
-    requests.settings = spec;
-}
-
 void escape(C& c) {
     UiState& ui = c.ui;
-    if (ui.leaving.asked) {
-        ui.leaving.answer = LeaveAnswer::Cancel;
-        return;
-    }
-    if (ui.fileBrowser && ui.browser == BrowserTask::SaveMesh && !ui.mesh.question.empty()) {
-        ui.mesh.ask = MeshAsk::Keep;
-        return;
-    }
+    if (ui.leaving.asked) return c.document.answer(LeaveAnswer::Cancel);
+    if (ui.fileBrowser && ui.browser == BrowserTask::SaveMesh && !ui.mesh.question.empty())
+        return c.mesh.keep();
     // One thing at a time, the topmost first.
     const bool covered =
         ui.dialogOpen() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
     ui.offersTour = false;
-    ui.requests.closePopups = true;
+    ui.closesPopups = true;
     if (covered) return;
-    if (ui.growth.open) {
-        ui.growth.asked = GrowthAsk::Leave;
-        return;
-    }
+    if (ui.growth.open) return c.sampling.leave();
     if (c.session.drag().held()) return c.session.drag().takeBack();
     if (ui.piece.on) return endPieceTool(c);
     if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
@@ -131,7 +119,7 @@ void resetRules(C& c) {
     if (rules.choices.empty())
         return c.session.messages().say("All rules have the values of their set.");
     rules.choices.clear();
-    c.ui.requests.rules = std::move(rules);
+    c.document.rerun(rules);
 }
 
 void clearWhatIfs(C& c) {
@@ -139,7 +127,7 @@ void clearWhatIfs(C& c) {
     RunSpec rules = c.session.input().rules();
     if (rules.whatIf.empty()) return c.session.messages().say("No what-ifs are active.");
     rules.whatIf.clear();
-    c.ui.requests.rules = std::move(rules);
+    c.document.rerun(rules);
 }
 
 void openBrowser(C& c, BrowserTask task) {
@@ -169,8 +157,7 @@ void exportFrames(C& c) {
 void copyCommand(C& c) {
     if (!c.session.ready())
         return c.session.messages().say("There is no run to copy the command of.");
-    c.ui.mesh.path.clear();
-    c.ui.mesh.ask = MeshAsk::CopyCommand;
+    c.mesh.copyCommand({});
 }
 
 void savePoints(C& c) {
@@ -355,7 +342,7 @@ void compareUsual(CommandContext& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
     pause(c);
     applyLayoutPreset(c, LayoutPreset::Compare);
-    c.ui.compare.ask = CompareAsk::Usual;
+    c.compare.beginUsual();
 }
 
 void compareMesh(CommandContext& c) {
@@ -365,12 +352,33 @@ void compareMesh(CommandContext& c) {
     openBrowser(c, BrowserTask::Mesh);
 }
 
-void askOfComparison(CommandContext& c, CompareAsk ask) {
+void ofComparison(CommandContext& c, void (CompareController::*act)()) {
     const Comparison* now = c.ui.compare.now;
     if (now == nullptr || !now->chosen())
         return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
     pause(c);
-    c.ui.compare.ask = ask;
+    (c.compare.*act)();
+}
+
+void copyPosition(CommandContext& c) {
+    if (!c.session.ready()) return;
+    const std::string address = c.session.event() != nullptr ? toString(c.session.address()) : "0";
+    c.ui.clipboard.copy(toText(ViewPosition{address, c.camera.pose()}));
+    c.session.messages().say("Copied: " + address + " and the camera.");
+}
+
+void pastePosition(CommandContext& c) {
+    const Result<ViewPosition> place = viewPositionFromText(c.ui.clipboard.text());
+    if (!place) return c.session.messages().say(place.error().message);
+    pause(c);
+    if (place.value().camera) c.camera.setPose(*place.value().camera);
+    const Status status = c.session.moves().goToText(place.value().address);
+    if (!status) return c.session.messages().say(status.error().message);
+    if (!place.value().camera) c.ui.frame = FrameRequest::Decision;
+}
+
+void walkPanels(CommandContext& c, int direction) {
+    if (c.ui.walk.go(direction)) c.ui.closesPopups = true;
 }
 
 }  // namespace actions

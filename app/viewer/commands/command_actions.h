@@ -12,9 +12,6 @@
 namespace se::view::actions {
 
 void pause(CommandContext& c);
-/// Requests a run of the open input with other options: shown at its end, or at the same position
-/// if only rules differ.
-void requestSettings(CommandContext& c, const RunSpec& spec);
 /// Closes the overlays above the panels and clears the selection.
 void escape(CommandContext& c);
 void nextMeshStyle(CommandContext& c);
@@ -88,7 +85,13 @@ void toggleCompare(CommandContext& c);
 void compareUsual(CommandContext& c);
 /// Opens the file dialog.
 void compareMesh(CommandContext& c);
-/// Requests a step of the comparison; reports if there is no comparison.
-void askOfComparison(CommandContext& c, CompareAsk ask);
+/// Acts on the comparison; reports if there is none.
+void ofComparison(CommandContext& c, void (CompareController::*act)());
+
+/// Copies the address and the camera as text, and goes to those that were copied.
+void copyPosition(CommandContext& c);
+void pastePosition(CommandContext& c);
+/// Gives the keyboard focus to the next (+1) or previous (-1) panel.
+void walkPanels(CommandContext& c, int direction);
 
 }  // namespace se::view::actions

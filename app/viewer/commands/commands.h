@@ -9,17 +9,36 @@
 namespace se::view {
 
 class Camera;
+class CompareController;
+class DocumentController;
+class EditHistory;
+class LessonController;
+class MeshController;
 class Playback;
+class SamplingController;
 class Session;
 struct UiState;
 enum class GrowthSource : std::uint8_t;
 
-/// Everything that a command may use.
+/// Everything that a command or panel may use: the open run, the state of the window, and what
+/// acts on them.
 struct CommandContext {
     Session& session;
     Playback& playback;
     Camera& camera;
     UiState& ui;
+    DocumentController& document;
+    EditHistory& history;
+    LessonController& lesson;
+    CompareController& compare;
+    MeshController& mesh;
+    SamplingController& sampling;
+
+    /// The same for another run, or seen by another camera.
+    CommandContext of(Session& run, Camera& seenBy) const {
+        return {run, playback, seenBy, ui, document, history, lesson, compare, mesh, sampling};
+    }
+    CommandContext of(Session& run) const { return of(run, camera); }
 };
 
 /// One line per action: id, keys, help.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "command_actions.h"
+#include "controllers/sampling.h"
 
 namespace se::view {
 
@@ -12,22 +13,22 @@ namespace {
 
 struct Meaning {
     std::string_view id;
-    GrowthAsk ask;
+    void (SamplingController::*act)();
 };
 
 constexpr auto kMeanings = std::to_array<Meaning>({
-    {"run.play", GrowthAsk::PlayOrPause},
-    {"run.step", GrowthAsk::Step},
-    {"step.event.next", GrowthAsk::Step},
-    {"step.pivot.next", GrowthAsk::Step},
-    {"run.end", GrowthAsk::Finish},
-    {"run.continue", GrowthAsk::Finish},
-    {"run.continue.back", GrowthAsk::Begin},
-    {"run.start", GrowthAsk::Begin},
-    {"file.restart", GrowthAsk::Begin},
-    {"view.home", GrowthAsk::Home},
-    {"view.all", GrowthAsk::Home},
-    {"view.frame", GrowthAsk::Home},
+    {"run.play", &SamplingController::playOrPause},
+    {"run.step", &SamplingController::step},
+    {"step.event.next", &SamplingController::step},
+    {"step.pivot.next", &SamplingController::step},
+    {"run.end", &SamplingController::finish},
+    {"run.continue", &SamplingController::finish},
+    {"run.continue.back", &SamplingController::start},
+    {"run.start", &SamplingController::start},
+    {"file.restart", &SamplingController::start},
+    {"view.home", &SamplingController::home},
+    {"view.all", &SamplingController::home},
+    {"view.frame", &SamplingController::home},
 });
 
 /// Groups about the run, which does not exist yet.
@@ -52,9 +53,9 @@ void openGrowthPage(CommandContext& context, GrowthSource from) {
     page.open = true;
     page.complaint.clear();
     page.message.clear();
-    context.ui.requests.closePopups = true;
+    context.ui.closesPopups = true;
     const bool nothingChosen = from == GrowthSource::Volume && page.form.volume.empty();
-    if (another && !nothingChosen) page.asked = GrowthAsk::Begin;
+    if (another && !nothingChosen) context.sampling.start();
     if (!nothingChosen) return;
     actions::openBrowser(context, BrowserTask::Volume);
 }
@@ -63,7 +64,7 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
     const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
                                     [&](const Meaning& m) { return m.id == command.id; });
     if (found != kMeanings.end()) {
-        context.ui.growth.asked = found->ask;
+        (context.sampling.*found->act)();
         return true;
     }
     if (command.id == "file.save" || command.id == "file.saveas") {

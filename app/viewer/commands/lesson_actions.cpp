@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include "controllers/document.h"
+#include "controllers/lesson.h"
 
 #include "command_actions.h"
 #include "teach/practice.h"
@@ -31,7 +33,7 @@ bool answerByKey(const KeyChord& chord, CommandContext& context) {
     LessonWalk& walk = panel.walk;
     if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
         if (walk.state().given == teach::Answer{}) return false;
-        panel.ask = LessonAsk::Answer;
+        context.lesson.answer();
         return true;
     }
     const std::size_t count = walk.question()->options.size();
@@ -53,23 +55,18 @@ bool requireLesson(CommandContext& c) {
 
 }  // namespace
 
-void openTour(CommandContext& c) { c.ui.requests.open = embeddedLessonSource("tour"); }
+void openTour(CommandContext& c) { c.document.open(embeddedLessonSource("tour")); }
 
 void openPractice(CommandContext& c) {
-    c.ui.requests.open =
-        std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice);
+    c.document.open(std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice));
 }
 
-void nextLessonStep(CommandContext& c) { c.ui.lesson.ask = LessonAsk::Next; }
-
-void previousLessonStep(CommandContext& c) { c.ui.lesson.ask = LessonAsk::Previous; }
-
 void returnToLessonStep(CommandContext& c) {
-    if (requireLesson(c)) c.ui.lesson.ask = LessonAsk::Return;
+    if (requireLesson(c)) c.lesson.returnToStep();
 }
 
 void closeLesson(CommandContext& c) {
-    if (requireLesson(c)) c.ui.lesson.ask = LessonAsk::Close;
+    if (requireLesson(c)) c.lesson.close();
 }
 
 void saveResult(CommandContext& c) {

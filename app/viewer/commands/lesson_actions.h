@@ -19,8 +19,6 @@ namespace actions {
 void openTour(CommandContext& c);
 /// Opens the next pivot to play: that after the open one, or after the last one.
 void openPractice(CommandContext& c);
-void nextLessonStep(CommandContext& c);
-void previousLessonStep(CommandContext& c);
 /// To the position of the step, with its settings.
 void returnToLessonStep(CommandContext& c);
 void closeLesson(CommandContext& c);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include "controllers/document.h"
 
 #include "command_actions.h"
 #include "jobs/open_lesson.h"
@@ -125,12 +126,10 @@ void choose(const PaletteEntry& entry, CommandContext& context) {
         case PaletteEntry::Kind::Panel:
             return actions::openPart(context, entry.id);
         case PaletteEntry::Kind::Scene:
-            context.ui.requests.open =
-                isSample(entry.id) ? std::string(entry.id) : sceneSource(entry.id);
-            return;
+            return context.document.open(isSample(entry.id) ? std::string(entry.id)
+                                                            : sceneSource(entry.id));
         case PaletteEntry::Kind::Lesson:
-            context.ui.requests.open = entry.id;
-            return;
+            return context.document.open(std::string(entry.id));
     }
 }
 

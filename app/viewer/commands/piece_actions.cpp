@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include "controllers/document.h"
 
 #include "command_actions.h"
 #include "panel_state/ui_state.h"
@@ -47,7 +48,7 @@ void requestWithout(CommandContext& c, const std::vector<bool>& without) {
     }
     if (indices.size() == without.size())
         return session.messages().say("No point would be left to run with.");
-    c.ui.requests.leftOut = rangesOf(indices);
+    c.document.runWithout(rangesOf(indices));
     endPieceTool(c);
 }
 
@@ -141,16 +142,16 @@ void bringBack(CommandContext& context, const AsidePoints& group) {
     Session& session = context.session;
     if (!session.ready()) return;
     const RunSpec& spec = session.input().spec();
-    UiRequests& requests = context.ui.requests;
+    DocumentController& document = context.document;
     actions::pause(context);
-    if (group.reason == AsideReason::LeftOut) requests.leftOut = IndexRanges{};
+    if (group.reason == AsideReason::LeftOut) document.runWithout({});
     if (group.reason == AsideReason::Fixed) {
         std::vector<std::string> fixes = spec.fixes;
         std::erase(fixes, group.fix);
-        requests.fixes = std::move(fixes);
+        document.runWithFixes(std::move(fixes));
     }
-    if (group.reason == AsideReason::Noise) requests.rules = withRule(spec, "noise", 0.0);
-    if (group.reason == AsideReason::Stray) requests.rules = withRule(spec, "strays", 0.0);
+    if (group.reason == AsideReason::Noise) document.rerun(withRule(spec, "noise", 0.0));
+    if (group.reason == AsideReason::Stray) document.rerun(withRule(spec, "strays", 0.0));
 }
 
 namespace actions {

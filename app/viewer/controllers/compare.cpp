@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "document.h"
 #include "jobs/questions.h"
 #include "scene/framing.h"
 
@@ -44,7 +45,7 @@ void CompareController::rememberBefore() {
 bool CompareController::poll() {
     rememberBefore();
     if (waiting_ && c_.session.ready() && c_.session.input().phase() != SessionPhase::Loading)
-        begin(*std::exchange(waiting_, std::nullopt));
+        start(*std::exchange(waiting_, std::nullopt));
     const bool changed = comparison_.poll(c_.session);
     reportRefusal();
     if (comparison_.result() != shaded_) makeShades();
@@ -129,7 +130,7 @@ void CompareController::fill(bool onPaper) {
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
     if (other != nullptr) {
-        CommandContext context{*other, c_.playback, c_.camera, c_.ui};
+        CommandContext context = c_.of(*other);
         painter_->fill(context, onPaper, mine);
     } else {
         fillFile(mine);
@@ -155,9 +156,7 @@ void CompareController::fillFile(const DifferenceLook* look) {
 bool CompareController::draw(const Rect& view, float em) {
     if (!shown_) return false;
     Session* other = comparison_.other();
-    const CommandContext context{other != nullptr ? *other : c_.session, c_.playback, c_.camera,
-                                 c_.ui};
-    return painter_->draw(context, view, em);
+    return painter_->draw(other != nullptr ? c_.of(*other) : c_, view, em);
 }
 
 /// Points have the same numbers in both.
@@ -168,36 +167,48 @@ void CompareController::askWhy(const Selection& what) {
 }
 
 void CompareController::begin(CompareWith with) {
+    c_.ui.betweenFrames([this, with = std::move(with)] { start(with); });
+}
+
+void CompareController::beginUsual() {
+    begin(CompareWith::otherRun(usualOther(c_.session.input().spec())));
+}
+
+void CompareController::stop() {
+    c_.ui.betweenFrames([this] { comparison_.cancel(); });
+}
+
+void CompareController::start(CompareWith with) {
     c_.ui.compare.choosing = false;
     c_.ui.compare.why.reset();
     comparison_.start(c_.session, std::move(with));
 }
 
-void CompareController::carryOut() {
-    ComparePage& page = c_.ui.compare;
-    if (page.begin) begin(*std::exchange(page.begin, std::nullopt));
-    if (const CompareAsk ask = std::exchange(page.ask, CompareAsk::Nothing);
-        ask != CompareAsk::Nothing)
-        carryOut(ask);
-    if (page.wantsWhy) askWhy(*std::exchange(page.wantsWhy, std::nullopt));
-    if (page.goTo) comparison_.goTo(c_.session, *std::exchange(page.goTo, std::nullopt));
-    if (page.show) showRegion(*std::exchange(page.show, std::nullopt));
+/// The difference is known; otherwise says why it is not.
+bool CompareController::isReady() {
+    if (shaded_ == nullptr) c_.session.messages().say("The comparison is still running.");
+    return shaded_ != nullptr;
 }
 
-void CompareController::carryOut(CompareAsk ask) {
-    if (ask == CompareAsk::Stop) return comparison_.cancel();
-    if (ask == CompareAsk::Usual)
-        return begin(CompareWith::otherRun(usualOther(c_.session.input().spec())));
-    if (ask == CompareAsk::Swap) return swap();
-    if (shaded_ == nullptr) return c_.session.messages().say("The comparison is still running.");
-    if (ask == CompareAsk::FirstDifference)
-        return goTo(shaded_->runs.first, "These two runs are the same from start to end.");
-    if (ask == CompareAsk::FirstHarmless)
-        return goTo(shaded_->runs.harmless, "No earlier decision differs.");
+void CompareController::toFirstDifference() {
+    if (isReady())
+        toDifference(shaded_->runs.first, "These two runs are the same from start to end.");
+}
+
+void CompareController::toFirstHarmless() {
+    if (isReady()) toDifference(shaded_->runs.harmless, "No earlier decision differs.");
+}
+
+void CompareController::goTo(const ComparedAddresses& addresses) {
+    comparison_.goTo(c_.session, addresses);
+}
+
+void CompareController::stepRegion(int direction) {
+    if (!isReady()) return;
     const std::size_t count = shaded_->meshes.regions.size();
     if (count == 0) return c_.session.messages().say("The meshes are the same.");
     const auto& at = c_.ui.compare.region;
-    if (ask == CompareAsk::NextRegion) return showRegion(at ? (*at + 1) % count : 0);
+    if (direction > 0) return showRegion(at ? (*at + 1) % count : 0);
     showRegion((at.value_or(0) + count - 1) % count);
 }
 
@@ -215,11 +226,12 @@ void CompareController::goToTraced(const std::optional<teach::TraceDifference>& 
         at = *each.address;
         break;
     }
-    c_.ui.requests.frame = FrameRequest::Decision;
-    comparison_.goTo(c_.session, {difference->run ? std::optional(at) : std::nullopt, {}});
+    c_.ui.frame = FrameRequest::Decision;
+    goTo({difference->run ? std::optional(at) : std::nullopt, {}});
 }
 
-void CompareController::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
+void CompareController::toDifference(const std::optional<RunDifference>& difference,
+                                     const char* nothing) {
     if (shaded_->trace) return goToTraced(shaded_->trace->comparison.difference);
     if (comparison_.with().kind == CompareWith::Kind::Mesh) {
         // A mesh has no decisions: go to the first triangle of the run that it lacks.
@@ -231,14 +243,14 @@ void CompareController::goTo(const std::optional<RunDifference>& difference, con
             if (!first || made.pivot < first->pivot) first = made;
         }
         if (!first) return c_.session.messages().say("All triangles of the run are in the mesh.");
-        return comparison_.goTo(c_.session, {first, std::nullopt});
+        return goTo({first, std::nullopt});
     }
     if (!difference) return c_.session.messages().say(nothing);
     const auto addressOf = [](const DifferenceSide& side) {
         return side.line ? std::optional(side.line->event.address) : std::nullopt;
     };
-    c_.ui.requests.frame = FrameRequest::Decision;
-    comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
+    c_.ui.frame = FrameRequest::Decision;
+    goTo({addressOf(difference->a), addressOf(difference->b)});
 }
 
 std::vector<Triangle> CompareController::ghostsOf(const std::vector<Index>& region,
@@ -250,8 +262,12 @@ std::vector<Triangle> CompareController::ghostsOf(const std::vector<Index>& regi
     return ghosts;
 }
 
-/// Shows both meshes at the end of their runs, with the region in the middle.
 void CompareController::showRegion(std::size_t number) {
+    c_.ui.betweenFrames([this, number] { showRegionNow(number); });
+}
+
+/// Shows both meshes at the end of their runs, with the region in the middle.
+void CompareController::showRegionNow(std::size_t number) {
     if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
     const DifferenceRegion& region = shaded_->meshes.regions[number];
     c_.ui.compare.region = number;
@@ -268,10 +284,14 @@ void CompareController::showRegion(std::size_t number) {
 }
 
 void CompareController::swap() {
+    c_.ui.betweenFrames([this] { swapNow(); });
+}
+
+void CompareController::swapNow() {
     const Session* other = comparison_.other();
     if (other == nullptr) return c_.session.messages().say("B has no decisions to step through.");
     waiting_ = CompareWith::otherRun(c_.session.input().spec());
-    c_.ui.requests.openSpec = other->input().spec();
+    c_.document.openSpec(other->input().spec());
     comparison_.cancel();
 }
 

@@ -26,8 +26,23 @@ class CompareController {
     bool moving() const {
         return comparison_.working() || otherBusy() || (shown_ && painter_->unfinished());
     }
-    /// Carries out the requests of page and commands.
-    void carryOut();
+
+    void begin(CompareWith with);
+    /// Compares with the most informative rules beside those of the run.
+    void beginUsual();
+    void stop();
+    /// The open run and the other run change places.
+    void swap();
+    /// Both runs go to the first decision in which they differ, or to the first that differs
+    /// without a consequence.
+    void toFirstDifference();
+    void toFirstHarmless();
+    void goTo(const ComparedAddresses& addresses);
+    void showRegion(std::size_t number);
+    void toNextRegion() { stepRegion(1); }
+    void toPreviousRegion() { stepRegion(-1); }
+    /// Asks both runs.
+    void askWhy(const Selection& what);
 
     /// Colors of the difference in the view of the open run; null: none.
     const DifferenceLook* look();
@@ -55,12 +70,12 @@ class CompareController {
     void shareSelection();
     void shareNames();
     void makeShades();
-    void begin(CompareWith with);
-    void askWhy(const Selection& what);
-    void carryOut(CompareAsk ask);
-    void goTo(const std::optional<RunDifference>& difference, const char* nothing);
-    void showRegion(std::size_t number);
-    void swap();
+    void start(CompareWith with);
+    bool isReady();
+    void stepRegion(int direction);
+    void toDifference(const std::optional<RunDifference>& difference, const char* nothing);
+    void swapNow();
+    void showRegionNow(std::size_t number);
     std::vector<Triangle> ghostsOf(const std::vector<Index>& region,
                                    const std::vector<Triangle>& mesh) const;
 

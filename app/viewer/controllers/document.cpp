@@ -8,27 +8,16 @@
 #include <utility>
 
 #include "commands/command_actions.h"
+#include "compare.h"
+#include "edit_history.h"
+#include "lesson.h"
 #include "run/model.h"
 #include "run/strings.h"
+#include "sampling.h"
 #include "session/playback.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
-
-namespace {
-
-Annotations annotationsOf(const UiState& ui) {
-    return {ui.bookmarks, ui.notes, ui.breakpoints, ui.watch.expressions};
-}
-
-void putBack(const Annotations& annotations, UiState& ui) {
-    ui.bookmarks = annotations.bookmarks;
-    ui.notes = annotations.notes;
-    ui.breakpoints = annotations.breakpoints;
-    ui.watch.expressions = annotations.watches;
-}
-
-}  // namespace
 
 SessionFile captureSession(const CommandContext& context) {
     const Session& session = context.session;
@@ -47,28 +36,6 @@ SessionFile captureSession(const CommandContext& context) {
     file.query = context.ui.query.typed;
     if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();
     return file;
-}
-
-Edits captureEdits(const CommandContext& context) {
-    const UiState& ui = context.ui;
-    return {ui.settings.theme,           ui.settings.uiScale, ui.settings.legend,
-            ui.settings.layers,          ui.layoutPreset,     context.camera.pose(),
-            context.session.selection(), annotationsOf(ui),   context.session.input().spec()};
-}
-
-void applyEdits(const Edits& edits, CommandContext& context) {
-    UiState& ui = context.ui;
-    ui.settings.theme = edits.theme;
-    ui.settings.uiScale = edits.uiScale;
-    ui.settings.legend = edits.legend;
-    ui.settings.layers = edits.layers;
-    ui.layoutPreset = edits.layout;
-    if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
-    putBack(edits.annotations, ui);
-    const RunSpec& spec = context.session.input().spec();
-    if (edits.input != spec) actions::requestSettings(context, edits.input);
-    // With other points the numbers may refer to others.
-    if (!ui.requests.settings) context.session.select(edits.selected);
 }
 
 void DocumentController::begin(const Options& options) {
@@ -134,7 +101,7 @@ void DocumentController::expectArrival(const std::string& file) {
 
 /// The page with new points is closed for the input that is opened.
 void DocumentController::openInput(RunSpec spec) {
-    if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
+    if (c_.ui.growth.open) c_.sampling.leave();
     spec.maxBytes = std::max(spec.maxBytes, c_.session.input().opening().maxBytes);
     c_.session.open(std::move(spec));
 }
@@ -143,7 +110,7 @@ void DocumentController::openInput(RunSpec spec) {
 void DocumentController::spreadOver(const std::string& volume) {
     c_.ui.growth.form.chooseVolume(volume);
     openGrowthPage(c_, GrowthSource::Volume);
-    c_.ui.growth.asked = GrowthAsk::Begin;
+    c_.sampling.start();
 }
 
 /// A trace is no input: it is compared with the open run.
@@ -153,15 +120,12 @@ void DocumentController::compareWithTrace(const std::string& path) {
             "A trace is compared with a run of the same points: open these first, then the trace.");
     }
     actions::applyLayoutPreset(c_, LayoutPreset::Compare);
-    c_.ui.compare.begin = CompareWith::otherTrace(path);
+    c_.compare.begin(CompareWith::otherTrace(path));
 }
 
-void DocumentController::open(const std::string& path) {
+void DocumentController::openNow(const std::string& path) {
     c_.playback.pause();
-    if (isLesson(path)) {
-        c_.ui.lesson.open = path;
-        return;
-    }
+    if (isLesson(path)) return c_.lesson.open(path);
     if (isVolumePath(path)) return spreadOver(path);
     if (isTraceFile(path)) return compareWithTrace(path);
     const bool named = isScene(path) || isSample(path);
@@ -187,7 +151,7 @@ void DocumentController::open(const std::string& path) {
     openInput(std::move(spec));
 }
 
-void DocumentController::openSpec(RunSpec spec) {
+void DocumentController::openNow(RunSpec spec) {
     c_.playback.pause();
     const Session& session = c_.session;
     expectArrival(spec.source);
@@ -246,6 +210,8 @@ void DocumentController::poll() {
     // A lesson chooses the layout for itself.
     if (c_.ui.layoutPreset != keptLayout_ && !c_.ui.lesson.walk.isOpen()) keepLayout();
     if (!arrival_.pending && !c_.session.moves().busy()) warn();
+    // No file was named: the session stays open.
+    if (!c_.ui.fileBrowser) afterSaving_.reset();
 }
 
 /// Switches to the annotations and looks of the input that is open now.
@@ -283,7 +249,7 @@ void DocumentController::arrive() {
     }
     const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
     if (atStart) return;
-    if (arrival_.framed) c_.ui.requests.frame = FrameRequest::Decision;
+    if (arrival_.framed) c_.ui.frame = FrameRequest::Decision;
     placeStatus_ = c_.session.moves().goToText(arrival_.goTo);
     if (!placeStatus_) c_.session.messages().say(placeStatus_.error().message);
 }
@@ -302,27 +268,22 @@ void DocumentController::warn() {
     if (!said_.empty()) c_.session.messages().say(std::exchange(said_, {}));
 }
 
-void DocumentController::carryOut(UiRequests& requests) {
-    answer();
-    if (std::exchange(c_.ui.mesh.justSaved, false)) keepSettings();
-    if (std::exchange(requests.saveSession, false)) save();
-    if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
-    // No file was named, or it could not be written: the session stays open.
-    if (afterSaving_ && !c_.ui.fileBrowser) {
-        const Leave to = *std::exchange(afterSaving_, std::nullopt);
-        if (unsaved().empty() && !hasNewSettings()) go(to);
-    }
-    if (!requests.open.empty()) leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
-    if (requests.fixes || requests.leftOut || requests.settings) takeChanges(requests);
-    const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
-    if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
-    if (requests.openSpec) {
-        const RunSpec spec = *std::exchange(requests.openSpec, std::nullopt);
-        const bool same = c_.session.ready() && c_.session.input().spec().source == spec.source;
-        leave({same ? LeaveFor::Reload : LeaveFor::Open, spec.source, {}, spec});
-    }
-    if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
-    if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
+void DocumentController::open(const std::string& source) {
+    askToLeave({LeaveFor::Open, source, {}});
+}
+
+void DocumentController::openSpec(RunSpec spec) {
+    const bool same = c_.session.ready() && c_.session.input().spec().source == spec.source;
+    const std::string source = spec.source;
+    askToLeave({same ? LeaveFor::Reload : LeaveFor::Open, source, {}, std::move(spec)});
+}
+
+void DocumentController::reload() { askToLeave({LeaveFor::Reload, {}, {}}); }
+
+void DocumentController::quit() { askToLeave({LeaveFor::Quit, {}, {}}); }
+
+void DocumentController::askToLeave(Leave to) {
+    c_.ui.betweenFrames([this, to = std::move(to)] { leave(to); });
 }
 
 void DocumentController::leave(Leave to) {
@@ -338,69 +299,78 @@ void DocumentController::leave(Leave to) {
 }
 
 void DocumentController::go(const Leave& to) {
-    if (to.spec) return openSpec(*to.spec);
+    if (to.spec) return openNow(*to.spec);
     switch (to.what) {
         case LeaveFor::Quit:
             c_.ui.quitting = true;
             break;
         case LeaveFor::Open:
-            open(to.path);
+            openNow(to.path);
             arrival_.notice = to.notice;
             break;
         case LeaveFor::Reload:
-            reload();
+            reloadNow();
             break;
     }
 }
 
-void DocumentController::reload() {
+void DocumentController::reloadNow() {
     const Session& session = c_.session;
     const bool failed = session.input().phase() == SessionPhase::Failed || !session.ready();
     const RunSpec spec = failed ? session.input().opening() : session.input().spec();
     if (!spec.source.empty()) c_.session.open(spec);
 }
 
-void DocumentController::takeChanges(UiRequests& requests) {
-    const auto fixes = std::exchange(requests.fixes, std::nullopt);
-    const auto leftOut = std::exchange(requests.leftOut, std::nullopt);
-    const auto rules = std::exchange(requests.rules, std::nullopt);
-    const auto settings = std::exchange(requests.settings, std::nullopt);
-    if (!c_.session.ready() || c_.session.input().phase() == SessionPhase::Loading) return;
+void DocumentController::run(const RunSpec& spec, Resume resume) {
+    c_.ui.betweenFrames([this, spec, resume] { runNow(spec, resume); });
+}
+
+void DocumentController::runNow(const RunSpec& spec, Resume resume) {
+    const Session& session = c_.session;
+    if (!session.ready()) return;
+    if (withRulesOf(session.input().spec(), spec) == spec) return rerun(spec, resume);
+    if (session.input().phase() == SessionPhase::Loading) return;
     c_.playback.pause();
-    RunSpec spec = settings ? *settings : c_.session.input().spec();
-    if (rules) spec = withRulesOf(std::move(spec), *rules);
-    if (fixes) spec.fixes = *fixes;
-    if (leftOut) spec.leftOut = *leftOut;
-    // What-ifs name points by their numbers, which change.
-    if (leftOut) spec.whatIf.clear();
     expectArrival({});
     arrival_.toEnd = true;
-    const std::string said = c_.session.messages().notice();
-    if (said.starts_with("Undone:") || said.starts_with("Redone:")) arrival_.notice = said;
-    openInput(std::move(spec));
+    openInput(spec);
 }
 
-/// Re-runs the input; all annotations stay.
-void DocumentController::takeRules(const RunSpec& rules, Resume resume) {
-    const RunSpec now = c_.session.input().rules();
-    if (!c_.session.ready() || withRulesOf(now, rules) == now) return;
-    c_.playback.pause();
-    c_.session.rerun(rules, resume);
+void DocumentController::rerun(const RunSpec& rules, Resume resume) {
+    c_.ui.betweenFrames([this, rules, resume] {
+        const RunSpec now = c_.session.input().rules();
+        if (!c_.session.ready() || withRulesOf(now, rules) == now) return;
+        c_.playback.pause();
+        c_.session.rerun(rules, resume);
+    });
 }
 
-void DocumentController::answer() {
+void DocumentController::runWithFixes(std::vector<std::string> fixes) {
+    RunSpec spec = c_.session.input().spec();
+    spec.fixes = std::move(fixes);
+    run(spec);
+}
+
+void DocumentController::runWithout(IndexRanges leftOut) {
+    RunSpec spec = c_.session.input().spec();
+    spec.leftOut = std::move(leftOut);
+    // What-ifs name points by their numbers, which change.
+    spec.whatIf.clear();
+    run(spec);
+}
+
+void DocumentController::answer(LeaveAnswer answer) {
     LeaveQuestion& question = c_.ui.leaving;
-    const LeaveAnswer answer = std::exchange(question.answer, LeaveAnswer::None);
-    if (!question.asked || answer == LeaveAnswer::None) return;
-    question.asked = false;
+    if (!std::exchange(question.asked, false)) return;
     if (answer == LeaveAnswer::Save) {
         afterSaving_ = question.leave;
         save();
     }
-    if (answer == LeaveAnswer::Discard) {
+    if (answer != LeaveAnswer::Discard) return;
+    c_.ui.betweenFrames([this, to = question.leave] {
         putBack(saved_, c_.ui);
-        go(question.leave);
-    }
+        go(to);
+    });
 }
 
 void DocumentController::drop(const std::vector<std::string>& paths) {
@@ -410,7 +380,7 @@ void DocumentController::drop(const std::vector<std::string>& paths) {
                     " files were dropped; only the first was opened: " +
                     std::filesystem::path(paths.front()).filename().string() + ".";
     }
-    leave(std::move(to));
+    askToLeave(std::move(to));
 }
 
 void DocumentController::save() {
@@ -429,13 +399,18 @@ void DocumentController::saveAs(const std::string& path) {
     SessionFile file = captureSession(c_);
     file.original = original_;
     const Status written = writeSessionFile(path, file);
-    if (!written) return c_.session.messages().say(written.error().message);
+    if (!written) {
+        afterSaving_.reset();
+        return c_.session.messages().say(written.error().message);
+    }
     c_.ui.sessionPath = path;
     original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
     saved_ = annotationsOf(c_.ui);
     keepSettings();
     note(path);
     c_.session.messages().say("Saved " + path + ".");
+    if (!afterSaving_) return;
+    c_.ui.betweenFrames([this, to = *std::exchange(afterSaving_, std::nullopt)] { go(to); });
 }
 
 std::string DocumentController::unsaved() const {

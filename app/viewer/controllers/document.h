@@ -20,10 +20,6 @@ namespace se::view {
 
 /// The session file of the open input. Requires context.session.ready().
 SessionFile captureSession(const CommandContext& context);
-/// Captures what can be undone, and restores it.
-Edits captureEdits(const CommandContext& context);
-void applyEdits(const Edits& edits, CommandContext& context);
-
 class DocumentController {
   public:
     explicit DocumentController(CommandContext& context) : c_(context) {}
@@ -33,11 +29,36 @@ class DocumentController {
     /// Reads recent files and layout from that file and keeps them there from now on; with
     /// `resetLayout` the layout is the default.
     void keepIn(const std::filesystem::path& path, bool resetLayout);
-    /// Opens a point file, `scene:ID`, the line of a SampleSpec or a session file; for a volume the
-    /// page with new points.
-    void open(const std::string& path);
+    // Requests of the user. What has unsaved annotations or settings is left after a question only.
+    /// Opens a point file, `scene:ID`, the line of a SampleSpec, a session file or a lesson; for a
+    /// volume the page with new points.
+    void open(const std::string& source);
+    /// Opens an input with its options: the current one prepared in another way, or points that
+    /// were sampled here and are shown already.
+    void openSpec(RunSpec spec);
+    void reload();
+    void quit();
+    /// Opens files that were dropped on the window: the first of them.
+    void drop(const std::vector<std::string>& paths);
+    void answer(LeaveAnswer answer);
+
+    // Other runs of the open input; annotations stay.
+    /// Runs by the rules of that spec.
+    void rerun(const RunSpec& rules, Resume resume = Resume::SamePosition);
+    /// Runs with these options: shown at the end, or where `resume` says if only rules differ.
+    void run(const RunSpec& spec, Resume resume = Resume::SamePosition);
+    /// Runs to the end with other fixes of the input, and without these points of the file.
+    void runWithFixes(std::vector<std::string> fixes);
+    void runWithout(IndexRanges leftOut);
+
+    /// Saves the session to its file, or opens the dialog for a name.
+    void save();
+    void saveAs(const std::string& path);
+
     /// Opens the input of a step of the open lesson at an address.
     void openStep(RunSpec spec, const std::string& address);
+    /// Queues a message for when the input is open that is being opened.
+    void sayOnArrival(const std::string& sentence) { arrival_.notice = sentence; }
     /// Something else than a step of the open lesson was opened; once.
     bool takeForeignOpening() { return std::exchange(foreign_, false); }
     /// The requested input is not open yet.
@@ -46,10 +67,6 @@ class DocumentController {
     void note(const std::string& file);
     /// State that survives a restart.
     const KeptFile& kept() const { return kept_; }
-    /// Opens files that were dropped on the window: the first of them.
-    void drop(const std::vector<std::string>& paths);
-    /// Carries out the requests of panels and commands.
-    void carryOut(UiRequests& requests);
     /// Goes to the requested position as soon as the requested input is open.
     void poll();
 
@@ -103,31 +120,25 @@ class DocumentController {
     /// The run has other settings than when its input was opened or saved.
     bool hasNewSettings() const;
     /// Leaves at once, or asks first if something would be lost.
+    void askToLeave(Leave to);
     void leave(Leave to);
     void go(const Leave& to);
-    void reload();
-    /// Opens the input again with other fixes, points and rules, as far as they are requested, and
-    /// goes to the end of its run; bookmarks and notes stay.
-    void takeChanges(UiRequests& requests);
-    void takeRules(const RunSpec& rules, Resume resume);
+    void openNow(const std::string& source);
+    void openNow(RunSpec spec);
+    void runNow(const RunSpec& spec, Resume resume);
+    void reloadNow();
     /// Waits for another input; `file` goes to the list of recent files.
     void expectArrival(const std::string& file);
     void openInput(RunSpec spec);
     void aimAtScene(const std::string& source);
     void compareWithTrace(const std::string& path);
     void spreadOver(const std::string& volume);
-    /// Opens an input with its options: the current one prepared in another way, or points that
-    /// were sampled here and are shown already.
-    void openSpec(RunSpec spec);
-    void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
     /// Stores the annotations of the open input, and restores those of `source`.
     void switchAnnotations(const std::string& source);
     void takeUp();
     void arrive();
-    void save();
-    void saveAs(const std::string& path);
     void keepLayout();
     void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.

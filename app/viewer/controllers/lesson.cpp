@@ -146,7 +146,7 @@ void LessonController::watchFile() {
     if (opening_.busy() || !isLessonFile(walk().source())) return;
     // Another lesson was refused.
     if (watch_.path() != walk().source()) watch_.begin(walk().source());
-    if (watch_.hasChanged()) open(walk().source(), std::nullopt);
+    if (watch_.hasChanged()) open(walk().source());
 }
 
 /// The open run is that of the step.
@@ -172,7 +172,7 @@ bool LessonController::isAtStep() const {
 /// The run has come to rest: at the step, or the opening failed or was cancelled, or the user moved
 /// meanwhile.
 void LessonController::arrive() {
-    if (!c_.session.ready()) return close();
+    if (!c_.session.ready()) return leave();
     if (hasInput() && !isAtStep() && !std::exchange(retried_, true)) {
         (void)c_.session.moves().goToText(walk().setting().at);
         return;
@@ -235,7 +235,7 @@ void LessonController::compare() {
 }
 
 /// Plays from the cursor to `until`, at the speed of the step.
-void LessonController::play(const Address& until) {
+void LessonController::playTo(const Address& until) {
     const std::optional<teach::PlaySpeed>& speed = walk().shownStep().play;
     const double usual = walk().question() == nullptr
                              ? 2.0
@@ -249,7 +249,7 @@ void LessonController::play(const Address& until) {
 void LessonController::playStep() {
     const std::string& place = walk().setting().answerPlace;
     const auto until = addressFromString(place);
-    if (until && !c_.session.reached(*until)) return play(*until);
+    if (until && !c_.session.reached(*until)) return playTo(*until);
     // A share of the run, such as 100%.
     if (!until && !place.empty()) (void)c_.session.moves().goToText(place);
 }
@@ -266,7 +266,7 @@ void LessonController::show() {
     if (c_.session.reached(until)) return;
     if (!walk().shownStep().play && decisions.size() > kMaxShown)
         return c_.session.moves().playTo(until);
-    play(until);
+    playTo(until);
 }
 
 bool LessonController::isAway() const {
@@ -299,7 +299,12 @@ void LessonController::follow(const std::string& address) {
     c_.playback.pause();
     const Status moved = c_.session.moves().goToText(address);
     if (!moved) return c_.session.messages().say(moved.error().message);
-    c_.ui.requests.frame = FrameRequest::Decision;
+    c_.ui.frame = FrameRequest::Decision;
+}
+
+void LessonController::saveResult(const std::string& file) {
+    const Status written = writeFileAtomically(file, resultJson(walk().result()));
+    c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
 }
 
 void LessonController::save() {
@@ -309,7 +314,6 @@ void LessonController::save() {
     if (!written) c_.session.messages().say(written.error().message);
 }
 
-/// Writes the bookmarks as the steps of a lesson.
 void LessonController::saveLesson(const std::string& file) {
     Annotations annotations;
     annotations.bookmarks = c_.ui.bookmarks;
@@ -321,6 +325,10 @@ void LessonController::saveLesson(const std::string& file) {
 }
 
 void LessonController::close() {
+    c_.ui.betweenFrames([this] { leave(); });
+}
+
+void LessonController::leave() {
     opening_.cancel();
     leaveStep();
     if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
@@ -332,61 +340,53 @@ void LessonController::close() {
 }
 
 void LessonController::closeForOther() {
-    if (document_.takeForeignOpening() && (walk().isOpen() || opening_.busy())) close();
+    if (document_.takeForeignOpening() && (walk().isOpen() || opening_.busy())) leave();
 }
 
-void LessonController::carryOut() {
-    closeForOther();
-    LessonPanel& panel = this->panel();
-    if (!panel.open.empty()) open(std::exchange(panel.open, {}), std::nullopt);
-    const LessonAsk ask = std::exchange(panel.ask, LessonAsk::None);
-    const auto step = std::exchange(panel.toStep, std::nullopt);
-    const std::string link = std::exchange(panel.follow, {});
-    const std::string file = std::exchange(panel.saveResult, {});
-    const std::string lesson = std::exchange(panel.saveLesson, {});
-    if (!lesson.empty() && c_.session.ready()) saveLesson(lesson);
-    if (!walk().isOpen()) {
-        if (ask == LessonAsk::Next || ask == LessonAsk::Previous)
-            c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
-        return;
-    }
-    if (!file.empty()) {
-        const Status written = writeFileAtomically(file, resultJson(walk().result()));
-        c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
-    }
-    if (!link.empty()) follow(link);
-    if (step) goTo(*step);
-    carryOut(ask);
+void LessonController::toStep(std::size_t step) {
+    c_.ui.betweenFrames([this, step] {
+        if (step < walk().lesson().steps.size()) goTo(step);
+    });
 }
 
-void LessonController::carryOut(LessonAsk ask) {
-    const std::size_t count = walk().lesson().steps.size();
-    const bool present = c_.ui.layoutPreset == LayoutPreset::Present;
-    switch (ask) {
-        case LessonAsk::None:
-            return;
-        case LessonAsk::Next:
-            if (present && walk().asks()) return carryOut(LessonAsk::Show);
-            if (walk().step() + 1 < count) return goTo(walk().step() + 1);
-            return c_.session.messages().say("This is the last step of the lesson.");
-        case LessonAsk::Previous:
-            if (walk().step() > 0) return goTo(walk().step() - 1);
-            return c_.session.messages().say("This is the first step of the lesson.");
-        case LessonAsk::Return:
-            return goTo(walk().step());
-        case LessonAsk::Play:
-            playsOnArrival_ = true;
-            return goTo(walk().step());
-        case LessonAsk::Answer:
-        case LessonAsk::Show:
-            if (!walk().asks()) return;
-            ask == LessonAsk::Show ? walk().showAnswer() : walk().answer();
-            save();
-            if (!walk().asks()) show();
-            return;
-        case LessonAsk::Close:
-            return close();
-    }
+void LessonController::next() {
+    if (!walk().isOpen())
+        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (c_.ui.layoutPreset == LayoutPreset::Present && walk().asks()) return showAnswer();
+    if (walk().step() + 1 < walk().lesson().steps.size()) return toStep(walk().step() + 1);
+    c_.session.messages().say("This is the last step of the lesson.");
+}
+
+void LessonController::previous() {
+    if (!walk().isOpen())
+        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (walk().step() > 0) return toStep(walk().step() - 1);
+    c_.session.messages().say("This is the first step of the lesson.");
+}
+
+void LessonController::returnToStep() { toStep(walk().step()); }
+
+void LessonController::play() {
+    playsOnArrival_ = true;
+    returnToStep();
+}
+
+void LessonController::answer() {
+    c_.ui.betweenFrames([this] {
+        if (walk().asks()) walk().answer(), conclude();
+    });
+}
+
+void LessonController::showAnswer() {
+    c_.ui.betweenFrames([this] {
+        if (walk().asks()) walk().showAnswer(), conclude();
+    });
+}
+
+/// Keeps what was answered, and shows the right answer once the question is closed.
+void LessonController::conclude() {
+    save();
+    if (!walk().asks()) show();
 }
 
 }  // namespace se::view

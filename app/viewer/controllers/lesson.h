@@ -30,8 +30,28 @@ class LessonController {
     bool poll();
     /// Closes the lesson if something else was opened: before any of that is shown.
     void closeForOther();
-    /// Carries out the requests of panels and commands.
-    void carryOut();
+
+    void open(const std::string& source, std::optional<std::size_t> step = std::nullopt);
+    /// To the next step; in Present an open question is answered first.
+    void next();
+    void previous();
+    /// To a step, from 0.
+    void toStep(std::size_t step);
+    /// To the position of the step.
+    void returnToStep();
+    /// From the position of the step to its end.
+    void play();
+    /// Grades what is given to the open question.
+    void answer();
+    /// Shows the right answer to the open question.
+    void showAnswer();
+    void close();
+    /// To the address of a link in the text.
+    void follow(const std::string& address);
+    void saveResult(const std::string& file);
+    /// Writes the bookmarks as the steps of a lesson.
+    void saveLesson(const std::string& file);
+
     /// Puts the user's choices back that the step has changed.
     void putBackChoices() { choices_.putBack(); }
     /// True once per step, when its camera can be placed.
@@ -50,7 +70,6 @@ class LessonController {
 
     LessonPanel& panel() { return c_.ui.lesson; }
     LessonWalk& walk() { return c_.ui.lesson.walk; }
-    void open(const std::string& source, std::optional<std::size_t> step);
     void take(OpenedLesson lesson);
     std::vector<Index> possiblePoints() const;
     std::size_t keptStep(const OpenedLesson& lesson) const;
@@ -61,18 +80,16 @@ class LessonController {
     void enter();
     void leaveStep();
     void compare();
-    void play(const Address& until);
+    void playTo(const Address& until);
     void playStep();
     void show();
-    void follow(const std::string& address);
     void save();
-    void saveLesson(const std::string& file);
-    void close();
+    void conclude();
+    void leave();
     bool hasInput() const;
     bool isUnderWay() const;
     bool isAtStep() const;
     bool isAway() const;
-    void carryOut(LessonAsk ask);
 
     CommandContext& c_;
     DocumentController& document_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compare.h"
 #include "panel_state/ui_state.h"
 
 namespace se::view {
@@ -34,9 +35,7 @@ void LessonChoices::compare(CompareWith with) {
         if (!layout_) layout_ = c_.ui.layoutPreset;
         c_.ui.layoutPreset = LayoutPreset::Compare;
     }
-    // The comparison of the step before may not have been stopped yet.
-    c_.ui.compare.ask = CompareAsk::Nothing;
-    c_.ui.compare.begin = std::move(with);
+    c_.compare.begin(std::move(with));
 }
 
 void LessonChoices::putBack() {
@@ -45,7 +44,7 @@ void LessonChoices::putBack() {
     c_.playback.pause();
     if (speed_) c_.playback.setSpeed(*std::exchange(speed_, std::nullopt));
     if (!std::exchange(compares_, false)) return;
-    c_.ui.compare.ask = CompareAsk::Stop;
+    c_.compare.stop();
     c_.ui.compare.inPresent = false;
     const auto before = std::exchange(layout_, std::nullopt);
     // The user may have chosen another layout meanwhile.

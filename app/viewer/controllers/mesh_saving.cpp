@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "document.h"
 #include "session/mesh_command.h"
 #include "spiraling_edge/io/write_mesh.h"
 
@@ -23,6 +24,12 @@ bool MeshController::dialogOpen() const {
 bool MeshController::poll() {
     const bool news = export_.poll();
     if (auto outcome = export_.takeOutcome()) takeOutcome(*outcome);
+    if (dialogOpen()) {
+        prepareMesh();
+    } else {
+        export_.discard();
+        c_.ui.mesh.question.clear();
+    }
     publish();
     return news;
 }
@@ -49,20 +56,10 @@ void MeshController::takeOutcome(const Result<SavedMesh>& outcome) {
     const SavedMesh& saved = outcome.value();
     form.savedPath = saved.target.path;
     form.savedSource = c_.session.input().spec().source;
-    form.justSaved = true;
+    // The settings of the run are in a file now, with its mesh.
+    c_.document.keepSettings();
     if (dialogOpen()) c_.ui.fileBrowser = false;
     c_.session.messages().say(savedText(saved));
-}
-
-void MeshController::carryOut() {
-    const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
-    if (dialogOpen()) prepareMesh();
-    if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
-    if (!dialogOpen()) {
-        export_.discard();
-        c_.ui.mesh.question.clear();
-    }
-    publish();
 }
 
 /// Prepares the mesh of the open run. While a file is written, another run may have been opened.
@@ -74,33 +71,40 @@ void MeshController::prepareMesh() {
     c_.ui.mesh.complaint = "The run did not come to its end: there is no mesh to save.";
 }
 
-void MeshController::answer(MeshAsk ask) {
+bool MeshController::canSave(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
+    if (path.empty() || !c_.session.ready() || export_.saving()) return false;
     form.complaint.clear();
     form.note.clear();
-    const std::string asked = std::exchange(form.question, {});
-    if (ask == MeshAsk::Save) save(form.path, false);
-    if (ask == MeshAsk::Replace) save(asked, true);
-    if (ask == MeshAsk::CopyCommand) copyCommand(form.path);
-    if (ask != MeshAsk::Cancel) return;
-    export_.cancel();
-    form.complaint = "Cancelled: nothing was saved.";
+    if (!form.size || form.size->triangles > 0) return true;
+    form.complaint = kNoTriangle;
+    return false;
 }
 
-void MeshController::save(const std::string& path, bool replace) {
+void MeshController::save(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
-    if (path.empty() || export_.saving()) return;
-    if (form.size && form.size->triangles == 0) {
-        form.complaint = kNoTriangle;
-        return;
-    }
+    if (!canSave(path)) return;
     std::error_code error;
-    if (!replace && fs::exists(path, error)) {
-        form.question = path;
-        form.justAsked = true;
-        return;
-    }
+    if (!fs::exists(path, error)) return write(path);
+    form.question = path;
+    form.justAsked = true;
+}
+
+void MeshController::replace() {
+    const std::string path = std::exchange(c_.ui.mesh.question, {});
+    if (canSave(path)) write(path);
+}
+
+void MeshController::write(const std::string& path) {
+    const MeshForm& form = c_.ui.mesh;
+    prepareMesh();
     export_.save({path, form.usedOnly, form.faultFields});
+    publish();
+}
+
+void MeshController::cancel() {
+    export_.cancel();
+    c_.ui.mesh.complaint = "Cancelled: nothing was saved.";
 }
 
 void MeshController::copyCommand(const std::string& path) {
@@ -116,7 +120,7 @@ void MeshController::copyCommand(const std::string& path) {
         form.complaint = command.note;
         return c_.session.messages().say(command.note);
     }
-    form.copied = c_.ui.requests.copyText = command.text;
+    c_.ui.clipboard.copy(command.text);
     form.note = "Copied the command." + (command.note.empty() ? "" : " " + command.note);
     c_.session.messages().say(form.note);
 }

@@ -17,8 +17,17 @@ class MeshController {
 
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
-    /// Carries out the requests of dialog and commands in a frame.
-    void carryOut();
+
+    /// Saves the mesh once it is made; asks before a file is replaced.
+    void save(const std::string& path);
+    /// The answer yes or no to that question.
+    void replace();
+    void keep() { c_.ui.mesh.question.clear(); }
+    /// Stops waiting for the mesh.
+    void cancel();
+    /// Copies the command line that makes the mesh; with an empty path for the usual file.
+    void copyCommand(const std::string& path);
+
     /// Blocks until no work is in progress: for tests.
     void waitUntilDone();
     /// Work with a visible progress is going on.
@@ -29,9 +38,8 @@ class MeshController {
     void takeOutcome(const Result<SavedMesh>& outcome);
     void publish();
     void prepareMesh();
-    void answer(MeshAsk ask);
-    void save(const std::string& path, bool replace);
-    void copyCommand(const std::string& path);
+    bool canSave(const std::string& path);
+    void write(const std::string& path);
 
     CommandContext& c_;
     MeshExport export_;

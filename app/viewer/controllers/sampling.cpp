@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "document.h"
 #include "scene/framing.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
@@ -151,19 +152,8 @@ void SamplingController::playOrPause() {
     phase == GrowthPhase::Paused ? growth_.play() : start();
 }
 
-void SamplingController::carryOut() {
-    GrowthPage& page = c_.ui.growth;
-    if (!page.savePath.empty()) save(std::exchange(page.savePath, {}));
-    const GrowthAsk asked = std::exchange(page.asked, GrowthAsk::None);
-    if (!page.open) return;
-    if (asked == GrowthAsk::PlayOrPause) playOrPause();
-    if (asked == GrowthAsk::Step) growth_.step();
-    const bool begins = asked == GrowthAsk::Finish && growth_.phase() == GrowthPhase::Idle;
-    if (asked == GrowthAsk::Begin || begins) start();
-    if (asked == GrowthAsk::Finish && !begins) growth_.finish();
-    if (asked == GrowthAsk::Use) use();
-    if (asked == GrowthAsk::Home) home();
-    if (asked == GrowthAsk::Leave) leave();
+void SamplingController::finish() {
+    growth_.phase() == GrowthPhase::Idle ? start() : growth_.finish();
 }
 
 void SamplingController::use() {
@@ -181,10 +171,14 @@ void SamplingController::use() {
     spec.scanner.reset();
     spec.start = {};
     spec.rim = false;
-    c_.ui.requests.openSpec = std::move(spec);
+    c_.document.openSpec(std::move(spec));
 }
 
 void SamplingController::leave() {
+    c_.ui.betweenFrames([this] { close(); });
+}
+
+void SamplingController::close() {
     GrowthPage& page = c_.ui.growth;
     growth_.cancel();
     page.open = false;

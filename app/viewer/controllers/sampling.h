@@ -23,8 +23,22 @@ class SamplingController {
     void setUsual(const RunSpec& usual) { usual_ = usual; }
     /// Takes the results of the thread. True if there is something new to draw.
     bool poll();
-    /// Carries out the requests of page and commands.
-    void carryOut();
+
+    /// Spreads the points of the form from the start.
+    void start();
+    void playOrPause();
+    void step() { growth_.step(); }
+    /// To the end of spreading.
+    void finish();
+    /// Opens the points for a run.
+    void use();
+    /// Frames the points.
+    void home();
+    /// Closes the page; the open input returns.
+    void leave();
+    /// Saves the points of the page, or those of the open input.
+    void save(const std::string& path);
+
     /// Blocks until nothing moves: for pictures without a user.
     void waitUntilDone();
     bool moving() const { return c_.ui.growth.open && c_.ui.growth.moving(); }
@@ -37,13 +51,8 @@ class SamplingController {
     std::uint32_t revision() const { return revision_; }
 
   private:
-    void start();
-    void use();
-    void leave();
-    void save(const std::string& path);
-    void playOrPause();
-    void home();
     void takePicture();
+    void close();
 
     CommandContext& c_;
     Growth growth_;

@@ -29,14 +29,16 @@ bool KeyWalk::offer(KeyStop stop) {
     return true;
 }
 
-void KeyWalk::go(int direction) {
+bool KeyWalk::go(int direction) {
     const int count = static_cast<int>(kKeyStopCount);
     int place = static_cast<int>(placeOf(at_));
     do {
         place = (place + direction + count) % count;
     } while (!offered_[static_cast<std::size_t>(place)]);
     wanted_ = static_cast<KeyStop>(place);
-    if (wanted_ == KeyStop::View) at_ = KeyStop::View;
+    if (wanted_ != KeyStop::View) return false;
+    at_ = KeyStop::View;
+    return true;
 }
 
 }  // namespace se::view

@@ -21,8 +21,9 @@ class KeyWalk {
     void begin();
     /// A panel is drawn and has rows to choose from. True if it gets the keyboard now.
     bool offer(KeyStop stop);
-    /// To the next (+1) or previous (-1) of the panels drawn lately, the view among them.
-    void go(int direction);
+    /// To the next (+1) or previous (-1) of the panels drawn lately, the view among them; true if
+    /// that is the view.
+    bool go(int direction);
     /// Back to the view, without a request by go().
     void leave() { at_ = wanted_ = KeyStop::View; }
     KeyStop at() const { return at_; }

@@ -18,10 +18,7 @@ const ExportFormat* formatOfName(const std::string& name) {
 
 }  // namespace
 
-void ExportForm::open() {
-    ask = ExportAsk::None;
-    complaint.clear();
-}
+void ExportForm::open() { complaint.clear(); }
 
 void ExportForm::followName(const std::string& name) {
     if (const ExportFormat* found = formatOfName(name))

@@ -1,4 +1,4 @@
-/// Choices and requests of the dialog Export. No ImGui.
+/// Choices and progress of the dialog Export. No ImGui.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,6 @@ enum class ExportFrames : std::uint8_t {
     Lesson,   ///< `steps` of the open lesson.
 };
 
-/// Request of a frame, carried out at its end.
-enum class ExportAsk : std::uint8_t { None, Save, Cancel };
-
 struct ExportForm {
     std::size_t format = 0;  ///< A position in exportFormats().
     ExportFrames frames = ExportFrames::Picture;
@@ -30,11 +27,11 @@ struct ExportForm {
     std::string size = "1280x800";
     bool captions = true;
     std::string perSecond = "2";  ///< Frames of an animation.
-    ExportAsk ask = ExportAsk::None;
-    std::string path;  ///< The file that `ask` names.
+    std::string path;             ///< The file to write.
+    /// The export is to be made, or being made: it ends by itself, or when this is cleared.
+    bool working = false;
 
     // Set by the export.
-    bool working = false;
     std::size_t made = 0;
     std::size_t total = 0;  ///< 0: not known yet.
     std::string complaint;  ///< Reason why nothing was exported; empty: no problem.

@@ -95,7 +95,6 @@ fs::path withExtension(fs::path path, std::string_view extension) {
 }
 
 void MeshForm::open() {
-    ask = MeshAsk::None;
     complaint.clear();
     note.clear();
     question.clear();

@@ -1,5 +1,5 @@
 /// State of the file browser: a folder, the files that can be opened in it, the typed text; and the
-/// choices and requests for saving a mesh in it. No ImGui.
+/// choices for saving a mesh in it. No ImGui.
 #pragma once
 
 #include <cstdint>
@@ -61,16 +61,6 @@ std::string typedSource(const std::filesystem::path& folder, const std::string& 
 /// File name with `extension` (".ply") at its end, regardless of other dots in it.
 std::filesystem::path withExtension(std::filesystem::path path, std::string_view extension);
 
-/// Request of a frame, carried out at its end.
-enum class MeshAsk : std::uint8_t {
-    None,
-    Save,         ///< Asks before a file is replaced.
-    Replace,      ///< The answer yes.
-    Keep,         ///< Do not replace the file.
-    Cancel,       ///< Stop waiting for the mesh.
-    CopyCommand,  ///< Copy the command line to the clipboard.
-};
-
 /// Size of the mesh that would be written.
 struct MeshSize {
     std::size_t triangles = 0;
@@ -83,8 +73,6 @@ struct MeshForm {
     std::size_t format = 0;  ///< A position in core's meshFormats().
     bool usedOnly = false;
     bool faultFields = false;
-    MeshAsk ask = MeshAsk::None;
-    std::string path;  ///< The file that `ask` names.
 
     // Set by MeshController.
     std::optional<MeshSize> size;  ///< Empty until the run has ended.
@@ -98,8 +86,6 @@ struct MeshForm {
     bool justAsked = false;   ///< The button No gets the keyboard focus.
     std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
     std::string savedSource;  ///< A source, see RunSpec.
-    bool justSaved = false;   ///< The settings of the run are in a file, with its mesh.
-    std::string copied;       ///< The command that was copied last.
 
     /// True while a question or the progress replaces the fields.
     bool waits() const { return saving || !question.empty(); }

@@ -1,5 +1,5 @@
-/// The page on which new points spread: the user's input as text fields and choices, its content
-/// and its requests. Plain values.
+/// The page on which new points spread: the user's input as text fields and choices, and its
+/// content. Plain values.
 #pragma once
 
 #include <array>
@@ -41,9 +41,6 @@ struct GrowthForm {
     void cutByOwnBox();
 };
 
-/// Carried out in the same frame.
-enum class GrowthAsk : std::uint8_t { None, Begin, PlayOrPause, Step, Finish, Use, Home, Leave };
-
 /// The particles in numbers.
 struct GrowthNumbers {
     int step = 0;
@@ -57,9 +54,6 @@ struct GrowthNumbers {
 struct GrowthPage {
     bool open = false;
     GrowthForm form;
-    GrowthAsk asked = GrowthAsk::None;
-    std::string savePath;  ///< File to save the points to; empty: none.
-
     GrowthPhase phase = GrowthPhase::Idle;
     double found = 0.0;     ///< Share done of the search for the surface.
     std::string complaint;  ///< Error of the form, the surface or the file.

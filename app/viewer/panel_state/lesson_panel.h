@@ -1,4 +1,4 @@
-/// State of the panel Lesson: the open lesson, and the user's requests about it.
+/// State of the panel Lesson: the open lesson. Plain values.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,10 @@
 
 namespace se::view {
 
-/// Request of a frame, carried out at its end.
-enum class LessonAsk : std::uint8_t {
-    None,
-    Next,      ///< The next step; in Present an open question is answered first.
-    Previous,  ///< The step before.
-    Return,    ///< To the position of the step.
-    Play,      ///< From the position of the step to its end.
-    Answer,    ///< Grade what is given.
-    Show,      ///< Show the right answer.
-    Close,
-};
-
 struct LessonPanel {
     LessonWalk walk;
-    LessonAsk ask = LessonAsk::None;
-    std::optional<std::size_t> toStep;  ///< To a step, from 0; with `ask` None.
-    std::string open;                   ///< The source of a lesson to open; empty: none.
-    std::string follow;                 ///< The address of a link that was clicked; empty: none.
-    std::string saveResult;             ///< The file to save the answers in; empty: none.
-    std::string saveLesson;             ///< The file to save bookmarks in, as a lesson.
-    float captionEms = 0.0F;            ///< Height of the text in Present, in its largest type.
-    bool countsHands = false;           ///< Of the question: the fields for hands are open.
+    float captionEms = 0.0F;   ///< Height of the text in Present, in its largest type.
+    bool countsHands = false;  ///< Of the question: the fields for hands are open.
 
     std::uint64_t nextPractice = 1;  ///< Seed of the next pivot to play.
 

@@ -1,4 +1,4 @@
-/// State of the user interface: that of each panel, and its requests. Plain values, no ImGui.
+/// State of the user interface: that of each panel. Plain values, no ImGui.
 #pragma once
 
 #include <array>
@@ -7,17 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "between_frames.h"
 #include "column.h"
 #include "compare_page.h"
 #include "export_form.h"
 #include "file_browser_state.h"
 #include "growth_page.h"
+#include "input/clipboard.h"
 #include "input/go_to_box.h"
 #include "input/key_map.h"
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
 #include "layout/drawn_label.h"
+#include "leave_question.h"
 #include "lesson_panel.h"
 #include "move_tool.h"
 #include "picture_look.h"
@@ -30,7 +33,6 @@
 #include "side_panels.h"
 #include "spiraling_edge/run/breakpoint.h"
 #include "start_page.h"
-#include "ui_requests.h"
 #include "what_if_offers.h"
 
 namespace se::view {
@@ -42,6 +44,15 @@ struct CommandPalette {
     int chosen = 0;
 
     void show() { *this = {true, true, {}, 0}; }
+};
+
+/// Target of the camera once the cursor has arrived.
+enum class FrameRequest : std::uint8_t {
+    None,
+    Home,   ///< All of the input, broadside.
+    Focus,  ///< The selection, or the decision.
+    Decision,
+    Fault,  ///< The chosen place with faults, or alert.
 };
 
 /// Motion of the camera with the run.
@@ -80,7 +91,12 @@ struct UiState {
     }
 
     ViewSettings settings;
-    UiRequests requests;
+    BetweenFrames betweenFrames;
+    Clipboard clipboard;
+    FrameRequest frame = FrameRequest::None;
+    bool takesPicture = false;  ///< The next frame is saved as a picture.
+    bool fullScreen = false;    ///< The window is to fill the monitor.
+    bool closesPopups = false;  ///< Menus are closed by the next frame.
     GoToBox goTo;
     TypingWait typing;
     bool cheatSheet = false;

@@ -65,8 +65,6 @@ template WhatIfForm& PanelContext::state() const;
 
 ViewSettings& PanelContext::settings() const { return commands.ui.settings; }
 
-UiRequests& PanelContext::requests() const { return commands.ui.requests; }
-
 std::map<std::string, Rect>& PanelContext::where() const { return commands.ui.where; }
 
 std::string PanelContext::key(const Command& command) const {

@@ -21,7 +21,6 @@ struct StatusCounts;
 namespace se::view {
 
 struct DrawList;
-struct UiRequests;
 struct ViewSettings;
 
 /// The second view of the layout Compare.
@@ -53,7 +52,7 @@ struct PanelContext {
     /// named in panel.cpp.
     template <class State>
     State& state() const;
-    UiRequests& requests() const;
+    DocumentController& document() const { return commands.document; }
     ViewSettings& settings() const;
     /// Rectangles of the items drawn in this frame, for test scripts and the camera.
     std::map<std::string, Rect>& where() const;

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "commands/palette_entries.h"
-#include "open_session.h"
+#include "headless_app.h"
 #include "panel_state/ui_state.h"
 #include "scene/camera.h"
 #include "session/playback.h"
@@ -30,10 +30,11 @@ std::vector<std::string> keysOf(const Command& command) {
 
 struct CommandApp {
     test::OpenSession open;
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{open.session, playback, camera, ui};
+    test::AroundSession around{open.session};
+    Playback& playback = around.playback;
+    Camera& camera = around.camera;
+    UiState& ui = around.ui;
+    CommandContext& context = around.context;
 
     void press(const char* key) {
         const Command* command = KeyMap().commandFor(*keyFromString(key));
@@ -130,9 +131,9 @@ TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
     app.press("Esc");
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     app.press("Esc");
-    CHECK_FALSE(app.ui.requests.quit);
+    CHECK_FALSE(app.ui.quitting);
     app.press("Ctrl+Q");
-    CHECK(app.ui.requests.quit);
+    CHECK(app.ui.quitting);
 }
 
 TEST_CASE("Layer keys switch their layer") {
@@ -228,9 +229,9 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
     choosing("steps", PaletteEntry::Kind::Panel);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     choosing("figure 12", PaletteEntry::Kind::Scene);
-    CHECK(app.ui.requests.open == "scene:figure-12");
+    CHECK(app.open.session.input().opening().source == "scene:figure-12");
     choosing("hole of four", PaletteEntry::Kind::Scene);
-    CHECK(app.ui.requests.open == "scene:four-edge-hole");
+    CHECK(app.open.session.input().opening().source == "scene:four-edge-hole");
     // A panel opened by an action is listed once.
     const auto rules = found("rules");
     CHECK(std::count_if(rules.begin(), rules.end(),
@@ -256,7 +257,7 @@ TEST_CASE("What cannot act says why") {
     CHECK(why("run.start").empty());
     CHECK(why("step.alert.next").empty());
     Session none;
-    const CommandContext nothing{none, app.playback, app.camera, app.ui};
+    const CommandContext nothing = app.context.of(none);
     CHECK(whyUnavailable(*findCommand("ask.why"), nothing) == "Nothing is open.");
     CHECK(whyUnavailable(*findCommand("file.open"), nothing).empty());
 }

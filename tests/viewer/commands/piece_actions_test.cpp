@@ -32,15 +32,14 @@ struct PieceApp : test::HeadlessApp {
         all = session.model().points.size();
         runCommand(*findCommand("edit.piece"), context);
     }
-    void carryOut() {
-        document.carryOut(ui.requests);
+    void settle() {
         waitUntilDone();
         document.poll();
         session.waitUntilDone();
     }
     bool press(const char* key) {
         const bool taken = runOnPieceTool(*keyFromString(key), context);
-        carryOut();
+        settle();
         return taken;
     }
     std::size_t count() const { return session.model().points.size(); }
@@ -105,7 +104,7 @@ TEST_CASE("Delete leaves the enclosed points out, a second time those of the res
     CHECK(app.count() == app.all - inside - more);
     REQUIRE(app.session.model().aside.size() == 1);
     bringBack(app.context, app.session.model().aside.front());
-    app.carryOut();
+    app.settle();
     CHECK(app.count() == app.all);
     CHECK(app.session.model().aside.empty());
 }
@@ -127,9 +126,10 @@ TEST_CASE("All points cannot be left out, Esc ends the tool") {
 
 TEST_CASE("Undo brings the points back, with the what-ifs that were removed with them") {
     PieceApp app("piece-undo");
-    app.ui.requests.rules = app.session.input().spec();
-    app.ui.requests.rules->whatIf = {whatIfFromText("2 move 30 0.01 -0.02 1.03").value()};
-    app.carryOut();
+    RunSpec moved = app.session.input().spec();
+    moved.whatIf = {whatIfFromText("2 move 30 0.01 -0.02 1.03").value()};
+    app.document.rerun(moved);
+    app.settle();
     const Edits before = captureEdits(app.context);
     REQUIRE(before.input.whatIf.size() == 1);
     enclosePoints(app.context, kPieceView, kRightHalf);
@@ -138,7 +138,7 @@ TEST_CASE("Undo brings the points back, with the what-ifs that were removed with
     CHECK(after.input.whatIf.empty());
     CHECK(describeChange(before, after) == "points left out");
     applyEdits(before, app.context);
-    app.carryOut();
+    app.settle();
     CHECK(app.count() == app.all);
     CHECK(captureEdits(app.context).input == before.input);
 }
@@ -153,8 +153,7 @@ TEST_CASE("A session keeps the points left out, a command line cannot, another i
     CHECK(command.text.empty());
     CHECK(command.note.find("left out") != std::string::npos);
     const std::string path = (app.folder / "a.sesession").string();
-    app.ui.requests.saveSessionAs = path;
-    app.carryOut();
+    app.document.saveAs(path);
     const std::string text = *readText(path);
     CHECK(text.find("\"left_out\": \"" + rangesText(leftOut) + "\"") != std::string::npos);
     app.document.open("scene:sphere");
@@ -173,15 +172,14 @@ TEST_CASE("A session keeps the points left out, a command line cannot, another i
 
 TEST_CASE("Noise comes back by its rule, points dropped by a fix by taking back the fix") {
     PieceApp app("piece-return");
-    app.ui.requests.rules = withSet({}, "robust");
-    app.carryOut();
+    app.document.rerun(withSet({}, "robust"));
+    app.settle();
     bringBack(app.context, {AsideReason::Noise});
-    REQUIRE(app.ui.requests.rules);
     const RuleSetting& noise = *findRuleSetting("noise");
-    CHECK(valueOf(*app.ui.requests.rules, noise) == 0.0);
-    app.ui.requests = {};
-    app.ui.requests.fixes = std::vector<std::string>{"duplicates", "flipped_normals"};
-    app.carryOut();
+    CHECK(valueOf(app.session.input().rules(), noise) == 0.0);
+    app.settle();
+    app.document.runWithFixes({"duplicates", "flipped_normals"});
+    app.settle();
     bringBack(app.context, {AsideReason::Fixed, "duplicates"});
-    CHECK(app.ui.requests.fixes == std::vector<std::string>{"flipped_normals"});
+    CHECK(app.session.input().opening().fixes == std::vector<std::string>{"flipped_normals"});
 }

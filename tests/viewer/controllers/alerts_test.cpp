@@ -118,7 +118,7 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
             CHECK(app.place() == toString(momentOf(alerts.failures()[i], moment).event.address));
             CHECK(app.session.alerts().chosen() == i);
             CHECK(app.session.selection() == subjectOf(alerts.failures()[i]));
-            CHECK(app.ui.requests.frame == FrameRequest::Fault);
+            CHECK(app.ui.frame == FrameRequest::Fault);
         }
     }
 }
@@ -135,7 +135,7 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     REQUIRE_FALSE(worst.empty());
     CHECK(alerts.chosen() == worst.front());
     CHECK(app.session.selection() == subjectOf(search.failures()[worst.front()]));
-    CHECK(app.ui.requests.frame == FrameRequest::Fault);
+    CHECK(app.ui.frame == FrameRequest::Fault);
     CHECK(app.ui.column.part == kAlertsPart);
     CHECK(app.session.messages().last() ==
           "Place 1 of " + std::to_string(search.places().size()) + ": " +
@@ -160,7 +160,7 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     nextPlace(app.context, -1);
     CHECK(alerts.place() == search.places().size() - 1);
     OpenSession open("scene:sphere", "robust");
-    CommandContext sound{open.session, app.playback, app.camera, app.ui};
+    CommandContext sound = app.context.of(open.session);
     REQUIRE(open.session.alerts().search().done());
     nextPlace(sound, 1);
     CHECK(open.session.messages().last() == "No faults found.");
@@ -251,8 +251,7 @@ TEST_CASE(
     CHECK_FALSE(app.session.alerts().chosen());
     CHECK(app.alerts.takeOpened());
     // Re-run, with another rule or unchanged: the cursor stays at the end.
-    app.ui.requests.reload = true;
-    app.document.carryOut(app.ui.requests);
+    app.document.reload();
     app.arrive();
     CHECK_FALSE(app.alerts.takeOpened());
 }
@@ -279,7 +278,6 @@ TEST_CASE(
     const Trial best = *app.session.trials().best();
     app.alerts.poll();
     CHECK_FALSE(app.ui.verdict.fixing);
-    app.document.carryOut(app.ui.requests);
     app.arrive();
     const std::string after = verdictText(app.session.alerts().search());
     CHECK(app.session.atEnd());
@@ -352,7 +350,6 @@ TEST_CASE("While the pointer is on Fix, the finished mesh shows the triangles th
         if (gone.find(t) != Match::Same) expected.push_back(t);
     }
     fixByTrials(app.context);
-    app.document.carryOut(app.ui.requests);
     app.arrive();
     REQUIRE(app.session.atEnd());
     CHECK(compareMeshes(app.session.model().points.position, expected, app.session.shownTriangles())
@@ -412,7 +409,6 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
     app.session.waitUntilDone();
     REQUIRE(app.session.trials().best() != nullptr);
     fixByTrials(app.context);
-    app.document.carryOut(app.ui.requests);
     app.arrive();
     requireEqual(onCard(), counted());
 }
@@ -505,14 +501,14 @@ TEST_CASE("A scene opens at the decision that it demonstrates, in every layout")
         app.document.open("scene:figure-8");
         app.arrive();
         CHECK(app.place() == findScene("figure-8")->address);
-        CHECK(std::exchange(app.ui.requests.frame, FrameRequest::None) == FrameRequest::Decision);
+        CHECK(std::exchange(app.ui.frame, FrameRequest::None) == FrameRequest::Decision);
         app.document.open("scene:sphere");
         app.arrive();
     }
     // A named position takes precedence, and is framed as well.
     AlertApp named("scene:figure-8", {}, "3.sort.1");
     CHECK(named.place() == "3.sort.1");
-    CHECK(named.ui.requests.frame == FrameRequest::Decision);
+    CHECK(named.ui.frame == FrameRequest::Decision);
     CHECK(AlertApp("scene:figure-8", {}, "0").place() == "start");
 }
 
@@ -574,19 +570,18 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     const MeshFailure failure = app.session.alerts().shown()->failure;
     showBeside(app.context, best);
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
-    REQUIRE(app.ui.compare.begin);
-    CHECK(app.ui.compare.begin->run.choices ==
+    REQUIRE(app.compare.comparison().chosen());
+    CHECK(app.compare.comparison().with().run.choices ==
           std::vector<RuleValue>{{std::string(best.rule->name), 1.0}});
     REQUIRE_FALSE(app.session.atEnd());
     const CameraPose camera = app.camera.pose();
-    app.ui.requests.frame = FrameRequest::None;  // That of the opening.
+    app.ui.frame = FrameRequest::None;  // That of the opening.
     switchOn(app.context, best);
-    app.document.carryOut(app.ui.requests);
     app.arrive();
     // Its result is visible: the whole mesh, from the same camera.
     CHECK(app.session.atEnd());
     CHECK(app.camera.pose() == camera);
-    CHECK(app.ui.requests.frame == FrameRequest::None);
+    CHECK(app.ui.frame == FrameRequest::None);
     CHECK(best.rule->isOn(app.session.model().params));
     CHECK(app.session.alerts().search().failures().size() == best.all);
     CHECK(best.all < before);
@@ -598,8 +593,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
 
 TEST_CASE("A session keeps the chosen alert") {
     AlertApp app("scene:noise", "duplicate_triangles:2");
-    app.ui.requests.saveSessionAs = (app.folder / "alert.sesession").string();
-    app.document.carryOut(app.ui.requests);
+    app.document.saveAs((app.folder / "alert.sesession").string());
     app.session.alerts().choose({});
     app.document.open((app.folder / "alert.sesession").string());
     app.arrive();

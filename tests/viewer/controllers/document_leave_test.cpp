@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "commands/command_actions.h"
 #include "spiraling_edge/spec/run_spec.h"
 
 using namespace se;
@@ -18,20 +19,17 @@ struct LeavingApp : test::HeadlessApp {
         document.open("scene:sphere");
         frame();
     }
-    void frame() {
-        document.carryOut(ui.requests);
-        waitUntilDone();
-    }
+    void frame() { waitUntilDone(); }
     void quit() {
-        ui.requests.quit = true;
+        document.quit();
         frame();
     }
     void open(const std::string& source) {
-        ui.requests.open = source;
+        document.open(source);
         frame();
     }
     void answer(LeaveAnswer answer) {
-        ui.leaving.answer = answer;
+        document.answer(answer);
         frame();
     }
 };
@@ -45,7 +43,7 @@ TEST_CASE("There is no question without annotations, or after they were undone")
     const Address here{3, Stage::Sort, 1};
     toggleBookmark(app.ui.bookmarks, here);
     toggleBookmark(app.ui.bookmarks, here);
-    app.ui.requests.reload = true;
+    app.document.reload();
     app.frame();
     CHECK_FALSE(app.ui.leaving.asked);
     app.quit();
@@ -77,7 +75,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
     CHECK(app.ui.leaving.atStake == "breakpoints and watches");
     app.answer(LeaveAnswer::Cancel);
     CHECK(app.ui.breakpoints.size() == 1);
-    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
+    app.document.saveAs((app.folder / "a.sesession").string());
     app.frame();
     CHECK(app.document.unsaved().empty());
 
@@ -85,7 +83,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
     app.ui.breakpoints.front().logOnly = true;
     app.ui.watch.expressions.clear();
     app.ui.notes = "odd";
-    app.ui.requests.reload = true;
+    app.document.reload();
     app.frame();
     REQUIRE(app.ui.leaving.asked);
     CHECK(app.ui.leaving.atStake == "notes, breakpoints and watches");
@@ -99,7 +97,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
 TEST_CASE("Other settings than those of the opening are asked about, until they are saved") {
     LeavingApp app;
     const auto runByRobust = [&] {
-        app.ui.requests.rules = withRule(app.session.input().spec(), "fill", 1.0);
+        app.document.rerun(withRule(app.session.input().spec(), "fill", 1.0));
         app.frame();
     };
     runByRobust();
@@ -108,12 +106,13 @@ TEST_CASE("Other settings than those of the opening are asked about, until they 
     CHECK(app.ui.leaving.atStake == "settings of the run");
     app.answer(LeaveAnswer::Cancel);
     // Running again asks nothing: the settings stay.
-    app.ui.requests.reload = true;
+    app.document.reload();
     app.frame();
     CHECK_FALSE(app.ui.leaving.asked);
     // With the mesh they are saved.
-    app.ui.mesh.justSaved = true;
-    app.frame();
+    actions::saveMesh(app.context);
+    app.mesh.save(app.folder / "a.ply");
+    app.mesh.waitUntilDone();
     app.quit();
     CHECK_FALSE(app.ui.leaving.asked);
     CHECK(app.ui.quitting);
@@ -122,7 +121,7 @@ TEST_CASE("Other settings than those of the opening are asked about, until they 
 TEST_CASE("Opening and reloading ask as well, discarding restores the content of the file") {
     LeavingApp app;
     app.ui.notes = "saved";
-    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
+    app.document.saveAs((app.folder / "a.sesession").string());
     app.frame();
     app.ui.notes = "changed";
     app.open("scene:grid");
@@ -136,7 +135,7 @@ TEST_CASE("Opening and reloading ask as well, discarding restores the content of
     CHECK(app.ui.notes == "saved");
     app.ui.notes = "changed again";
     const std::uint32_t before = app.session.generation();
-    app.ui.requests.reload = true;
+    app.document.reload();
     app.frame();
     REQUIRE(app.ui.leaving.asked);
     CHECK(app.session.generation() == before);
@@ -160,7 +159,7 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
     app.open("scene:grid");
     app.answer(LeaveAnswer::Save);
     const fs::path path = app.folder / "a.sesession";
-    app.ui.requests.saveSessionAs = path.string();
+    app.document.saveAs(path.string());
     app.ui.fileBrowser = false;
     app.frame();
     CHECK(app.session.input().spec().source == "scene:grid");
@@ -181,7 +180,7 @@ TEST_CASE("A session that cannot be saved is not left") {
     app.ui.notes = "odd";
     app.quit();
     app.answer(LeaveAnswer::Save);
-    app.ui.requests.saveSessionAs = (app.folder / "no" / "a.sesession").string();
+    app.document.saveAs((app.folder / "no" / "a.sesession").string());
     app.ui.fileBrowser = false;
     app.frame();
     CHECK_FALSE(app.ui.quitting);
@@ -191,6 +190,7 @@ TEST_CASE("A session that cannot be saved is not left") {
 TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
     LeavingApp app;
     app.ui.notes = "odd";
+    app.document.saveAs((app.folder / "a.sesession").string());
     app.document.open("missing.ply");
     app.frame();
     CHECK(app.session.input().phase() == SessionPhase::Failed);

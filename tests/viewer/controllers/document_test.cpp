@@ -13,14 +13,13 @@ namespace {
 
 struct DocumentApp : test::HeadlessApp {
     DocumentApp() : test::HeadlessApp("document-test") {}
-    void open(const std::string& path) {
-        document.open(path);
+    void open(const std::string& path) { openInstead(path); }
+    /// As a lesson does, without a question.
+    void openBeside(const std::string& source) {
+        document.openStep(RunSpec{source}, "");
         waitUntilDone();
     }
-    void save(const fs::path& path) {
-        ui.requests.saveSessionAs = path;
-        document.carryOut(ui.requests);
-    }
+    void save(const fs::path& path) { document.saveAs(path); }
     std::string place() { return toString(session.address()); }
 };
 
@@ -87,10 +86,10 @@ TEST_CASE("Notes belong to their input, and wait until it is opened again") {
     app.open("scene:sphere");
     app.ui.notes = "about the sphere";
     toggleBookmark(app.ui.bookmarks, {3, Stage::Sort, 1});
-    app.open("scene:grid");
+    app.openBeside("scene:grid");
     CHECK(app.ui.notes.empty());
     CHECK(app.ui.bookmarks.empty());
-    app.open("scene:sphere");
+    app.openBeside("scene:sphere");
     CHECK(app.ui.notes == "about the sphere");
     CHECK(app.ui.bookmarks.size() == 1);
 }
@@ -98,16 +97,14 @@ TEST_CASE("Notes belong to their input, and wait until it is opened again") {
 TEST_CASE("The first save asks for a name, later ones do not") {
     DocumentApp app;
     app.open("scene:sphere");
-    app.ui.requests.saveSession = true;
-    app.document.carryOut(app.ui.requests);
+    app.document.save();
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.browser == BrowserTask::SaveSession);
     app.ui.fileBrowser = false;
     const fs::path path = app.folder / "a.sesession";
     app.save(path);
     app.ui.notes = "later";
-    app.ui.requests.saveSession = true;
-    app.document.carryOut(app.ui.requests);
+    app.document.save();
     CHECK_FALSE(app.ui.fileBrowser);
     CHECK(readSessionFile(path).value().annotations.notes == "later");
 }
@@ -170,9 +167,9 @@ TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
     CHECK(app.document.unsaved().empty());
     toggleBookmark(app.ui.bookmarks, app.session.address());
     CHECK_FALSE(app.document.unsaved().empty());
-    app.open("scene:torus");
+    app.openBeside("scene:torus");
     CHECK(app.document.unsaved().empty());
-    app.open("scene:sphere");
+    app.openBeside("scene:sphere");
     CHECK_FALSE(app.document.unsaved().empty());
     app.open((app.folder / "noted.sesession").string());
     CHECK(app.document.unsaved().empty());

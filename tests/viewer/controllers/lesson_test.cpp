@@ -17,8 +17,6 @@ using namespace se::view;
 namespace {
 
 struct LessonApp : test::HeadlessApp {
-    LessonController lesson{context, document};
-
     LessonApp() : test::HeadlessApp("lesson-test") {}
     void settle() {
         lesson.closeForOther();
@@ -29,17 +27,15 @@ struct LessonApp : test::HeadlessApp {
     }
     void open(const std::string& source) {
         document.open(source);
-        lesson.carryOut();
-        settle();
-    }
-    void ask(LessonAsk what) {
-        ui.lesson.ask = what;
-        lesson.carryOut();
         settle();
     }
     void goTo(std::size_t step) {
-        ui.lesson.toStep = step;
-        lesson.carryOut();
+        lesson.toStep(step);
+        settle();
+    }
+    /// Makes the request and waits.
+    void ask(void (LessonController::*request)()) {
+        (lesson.*request)();
         settle();
     }
     std::string place() { return session.event() ? toString(session.address()) : "0"; }
@@ -89,7 +85,7 @@ TEST_CASE("While a question is open no move passes it, until it is answered") {
     CHECK(app.place() == "1.sort.12");
 
     app.walk().type("3, 4, 5, 6, 7");
-    app.ask(LessonAsk::Answer);
+    app.ask(&LessonController::answer);
     CHECK_FALSE(app.walk().asks());
     CHECK(app.playback.playing());
     REQUIRE(app.playback.until.has_value());
@@ -107,12 +103,12 @@ TEST_CASE("A way off the step is noticed, and leads back to position, rules and 
     app.session.moves().toEnd();
     app.settle();
     CHECK(app.ui.lesson.away);
-    app.ask(LessonAsk::Return);
+    app.ask(&LessonController::returnToStep);
     CHECK(app.place() == "1.ring.6");
     app.session.rerun(withRule(app.session.input().rules(), "sphere", 0.0));
     app.settle();
     CHECK(app.ui.lesson.away);
-    app.ask(LessonAsk::Return);
+    app.ask(&LessonController::returnToStep);
     CHECK(app.session.input().rules().choices.empty());
     CHECK_FALSE(app.ui.lesson.away);
 }
@@ -143,7 +139,7 @@ TEST_CASE("Names of the lesson are those of its points, and end with it") {
     LessonApp app;
     app.open("lesson:removal");
     REQUIRE_FALSE(app.session.names().empty());
-    app.ask(LessonAsk::Close);
+    app.ask(&LessonController::close);
     CHECK_FALSE(app.walk().isOpen());
     app.document.open("scene:torus");
     app.settle();
@@ -187,8 +183,7 @@ TEST_CASE("Bookmarks are saved as a lesson that passes its check, with notes and
     app.ui.bookmarks[0].note = "# q \"goes\"";
     app.ui.notes = "Why q goes.";
     const std::string path = (app.folder / "mine.lesson.md").string();
-    app.ui.lesson.saveLesson = path;
-    app.lesson.carryOut();
+    app.lesson.saveLesson(path);
     const Result<teach::LessonReading> reading = teach::readLessonFile(path);
     REQUIRE(reading.ok());
     REQUIRE(reading.value().ok());
@@ -225,10 +220,10 @@ TEST_CASE("In Present the key for the next step shows the answer first") {
     app.open("lesson:spiral");
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
     app.goTo(1);
-    app.ask(LessonAsk::Next);
+    app.ask(&LessonController::next);
     CHECK(app.walk().step() == 1);
     CHECK_FALSE(app.walk().asks());
-    app.ask(LessonAsk::Next);
+    app.ask(&LessonController::next);
     CHECK(app.walk().step() == 2);
 }
 
@@ -237,11 +232,12 @@ TEST_CASE("A step that compares opens the layout Compare, and the next one retur
     app.open("lesson:spiral");
     app.goTo(app.walk().lesson().steps.size() - 1);
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
-    REQUIRE(app.ui.compare.begin.has_value());
-    CHECK(differenceText(app.session.input().spec(), app.ui.compare.begin->run) == "sphere off");
-    app.ask(LessonAsk::Previous);
+    REQUIRE(app.compare.comparison().chosen());
+    CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==
+          "sphere off");
+    app.ask(&LessonController::previous);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
-    CHECK(app.ui.compare.ask == CompareAsk::Stop);
+    CHECK_FALSE(app.compare.comparison().chosen());
 }
 
 TEST_CASE("In Present a step that compares shows the second view there") {
@@ -250,12 +246,12 @@ TEST_CASE("In Present a step that compares shows the second view there") {
     app.open("lesson:spiral");
     app.goTo(app.walk().lesson().steps.size() - 1);
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
-    CHECK(app.ui.compare.begin.has_value());
+    CHECK(app.compare.comparison().chosen());
     CHECK(app.ui.compare.isIn(LayoutPreset::Present));
-    app.ask(LessonAsk::Previous);
+    app.ask(&LessonController::previous);
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
     CHECK_FALSE(app.ui.compare.isIn(LayoutPreset::Present));
-    CHECK(app.ui.compare.ask == CompareAsk::Stop);
+    CHECK_FALSE(app.compare.comparison().chosen());
 }
 
 TEST_CASE("Letters choose an option of the open question, and Enter answers") {
@@ -274,12 +270,12 @@ TEST_CASE("Letters choose an option of the open question, and Enter answers") {
     CHECK(answerByKey({'B', kNoMods}, app.context));
     CHECK(app.walk().state().given.choice == 1);
     CHECK(answerByKey(enter, app.context));
-    CHECK(app.ui.lesson.ask == LessonAsk::Answer);
+    CHECK(app.walk().state().tries == 1);
     // B is black there.
     app.ui.layoutPreset = LayoutPreset::Present;
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
     app.ui.layoutPreset = LayoutPreset::Debug;
-    app.ask(LessonAsk::Show);
+    app.ask(&LessonController::showAnswer);
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
 }
 
@@ -293,10 +289,11 @@ TEST_CASE("A pivot to practice opens at its beginning, and the next one is anoth
     CHECK(app.walk().asks());
     CHECK_FALSE(app.ui.lesson.away);
     app.walk().showAnswer();
-    app.ask(LessonAsk::Return);
+    app.ask(&LessonController::returnToStep);
     CHECK_FALSE(app.ui.lesson.away);
     actions::openPractice(app.context);
-    CHECK(app.ui.requests.open == "practice:8");
+    app.settle();
+    CHECK(app.walk().source() == "practice:8");
 }
 
 TEST_CASE("A lesson opens after something else was open, and a click there closes it at once") {
@@ -323,8 +320,7 @@ TEST_CASE("Going on before an input is open shows the last step that was chosen"
     app.goTo(other - 1);
     const std::string before = app.session.model().name;
     for (const std::size_t step : {other, other - 1}) {
-        app.ui.lesson.toStep = step;
-        app.lesson.carryOut();
+        app.lesson.toStep(step);
     }
     app.settle();
     CHECK(app.walk().step() == other - 1);
@@ -337,14 +333,13 @@ TEST_CASE("An input of a step that does not open leaves a way back to the step")
     app.open("lesson:removal");
     std::size_t other = 1;
     while (app.walk().lesson().steps[other].input.empty()) ++other;
-    app.ui.lesson.toStep = other;
-    app.lesson.carryOut();
+    app.lesson.toStep(other);
     app.session.cancelOpening();
     app.settle();
     CHECK(app.ui.lesson.away);
     CHECK_FALSE(app.ui.lesson.hides());
     CHECK_FALSE(app.lesson.moving());
-    app.ask(LessonAsk::Return);
+    app.ask(&LessonController::returnToStep);
     CHECK_FALSE(app.ui.lesson.away);
 }
 
@@ -358,9 +353,9 @@ TEST_CASE("A lesson leaves layers, layout and playback as the user had them") {
     CHECK(app.ui.settings.layers != layers);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     app.walk().showAnswer();
-    app.ask(LessonAsk::Return);
+    app.ask(&LessonController::returnToStep);
     CHECK(app.playback.playing());
-    app.ask(LessonAsk::Close);
+    app.ask(&LessonController::close);
     CHECK(app.ui.settings.layers == layers);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     CHECK(app.playback.unit() == PlayUnit::Event);
@@ -372,10 +367,9 @@ TEST_CASE("Returning to a step that compares begins its comparison again") {
     LessonApp app;
     app.open("lesson:spiral");
     app.goTo(app.walk().lesson().steps.size() - 1);
-    app.ui.compare.begin.reset();
-    app.ask(LessonAsk::Return);
-    CHECK(app.ui.compare.begin.has_value());
-    CHECK(app.ui.compare.ask == CompareAsk::Nothing);
+    app.compare.stop();
+    app.ask(&LessonController::returnToStep);
+    CHECK(app.compare.comparison().chosen());
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
 }
 
@@ -384,7 +378,7 @@ TEST_CASE("Play starts at the position of the step, again once it has played") {
     app.open("lesson:tour");
     app.goTo(4);
     for (int i = 0; i < 2; ++i) {
-        app.ask(LessonAsk::Play);
+        app.ask(&LessonController::play);
         CHECK(app.place() == "200.split.1");
         CHECK(app.playback.playing());
         REQUIRE(app.session.moves().goToText("200.advance.1").ok());
@@ -403,7 +397,7 @@ TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one fil
     app.lesson.begin(options);
     app.settle();
     app.walk().type("3, 4, 5, 6, 7");
-    app.ask(LessonAsk::Answer);
+    app.ask(&LessonController::answer);
     REQUIRE(std::filesystem::exists(file));
     app.open("lesson:spiral");
     CHECK(app.walk().step() == 1);
@@ -411,6 +405,6 @@ TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one fil
     const auto size = std::filesystem::file_size(file);
     app.open("practice:1");
     app.walk().type("next 0");
-    app.ask(LessonAsk::Answer);
+    app.ask(&LessonController::answer);
     CHECK(std::filesystem::file_size(file) == size);
 }

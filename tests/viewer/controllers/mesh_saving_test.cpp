@@ -17,22 +17,21 @@ namespace {
 
 /// A program with the dialog Save mesh open.
 struct SavingApp : test::HeadlessApp {
-    MeshController saving{context};
-
     explicit SavingApp(const char* source = "scene:sphere") : test::HeadlessApp("saving-test") {
         document.open(source);
         waitUntilDone();
         actions::saveMesh(context);
     }
-    /// One frame with that request, and all its consequences.
-    void ask(MeshAsk what, const fs::path& path = {}) {
-        ui.mesh.ask = what;
-        ui.mesh.path = path.string();
-        saving.carryOut();
-        saving.waitUntilDone();
-        saving.carryOut();
+    /// All that has been asked for is done.
+    void settle() {
+        mesh.poll();
+        mesh.waitUntilDone();
     }
-    FinishedMesh mesh() const {
+    void save(const fs::path& path) {
+        mesh.save(path.string());
+        settle();
+    }
+    FinishedMesh finished() const {
         return finishMesh(session.model(), *session.input().file(), session.runEnd());
     }
 };
@@ -47,15 +46,15 @@ PointFile read(const fs::path& path) {
 
 TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format read here") {
     SavingApp app("scene:sheet");
-    app.ask(MeshAsk::None);
+    app.settle();
     REQUIRE(app.ui.mesh.size.has_value());
-    const FinishedMesh mesh = app.mesh();
+    const FinishedMesh mesh = app.finished();
     REQUIRE(!mesh.triangles->empty());
     CHECK(app.ui.mesh.size->triangles == mesh.triangles->size());
     for (const char* name : {"a.ply", "a.obj", "a.off"}) {
         CAPTURE(name);
         actions::saveMesh(app.context);
-        app.ask(MeshAsk::Save, app.folder / name);
+        app.save(app.folder / name);
         CHECK_FALSE(app.ui.fileBrowser);
         CHECK(app.session.messages().last().find(name) != std::string::npos);
         const PointFile file = read(app.folder / name);
@@ -68,7 +67,7 @@ TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format 
     CHECK(read(app.folder / "a.ply").type == mesh.points->type);
     for (const char* name : {"a.stl", "a.glb"}) {
         actions::saveMesh(app.context);
-        app.ask(MeshAsk::Save, app.folder / name);
+        app.save(app.folder / name);
         CHECK(fs::file_size(app.folder / name) > 50 * mesh.triangles->size() / 4);
     }
 }
@@ -76,8 +75,8 @@ TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format 
 TEST_CASE("Used points only: the file has no other points, and the same triangles in space") {
     SavingApp app("scene:stranded-point");
     app.ui.mesh.usedOnly = true;
-    app.ask(MeshAsk::Save, app.folder / "used.ply");
-    const FinishedMesh mesh = app.mesh();
+    app.save(app.folder / "used.ply");
+    const FinishedMesh mesh = app.finished();
     REQUIRE(mesh.usedPoints < mesh.points->position.size());
     const PointFile file = read(app.folder / "used.ply");
     CHECK(file.position.size() == mesh.usedPoints);
@@ -92,65 +91,64 @@ TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cu
     SavingApp app;
     app.session.moves().goToPivot(3);
     app.waitUntilDone();
-    app.ask(MeshAsk::Save, app.folder / "a.ply");
+    app.save(app.folder / "a.ply");
     CHECK(app.session.record().pivot == 3);
-    CHECK(read(app.folder / "a.ply").faces == *app.mesh().triangles);
+    CHECK(read(app.folder / "a.ply").faces == *app.finished().triangles);
 }
 
 TEST_CASE("A file is replaced only after a question") {
     SavingApp app;
     const fs::path path = app.folder / "a.ply";
     std::ofstream(path) << "old";
-    app.ask(MeshAsk::Save, path);
+    app.save(path);
     CHECK(app.ui.mesh.question == path.string());
     CHECK(readText(path) == "old");
     // Esc answers no, and the dialog stays.
     actions::escape(app.context);
-    app.ask(app.ui.mesh.ask);
+    app.settle();
     CHECK(app.ui.mesh.question.empty());
     CHECK(app.ui.fileBrowser);
     CHECK(readText(path) == "old");
-    app.ask(MeshAsk::Save, path);
-    app.ask(MeshAsk::Replace);
+    app.save(path);
+    app.mesh.replace();
+    app.settle();
     CHECK_FALSE(app.ui.fileBrowser);
-    CHECK(read(path).faces == *app.mesh().triangles);
+    CHECK(read(path).faces == *app.finished().triangles);
 }
 
 TEST_CASE("A write error is reported in the dialog, which stays open") {
     SavingApp app;
-    app.ask(MeshAsk::Save, app.folder / "none" / "a.ply");
+    app.save(app.folder / "none" / "a.ply");
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.mesh.complaint.find("there is no folder") != std::string::npos);
     fs::create_symlink("/dev/full", app.folder / "full.ply");
-    app.ask(MeshAsk::Save, app.folder / "full.ply");
-    app.ask(MeshAsk::Replace);
+    app.save(app.folder / "full.ply");
+    app.mesh.replace();
+    app.settle();
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.mesh.complaint.find("full.ply: cannot be written") != std::string::npos);
     // The next attempt begins without it.
-    app.ask(MeshAsk::Save, app.folder / "a.ply");
+    app.save(app.folder / "a.ply");
     CHECK(app.ui.mesh.complaint.empty());
     CHECK(fs::exists(app.folder / "a.ply"));
 }
 
 TEST_CASE("Saving waits for the run and can be cancelled meanwhile: no file is left") {
     SavingApp app;
-    app.ui.mesh.ask = MeshAsk::Save;
-    app.ui.mesh.path = app.folder / "a.ply";
-    app.saving.carryOut();  // the run has only just begun
+    app.mesh.save(app.folder / "a.ply");  // the run has only just begun
     CHECK(app.ui.mesh.saving);
-    app.ask(MeshAsk::Cancel);
+    app.mesh.cancel();
+    app.settle();
     CHECK_FALSE(app.ui.mesh.saving);
     CHECK(app.ui.mesh.complaint.find("Cancelled") != std::string::npos);
     CHECK(app.ui.fileBrowser);
     CHECK_FALSE(fs::exists(app.folder / "a.ply"));
     // So does closing the dialog.
     actions::saveMesh(app.context);
-    app.ui.mesh.ask = MeshAsk::Save;
-    app.saving.carryOut();
+    app.mesh.save(app.folder / "a.ply");
     actions::escape(app.context);
-    app.saving.carryOut();
-    app.saving.waitUntilDone();
-    CHECK_FALSE(app.saving.busy());
+    app.settle();
+    CHECK_FALSE(app.mesh.busy());
 }
 
 TEST_CASE(
@@ -160,32 +158,32 @@ TEST_CASE(
     CHECK_FALSE(empty.ui.fileBrowser);
     CHECK(empty.session.messages().last().find("no run") != std::string::npos);
     actions::copyCommand(empty.context);
-    CHECK(empty.ui.mesh.ask == MeshAsk::None);
+    CHECK(empty.ui.clipboard.copied().empty());
 
     const fs::path two = test::ownPlace("two-points.xyz");
     std::ofstream(two) << "0 0 0 0 0 1\n1 0 0 0 0 1\n";
     SavingApp app(two.c_str());
     fs::remove(two);
-    app.ask(MeshAsk::None);
-    app.ask(MeshAsk::Save, app.folder / "a.ply");
+    app.settle();
+    app.save(app.folder / "a.ply");
     CHECK(app.ui.mesh.complaint.find("makes no triangle") != std::string::npos);
     CHECK_FALSE(fs::exists(app.folder / "a.ply"));
 }
 
 TEST_CASE("Another run, other rules: the mesh is made again") {
     SavingApp app("scene:noise");
-    app.ask(MeshAsk::None);
+    app.settle();
     const MeshSize paper = *app.ui.mesh.size;
     app.session.rerun(withSet({}, "robust"));
     app.waitUntilDone();
-    app.ask(MeshAsk::None);
-    CHECK(app.ui.mesh.size->triangles == app.mesh().triangles->size());
+    app.settle();
+    CHECK(app.ui.mesh.size->triangles == app.finished().triangles->size());
     CHECK(app.ui.mesh.size->triangles != paper.triangles);
 }
 
 TEST_CASE("For an STL far from the origin the notice reports the offset of its positions") {
     const SavingApp app;
-    FinishedMesh mesh = app.mesh();
+    FinishedMesh mesh = app.finished();
     PointFile far = *mesh.points;
     far.positionType = ScalarType::Double;
     for (Vec3& place : far.position) place += Vec3(500000, 5400000, 300);

@@ -8,8 +8,8 @@
 #include "commands/ask_actions.h"
 #include "commands/commands.h"
 #include "contrast.h"
+#include "headless_app.h"
 #include "layers/layer.h"
-#include "open_session.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/ui_state.h"
 #include "rows/line_text.h"
@@ -26,10 +26,9 @@ namespace {
 
 struct QuestionApp {
     OpenSession open;
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{open.session, playback, camera, ui};
+    AroundSession around{open.session};
+    UiState& ui = around.ui;
+    CommandContext& context = around.context;
 
     explicit QuestionApp(const char* scene = "scene:stranded-point") : open(scene) {}
     Session& session() { return open.session; }

@@ -61,24 +61,31 @@ TEST_CASE("On the page with new points keys act on them, keys of the run have no
     UiState& ui = app.ui;
     openGrowthPage(app.context, GrowthSource::Shape);
     CHECK(ui.growth.open);
-    CHECK(ui.growth.asked == GrowthAsk::Begin);
-    const auto asks = [&](const char* id) {
-        ui.growth.asked = GrowthAsk::None;
+    const auto presses = [&](const char* id) {
         runCommand(*findCommand(id), app.context);
-        return ui.growth.asked;
+        app.sampling.poll();
+        return ui.growth.phase;
     };
-    CHECK(asks("run.play") == GrowthAsk::PlayOrPause);
+    CHECK(presses("view.home") == GrowthPhase::Finding);
+    presses("run.play");
     CHECK_FALSE(app.playback.playing());
-    CHECK(asks("step.event.next") == GrowthAsk::Step);
-    CHECK(asks("run.end") == GrowthAsk::Finish);
-    CHECK(asks("view.home") == GrowthAsk::Home);
-    CHECK(asks("help.leave") == GrowthAsk::Leave);
+    app.sampling.waitUntilDone();
+    CHECK(ui.growth.phase == GrowthPhase::Paused);
+    const int step = ui.growth.numbers.step;
+    presses("step.event.next");
+    app.sampling.waitUntilDone();
+    CHECK(ui.growth.numbers.step == step + 1);
+    presses("run.end");
+    app.sampling.waitUntilDone();
+    CHECK(ui.growth.phase == GrowthPhase::Done);
     const LayerModes before = ui.settings.layers;
-    CHECK(asks("layer.normals") == GrowthAsk::None);
+    presses("layer.normals");
     CHECK(ui.settings.layers == before);
-    CHECK(asks("view.theme") == GrowthAsk::None);
+    presses("view.theme");
     CHECK(ui.settings.theme == Theme::Light);
-    ui.growth.open = false;
+    CHECK(ui.growth.phase == GrowthPhase::Done);
+    presses("help.leave");
+    CHECK_FALSE(ui.growth.open);
     runCommand(*findCommand("layer.normals"), app.context);
     CHECK(ui.settings.layers != before);
 }
@@ -88,7 +95,7 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     openGrowthPage(app.context, GrowthSource::Volume);
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.browser == BrowserTask::Volume);
-    CHECK(app.ui.growth.asked == GrowthAsk::None);
+    CHECK(app.ui.growth.phase == GrowthPhase::Idle);
     CHECK(isListed("a.nhdr", BrowserTask::Volume));
     CHECK_FALSE(isListed("a.ply", BrowserTask::Volume));
     CHECK(isListed("a.ply", BrowserTask::SavePoints));
@@ -100,7 +107,8 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     CHECK_FALSE(app.ui.leaving.asked);
     CHECK(app.ui.growth.open);
     CHECK(app.ui.growth.form.volume == "/data/scan.nhdr");
-    CHECK(app.ui.growth.asked == GrowthAsk::Begin);
+    app.sampling.poll();
+    CHECK(app.ui.growth.phase != GrowthPhase::Idle);
     CHECK(app.session.input().phase() == SessionPhase::Empty);
 }
 
@@ -219,8 +227,7 @@ TEST_CASE("Sampled points are opened at the camera's position, others discard th
     spec.source = "sample:torus,n=300";
     spec.points = std::make_shared<const PointFile>(points.value());
     spec.walls = {WallChoice::From::Around, {}};
-    app.ui.requests.openSpec = spec;
-    app.document.carryOut(app.ui.requests);
+    app.document.openSpec(spec);
     app.waitUntilDone();
     REQUIRE(app.session.ready());
     CHECK(app.session.model().name == "torus, 300 points");

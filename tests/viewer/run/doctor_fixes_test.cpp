@@ -50,8 +50,7 @@ struct FixApp : test::HeadlessApp {
         REQUIRE(session.ready());
     }
     void follow(const std::vector<std::string>& fixes) {
-        ui.requests.fixes = fixes;
-        document.carryOut(ui.requests);
+        document.runWithFixes(fixes);
         waitUntilDone();
     }
     std::vector<std::string> findings() const {
@@ -142,8 +141,7 @@ TEST_CASE("Bookmarks and notes stay when the input is repaired, and another inpu
     app.follow({"zero_normals"});
     CHECK(app.ui.notes == "kept");
     CHECK_FALSE(app.ui.leaving.asked);
-    app.document.open("scene:torus");
-    app.waitUntilDone();
+    app.openInstead("scene:torus");
     CHECK(app.session.input().spec().fixes.empty());
     CHECK(app.session.model().fixesDone.empty());
 }
@@ -151,12 +149,10 @@ TEST_CASE("Bookmarks and notes stay when the input is repaired, and another inpu
 TEST_CASE("A session keeps the fixes of its input") {
     FixApp app("cure-session-test");
     app.follow({"zero_normals", "flipped_normals"});
-    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
-    app.document.carryOut(app.ui.requests);
+    app.document.saveAs((app.folder / "a.sesession").string());
     app.follow({});
     CHECK(app.finds("flipped_normals"));
-    app.document.open((app.folder / "a.sesession").string());
-    app.waitUntilDone();
+    app.openInstead((app.folder / "a.sesession").string());
     CHECK(app.session.input().spec().fixes ==
           std::vector<std::string>{"zero_normals", "flipped_normals"});
     CHECK(app.findings().empty());
@@ -182,9 +178,7 @@ TEST_CASE("Undo restores the fixes, and selects no point of the other input") {
     CHECK(describeChange(before, after) == "the doctor's fix");
     applyEdits(before, app.context);
     CHECK(app.session.selection().kind == SelectionKind::None);
-    REQUIRE(app.ui.requests.settings);
-    CHECK(app.ui.requests.settings->fixes.empty());
-    app.document.carryOut(app.ui.requests);
+    CHECK(app.session.input().opening().fixes.empty());
     app.waitUntilDone();
     CHECK(app.finds("zero_normals"));
 }

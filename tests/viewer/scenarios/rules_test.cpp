@@ -17,8 +17,7 @@ namespace {
 
 /// Re-runs as a panel does, up to the end.
 void ask(HeadlessApp& app, const RunSpec& rules) {
-    app.ui.requests.rules = rules;
-    app.document.carryOut(app.ui.requests);
+    app.document.rerun(rules);
     app.waitUntilDone();
 }
 
@@ -151,16 +150,13 @@ TEST_CASE("Rules are undone and redone, and kept in the session file") {
     REQUIRE(step.has_value());
     CHECK(step->change == "rule tie");
     applyEdits(step->edits, app.context);
-    app.document.carryOut(app.ui.requests);
     app.waitUntilDone();
     CHECK(app.session.model().params == Params{});
     ask(app, withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
     const std::string path = (app.folder / "a.sesession").string();
-    app.ui.requests.saveSessionAs = path;
-    app.document.carryOut(app.ui.requests);
+    app.document.saveAs(path);
     ask(app, {});
-    app.document.open(path);
-    app.waitUntilDone();
+    app.openInstead(path);
     const RunSpec rules = withRule(withRule({}, "maxgap", 100.0), "walls", 0.0);
     CHECK(withRulesOf(rules, app.session.input().spec()) == rules);
 }
@@ -183,14 +179,12 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
     CHECK(sphere->verdict == Verdict::WhatIfKept);
     CHECK(hashAtEnd(session) != before);
     const std::string path = (app.folder / "fork.sesession").string();
-    app.ui.requests.saveSessionAs = path;
-    app.document.carryOut(app.ui.requests);
+    app.document.saveAs(path);
     ask(app, withoutWhatIf(session.input().rules(), 0));
     CHECK(session.input().spec().whatIf.empty());
     CHECK(hashAtEnd(session) == before);
     CHECK(toString(session.address()) == address);
-    app.document.open(path);
-    app.waitUntilDone();
+    app.openInstead(path);
     CHECK(session.input().spec().whatIf == std::vector<WhatIf>{what});
     CHECK(toString(session.address()) == address);
 }

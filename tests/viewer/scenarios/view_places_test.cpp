@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "commands/camera_actions.h"
+#include "headless_app.h"
 #include "layout/dial.h"
 #include "layout/overlays.h"
-#include "open_session.h"
 #include "panel_state/ui_state.h"
 #include "run/neighborhood.h"
 #include "scene/decision_view.h"
@@ -89,10 +89,10 @@ TEST_CASE("A click on the arrow brings the pivot into the view, with any selecti
     OpenSession open;
     open.session.moves().goToText("40.sort.1");
     open.session.waitUntilDone();
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{open.session, playback, camera, ui};
+    test::AroundSession around(open.session);
+    Camera& camera = around.camera;
+    UiState& ui = around.ui;
+    CommandContext& context = around.context;
     camera.lookAt({50.0F, 0.0F, 0.0F});
     const glm::vec3 pivot = open.session.model().place[open.session.picture().pivot];
     REQUIRE(edgeArrow(camera.matrices(kAspect), pivot, kSize, kInset));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "commands/command_actions.h"
-#include "open_session.h"
+#include "headless_app.h"
 #include "session/playback.h"
 
 using namespace se;
@@ -85,10 +85,10 @@ TEST_CASE("Up axis: z for points with walls, scenes and sampled points") {
 
 TEST_CASE("Up axis: chosen by a command, kept for other files, and reset to the guess") {
     test::OpenSession open;
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{open.session, playback, camera, ui};
+    test::AroundSession around(open.session);
+    Camera& camera = around.camera;
+    UiState& ui = around.ui;
+    CommandContext& context = around.context;
     const auto run = [&](const char* id) { findCommand(id)->run(context); };
     run("view.up.y");
     CHECK(camera.up() == UpAxis::Y);

@@ -147,12 +147,10 @@ TEST_CASE("A what-if without effect is refused by the command line, with a sente
 
 TEST_CASE("The command is copied without the dialog as well: for a file named after the input") {
     test::HeadlessApp app("copied-test");
-    MeshController saving(app.context);
     app.session.open(specOf(kSphere));
     app.session.waitUntilDone();
-    app.ui.mesh.ask = MeshAsk::CopyCommand;
-    saving.carryOut();
-    CHECK(app.ui.requests.copyText == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
+    app.mesh.copyCommand({});
+    CHECK(app.ui.clipboard.copied() == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
     CHECK(app.session.messages().last() == "Copied the command.");
 }
 
@@ -188,7 +186,6 @@ WhatIf turnedTest(const RunSpec& spec) {
 void checkReproduced(const RunSpec& spec, const char* name = "m.ply", bool usedOnly = false,
                      bool faultFields = false) {
     test::HeadlessApp app("reproduced test");  // a space in the path
-    MeshController saving(app.context);
     app.session.open(spec);
     app.session.waitUntilDone();
     REQUIRE_MESSAGE(app.session.ready(), app.session.input().error());

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "commands/commands.h"
-#include "open_session.h"
+#include "headless_app.h"
 #include "panel_state/ui_state.h"
 #include "scene/camera.h"
 
@@ -83,10 +83,9 @@ namespace {
 
 struct Player {
     test::OpenSession open{"scene:torus"};
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{open.session, playback, camera, ui};
+    test::AroundSession around{open.session};
+    Playback& playback = around.playback;
+    CommandContext& context = around.context;
 
     std::string step(PlayUnit unit, int count = 1) {
         playback.setUnit(unit);

@@ -2,6 +2,7 @@
 // first difference, the regions.
 #include <algorithm>
 
+#include "controllers/compare.h"
 #include "input/tab_order.h"
 #include "jobs/questions.h"
 #include "panel_state/compare_page.h"
@@ -107,10 +108,10 @@ void drawShortcuts(const PanelContext& context) {
     if (!here.whatIf.empty() &&
         compareButton(context, "Without what-ifs", "true run",
                       "This run without its what-ifs, to see what they changed"))
-        page.begin = CompareWith::otherRun(trueRunOf(here));
+        context.commands.compare.begin(CompareWith::otherRun(trueRunOf(here)));
     if (page.before && compareButton(context, "Before the last change", "before",
                                      "This run as it was: " + differenceText(here, *page.before)))
-        page.begin = CompareWith::otherRun(*page.before);
+        context.commands.compare.begin(CompareWith::otherRun(*page.before));
     if (page.choosing && compareButton(context, "Back", "back", "Keep the current comparison"))
         page.choosing = false;
 }
@@ -130,7 +131,7 @@ void drawCompareForm(const PanelContext& context) {
     const std::string difference = spec ? differenceText(here, spec.value()) : "";
     if (compareButton(context, "Compare", "begin", "Run it in the background and compare")) {
         form.complaint = spec ? std::string{} : spec.error().message;
-        if (spec) page.begin = CompareWith::otherRun(spec.value());
+        if (spec) context.commands.compare.begin(CompareWith::otherRun(spec.value()));
     }
     ImGui::SameLine();
     dimText(difference == "the same" ? "B is the same as A" : difference);
@@ -195,7 +196,7 @@ void drawTraceReason(const PanelContext& context, const teach::TraceReason& reas
     ImGui::PushID(static_cast<int>(number));
     if (selectable(context, label, false, "trace reason " + std::to_string(number + 1),
                    "Go to this decision of ours"))
-        context.state<ComparePage>().goTo = ComparedAddresses{reason.address, std::nullopt};
+        context.commands.compare.goTo({reason.address, std::nullopt});
     ImGui::PopID();
 }
 
@@ -212,7 +213,7 @@ void drawTraceDifference(const PanelContext& context, const Compared& found) {
     if (compareButton(
             context, "First difference", "first",
             "To our first decision that accounts for it (" + context.key("step.difference") + ")"))
-        context.state<ComparePage>().ask = CompareAsk::FirstDifference;
+        context.run("step.difference");
     const bool early = difference->runPivots > 0;
     wrappedText(early ? teach::earlyEndText(traced.comparison) : teach::headText(*difference));
     for (const std::string& each : difference->both) wrappedText(each);
@@ -234,7 +235,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
                              mesh ? "To the first triangle of the run that the mesh lacks"
                                   : "To the first decision in which the runs differ (" +
                                         context.key("step.difference") + ")")) {
-        page.ask = CompareAsk::FirstDifference;
+        context.run("step.difference");
     }
     if (found.runs.first) {
         wrappedText(found.runs.first->words);
@@ -249,7 +250,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
                 " a decision differed without a consequence.");
         if (compareButton(context, one ? "Go there" : "The first of them", "harmless",
                           found.runs.harmless->words))
-            page.ask = CompareAsk::FirstHarmless;
+            context.commands.compare.toFirstHarmless();
     }
     ImGui::Spacing();
 }
@@ -296,7 +297,7 @@ void drawWhy(const PanelContext& context) {
     if (a && compareButton(
                  context, "Go there", "cause",
                  other == nullptr ? "To the decisive line in A" : "Both to their decisive lines"))
-        page.goTo = ComparedAddresses{a, b};
+        context.commands.compare.goTo({a, b});
     if (a) ImGui::SameLine();
     if (compareButton(context, "Close", "why close", "Close the answers")) page.why.reset();
     ImGui::Spacing();
@@ -313,7 +314,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
                              "  B " + grouped(region.inB.size());
     ImGui::PushID(static_cast<int>(number));
     const bool shown = page.region == number;
-    if (ImGui::Selectable(text.c_str(), shown)) page.show = number;
+    if (ImGui::Selectable(text.c_str(), shown)) context.commands.compare.showRegion(number);
     if (ImGui::IsItemVisible())
         context.where()["compare region " + std::to_string(number + 1)] = lastItem();
     tooltip("Show it in the finished meshes.\nFirst made at " +
@@ -322,7 +323,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
     if (shown) {
         const auto a = firstMade(found.runs.a, region.inA);
         const auto b = firstMade(found.runs.b, region.inB);
-        if ((a || b) && ImGui::SmallButton("Where it began")) page.goTo = ComparedAddresses{a, b};
+        if ((a || b) && ImGui::SmallButton("Where it began")) context.commands.compare.goTo({a, b});
         tooltip("To its first triangle in A (" + addressOrDash(a) + ") and in B (" +
                 addressOrDash(b) + ")");
     }
@@ -330,17 +331,16 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
 }
 
 void drawRegions(const PanelContext& context, const Compared& found) {
-    ComparePage& page = context.state<ComparePage>();
     const std::size_t count = found.meshes.regions.size();
     heading(context, "Regions of difference", grouped(count));
     if (count == 0) return dimText("None: the meshes are the same.");
     if (compareButton(context, "Previous", "previous",
                       "Show the previous region (" + context.key("step.region.previous") + ")"))
-        page.ask = CompareAsk::PreviousRegion;
+        context.run("step.region.previous");
     ImGui::SameLine();
     if (compareButton(context, "Next", "next",
                       "Show the next region (" + context.key("step.region.next") + ")"))
-        page.ask = CompareAsk::NextRegion;
+        context.run("step.region.next");
     constexpr std::size_t kMaxRows = 200;
     for (std::size_t i = 0; i < std::min(count, kMaxRows); ++i) drawRegion(context, found, i);
     if (count > kMaxRows) dimText("... smaller ones by Next and Previous.");
@@ -350,7 +350,7 @@ void drawWorking(const PanelContext& context) {
     ImGui::ProgressBar(static_cast<float>(context.state<ComparePage>().now->share()), {-1.0F, 0.0F},
                        "comparing");
     if (compareButton(context, "Cancel", "cancel", "End the comparison"))
-        context.state<ComparePage>().ask = CompareAsk::Stop;
+        context.commands.compare.stop();
 }
 
 /// A and B by name.
@@ -369,10 +369,11 @@ void drawNames(const PanelContext& context) {
     if (!with.isFile()) {
         ImGui::SameLine();
         if (compareButton(context, "Swap", "swap", "Show B in all panels"))
-            page.ask = CompareAsk::Swap;
+            context.commands.compare.swap();
     }
     ImGui::SameLine();
-    if (compareButton(context, "Stop", "stop", "End the comparison")) page.ask = CompareAsk::Stop;
+    if (compareButton(context, "Stop", "stop", "End the comparison"))
+        context.commands.compare.stop();
     ImGui::Spacing();
 }
 

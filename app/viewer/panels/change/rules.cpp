@@ -1,5 +1,6 @@
 // All rules as switches: a change re-runs the input at once.
 #include "rules.h"
+#include "controllers/document.h"
 
 #include <algorithm>
 
@@ -179,7 +180,7 @@ void drawRules(const PanelContext& context) {
                                      ImGui::GetContentRegionAvail().x)
                                   .c_str());
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
-    if (chosen) context.requests().rules = *chosen;
+    if (chosen) context.document().rerun(*chosen);
 }
 
 }  // namespace se::view

@@ -1,6 +1,6 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
+#include "controllers/document.h"
 #include "panel_state/move_tool.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
@@ -13,12 +13,10 @@ namespace se::view {
 
 namespace {
 
-void ask(const PanelContext& context, const RunSpec& rules) { context.requests().rules = rules; }
-
 /// Adds a what-if, or reports why the fields form none.
 void requestOrReport(const PanelContext& context, const RunSpec& rules,
                      const Result<WhatIf>& what) {
-    if (what) return ask(context, withWhatIf(rules, what.value()));
+    if (what) return context.document().rerun(withWhatIf(rules, what.value()));
     context.session().messages().say(what.error().message);
 }
 
@@ -27,7 +25,7 @@ void offer(const PanelContext& context, const RunSpec& rules, const WhatIf& what
            const std::string& label, const std::string& name) {
     if (textButton(context, label, "what if " + name,
                    describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it."))
-        ask(context, withWhatIf(rules, what));
+        context.document().rerun(withWhatIf(rules, what));
 }
 
 void drawPresent(const PanelContext& context, const RunSpec& rules) {
@@ -37,7 +35,7 @@ void drawPresent(const PanelContext& context, const RunSpec& rules) {
         ImGui::PushID(static_cast<int>(i));
         const std::string number = std::to_string(i + 1);
         if (smallButton(context, "x", "what if remove " + number, "Remove this what-if"))
-            ask(context, withoutWhatIf(rules, i));
+            context.document().rerun(withoutWhatIf(rules, i));
         ImGui::SameLine();
         if (selectable(context, fitted(lineOf(what), ImGui::GetContentRegionAvail().x), false,
                        "what if " + number, describe(what) + "\nClick to go there."))

@@ -3,7 +3,6 @@
 
 #include "commands/palette_entries.h"
 #include "input/key_routing.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
@@ -86,7 +85,7 @@ void drawCommandPalette(const PanelContext& context) {
         ImGui::EndChild();
         if (picked != nullptr) {
             palette.open = false;
-            context.requests().closePopups = true;
+            context.ui().closesPopups = true;
             choose(*picked, context.commands);
         }
     }

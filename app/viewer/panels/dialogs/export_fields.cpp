@@ -124,8 +124,7 @@ void drawProgress(const PanelContext& context) {
                                                    std::to_string(form.total);
     const double share =
         form.total == 0 ? 0.0 : static_cast<double>(form.made) / static_cast<double>(form.total);
-    if (progressAndStop(context, share, text.c_str(), "export cancel", 5.5F))
-        form.ask = ExportAsk::Cancel;
+    if (progressAndStop(context, share, text.c_str(), "export cancel", 5.5F)) form.working = false;
 }
 
 }  // namespace

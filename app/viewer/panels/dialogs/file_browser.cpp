@@ -3,6 +3,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "controllers/compare.h"
+#include "controllers/document.h"
+#include "controllers/lesson.h"
+#include "controllers/mesh_saving.h"
+#include "controllers/sampling.h"
 #include "export/numbered_files.h"
 #include "export_fields.h"
 #include "input/key_routing.h"
@@ -29,52 +34,51 @@ constexpr int kSettling = 3;
 
 void openSource(const PanelContext& context, const std::string& source) {
     UiState& ui = context.ui();
+    CommandContext& c = context.commands;
     ui.fileBrowser = false;
-    if (ui.browser == BrowserTask::Mesh) {
-        ui.compare.begin = CompareWith::otherFile(source);
-        return;
-    }
-    if (ui.browser != BrowserTask::Volume) {
-        ui.requests.open = source;
-        return;
-    }
+    if (ui.browser == BrowserTask::Mesh) return c.compare.begin(CompareWith::otherFile(source));
+    if (ui.browser != BrowserTask::Volume) return c.document.open(source);
     ui.growth.form.chooseVolume(source);
-    ui.growth.asked = GrowthAsk::Begin;
+    c.sampling.start();
 }
 
-/// MeshController asks before it replaces a file.
-void saveMeshTo(const PanelContext& context, const std::string& typed) {
-    MeshForm& form = context.state<MeshForm>();
-    form.path = form.withFormat(typed);
-    form.ask = MeshAsk::Save;
-}
-
-/// Extension and request of what is saved.
-struct SaveTarget {
+/// Saves what is saved in a file of that extension.
+struct Saving {
+    BrowserTask task;
     std::string_view extension;
-    std::string& request;
+    void (*save)(CommandContext& c, const std::string& path);
 };
-SaveTarget saveTarget(const PanelContext& context) {
-    switch (context.ui().browser) {
-        case BrowserTask::SavePoints:
-            return {".ply", context.state<GrowthPage>().savePath};
-        case BrowserTask::SaveResult:
-            return {teach::kResultExtension, context.state<LessonPanel>().saveResult};
-        case BrowserTask::SaveLesson:
-            return {teach::kLessonExtension, context.state<LessonPanel>().saveLesson};
-        default:
-            return {kSessionExtension, context.requests().saveSessionAs};
-    }
+constexpr Saving kSavings[] = {
+    {BrowserTask::SaveSession, kSessionExtension,
+     [](CommandContext& c, const std::string& path) { c.document.saveAs(path); }},
+    {BrowserTask::SavePoints, ".ply",
+     [](CommandContext& c, const std::string& path) { c.sampling.save(path); }},
+    {BrowserTask::SaveResult, teach::kResultExtension,
+     [](CommandContext& c, const std::string& path) { c.lesson.saveResult(path); }},
+    {BrowserTask::SaveLesson, teach::kLessonExtension,
+     [](CommandContext& c, const std::string& path) { c.lesson.saveLesson(path); }},
+    {BrowserTask::Export, "",
+     [](CommandContext& c, const std::string& path) {
+         c.ui.exported.path = path;
+         c.ui.exported.working = true;
+     }},
+};
+const Saving* savingOf(BrowserTask task) {
+    const auto* found = std::find_if(std::begin(kSavings), std::end(kSavings),
+                                     [&](const Saving& each) { return each.task == task; });
+    return found == std::end(kSavings) ? nullptr : found;
 }
 
 /// An existing file is replaced only at the second request.
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
-    if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
-    const SaveTarget target = saveTarget(context);
-    ExportForm& exported = context.state<ExportForm>();
+    // It has a question of its own.
+    if (context.ui().browser == BrowserTask::SaveMesh)
+        return context.commands.mesh.save(context.state<MeshForm>().withFormat(typed.string()));
+    const Saving& saving = *savingOf(context.ui().browser);
+    const ExportForm& exported = context.state<ExportForm>();
     const bool frames = context.ui().browser == BrowserTask::Export;
     const fs::path path = frames ? fs::path(exported.withFormat(typed.string()))
-                                 : withExtension(typed, target.extension);
+                                 : withExtension(typed, saving.extension);
     std::error_code error;
     const bool session = context.ui().browser == BrowserTask::SaveSession;
     const bool own = session && path == context.ui().sessionPath;
@@ -90,13 +94,9 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     }
     state.overwrite.clear();
     state.error.clear();
-    if (frames) {
-        exported.path = path.string();
-        exported.ask = ExportAsk::Save;
-        return;
-    }
-    target.request = path.string();
-    context.ui().fileBrowser = false;
+    saving.save(context.commands, path.string());
+    // An export shows its progress here.
+    if (!frames) context.ui().fileBrowser = false;
 }
 
 /// The sampled points: of the page, or of the open input.
@@ -191,11 +191,9 @@ void drawScenes(const PanelContext& context) {
     ImGui::EndChild();
 }
 
-bool saving(const PanelContext& context) {
+bool saves(const PanelContext& context) {
     const BrowserTask task = context.ui().browser;
-    return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
-           task == BrowserTask::SaveMesh || task == BrowserTask::SaveResult ||
-           task == BrowserTask::SaveLesson || task == BrowserTask::Export;
+    return task == BrowserTask::SaveMesh || savingOf(task) != nullptr;
 }
 
 /// A question or work replaces the fields: input is disabled.
@@ -248,7 +246,7 @@ Words wordsFor(BrowserTask task) {
 
 /// The input line, with its button.
 void drawPathLine(const PanelContext& context, FileBrowsing& state) {
-    const bool save = saving(context);
+    const bool save = saves(context);
     const bool exports = context.ui().browser == BrowserTask::Export;
     const bool waits = dialogWaits(context);
     ImGui::BeginDisabled(waits);
@@ -304,7 +302,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
             const fs::path path = state.folder / entry.name;
             if (entry.folder) {
                 state.readFolder(path);
-            } else if (saving(context)) {
+            } else if (saves(context)) {
                 state.path = entry.name;
             } else {
                 openSource(context, path.string());
@@ -331,9 +329,9 @@ void drawOpen(const PanelContext& context, FileBrowsing& state) {
 /// Each time that the browser opens, since files may have changed.
 void prepare(const PanelContext& context, FileBrowsing& state) {
     state.task = context.ui().browser;
-    if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
+    if (state.folder.empty() || saves(context)) state.folder = firstFolder(context);
     state.readFolder(fs::path(state.folder));
-    state.path = saving(context) ? proposedName(context) : std::string{};
+    state.path = saves(context) ? proposedName(context) : std::string{};
     state.settling = kSettling;
     state.overwrite.clear();
 }

@@ -2,7 +2,8 @@
 #include <array>
 #include <utility>
 
-#include "panel_state/ui_requests.h"
+#include "controllers/document.h"
+#include "panel_state/leave_question.h"
 #include "panels/widgets/widgets.h"
 
 namespace se::view {
@@ -29,26 +30,28 @@ constexpr Choice kChoices[] = {
     {"Cancel (Esc)", "leave cancel", LeaveAnswer::Cancel, "Stay here"},
 };
 
-/// Beside each other, or below each other where that does not fit.
-void drawChoices(const PanelContext& context, LeaveQuestion& question) {
+/// Beside each other, or below each other where that does not fit. Returns the one that was chosen.
+std::optional<LeaveAnswer> drawChoices(const PanelContext& context, LeaveQuestion& question) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 0.0F;
     for (const Choice& each : kChoices) {
         width += ImGui::CalcTextSize(each.label).x + 2.0F * style.FramePadding.x;
     }
     const bool row = width + 2.0F * style.ItemSpacing.x <= ImGui::GetContentRegionAvail().x;
+    std::optional<LeaveAnswer> answer;
     for (const Choice& each : kChoices) {
         if (row && each.answer != LeaveAnswer::Save) ImGui::SameLine();
         if (textButton(context, each.label, each.id, each.help, row ? 0.0F : -1.0F))
-            question.answer = each.answer;
+            answer = each.answer;
         if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
             takeKeyboard();
         }
         // Space is Dear ImGui's own key for a button.
         const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
                            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));
-        if (ImGui::IsItemFocused() && enter) question.answer = each.answer;
+        if (ImGui::IsItemFocused() && enter) answer = each.answer;
     }
+    return answer;
 }
 
 }  // namespace
@@ -67,8 +70,9 @@ void drawLeaveQuestion(const PanelContext& context) {
     heading(context, kHeadlines[static_cast<std::size_t>(question.leave.what)]);
     wrappedText("There are unsaved " + question.atStake + ".");
     ImGui::Spacing();
-    drawChoices(context, question);
-    if (!question.asked || question.answer != LeaveAnswer::None) ImGui::CloseCurrentPopup();
+    if (const auto answer = drawChoices(context, question))
+        context.commands.document.answer(*answer);
+    if (!question.asked) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

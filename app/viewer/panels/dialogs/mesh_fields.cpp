@@ -103,12 +103,10 @@ void drawSize(const PanelContext& context) {
 }
 
 void drawCopy(const PanelContext& context, const std::string& path) {
-    MeshForm& form = context.state<MeshForm>();
+    const MeshForm& form = context.state<MeshForm>();
     if (textButton(context, "Copy command", "mesh copy command",
-                   "The command line that writes the same file, for a terminal")) {
-        form.path = path;
-        form.ask = MeshAsk::CopyCommand;
-    }
+                   "The command line that writes the same file, for a terminal"))
+        context.commands.mesh.copyCommand(path);
     if (form.note.empty()) return;
     ImGui::SameLine();
     dimText(form.note);
@@ -126,21 +124,21 @@ void drawQuestion(const PanelContext& context) {
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (replace || (enter && chosen)) {
-        form.ask = MeshAsk::Replace;
+        context.commands.mesh.replace();
     } else if (keep || enter) {
-        form.ask = MeshAsk::Keep;
+        context.commands.mesh.keep();
     }
 }
 
 void drawWork(const PanelContext& context) {
-    MeshForm& form = context.state<MeshForm>();
+    const MeshForm& form = context.state<MeshForm>();
     const float button = 5.5F * context.em;
     ImGui::ProgressBar(form.writing ? 1.0F : static_cast<float>(form.share),
                        {ImGui::GetContentRegionAvail().x - button, 0.0F},
                        form.writing ? "writing" : "running to the end");
     ImGui::SameLine();
     ImGui::BeginDisabled(form.writing);
-    if (textButton(context, "Cancel", "mesh cancel", {}, -1.0F)) form.ask = MeshAsk::Cancel;
+    if (textButton(context, "Cancel", "mesh cancel", {}, -1.0F)) context.commands.mesh.cancel();
     ImGui::EndDisabled();
 }
 

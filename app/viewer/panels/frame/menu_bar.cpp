@@ -6,6 +6,7 @@
 
 #include "commands/availability.h"
 #include "commands/command_actions.h"
+#include "controllers/document.h"
 #include "layers/layer.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
@@ -28,14 +29,14 @@ void drawRecent(const PanelContext& context) {
     for (const std::string& path : recent) {
         const std::string shown = isSample(path) ? recentName(path) : path;
         const std::string name = fittedName(shown, 30.0F * context.em) + "##" + path;
-        if (ImGui::MenuItem(name.c_str())) context.requests().open = path;
+        if (ImGui::MenuItem(name.c_str())) context.document().open(path);
     }
     ImGui::EndMenu();
 }
 
 void drawScene(const PanelContext& context, const Scene& scene) {
     if (ImGui::MenuItem(std::string(scene.title).c_str()))
-        context.requests().open = sceneSource(scene.id);
+        context.document().open(sceneSource(scene.id));
     tooltip(std::string(scene.watch));
 }
 

@@ -1,6 +1,7 @@
 // A point that is dragged in the view: in its tangent plane, with Shift along its normal. Its way
 // is drawn from where it was, with a tick where the verdict at the cursor changes.
 #include "panel_state/move_tool.h"
+#include "controllers/document.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -83,7 +84,7 @@ void followPointer(const PanelContext& context, MoveTool& tool) {
 void endMove(const PanelContext& context) {
     PointDrag& drag = context.session().drag();
     if (drag.to() == drag.from()) return drag.takeBack();
-    context.requests().rules = withWhatIf(context.session().input().rules(), drag.release());
+    context.document().rerun(withWhatIf(context.session().input().rules(), drag.release()));
 }
 
 /// "moved by 0.31 spacings; the verdict turns at 0.25"

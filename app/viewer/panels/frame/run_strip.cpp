@@ -268,7 +268,7 @@ void handleMouse(const RunStrip& strip) {
     if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Each to its own address, like its key.
         strip.context.playback().pause();
-        strip.context.state<ComparePage>().ask = CompareAsk::FirstDifference;
+        strip.context.run("step.difference");
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
         const float by = drag.move({io.MousePos.x, io.MousePos.y}, 0.0F).x;
         if (by != 0.0F) window.pan(-by / strip.bars.size.x);

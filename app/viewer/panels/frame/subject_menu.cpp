@@ -4,10 +4,11 @@
 #include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
 #include "commands/command_actions.h"
+#include "controllers/compare.h"
+#include "controllers/document.h"
 #include "panel_state/column.h"
 #include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
@@ -50,7 +51,7 @@ void drawWhatIfs(const PanelContext& context, Index point) {
     for (std::size_t i = 0; i < offers.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::MenuItem(offers[i].label.c_str())) {
-            context.requests().rules = withWhatIf(rules, offers[i].what);
+            context.document().rerun(withWhatIf(rules, offers[i].what));
         }
         ImGui::PopID();
         nameItem(context, "menu what if " + std::to_string(i + 1), describe(offers[i].what));
@@ -71,7 +72,7 @@ void drawSelectEntries(const PanelContext& context, const Selection& what) {
     if (ImGui::MenuItem("Select", nullptr, session.selection() == what)) session.select(what);
     if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
         session.select(what);
-        context.requests().frame = FrameRequest::Focus;
+        context.ui().frame = FrameRequest::Focus;
     }
 }
 
@@ -126,7 +127,7 @@ void drawBeside(const PanelContext& context, const Selection& what) {
     ImGui::TextDisabled("Breakpoints and what-ifs are those of A.");
     if (ImGui::MenuItem("Make B the run A (Swap)")) {
         context.session().select(what);
-        context.state<ComparePage>().ask = CompareAsk::Swap;
+        context.commands.compare.swap();
     }
     nameItem(context, "menu swap");
 }

@@ -52,7 +52,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};
     ImGui::SetCursorScreenPos(toVec2(found.rect.min));
     if (ImGui::InvisibleButton("##pivotArrow", toVec2(found.rect.size)))
-        context.requests().frame = FrameRequest::Decision;
+        context.ui().frame = FrameRequest::Decision;
     found.hovered = ImGui::IsItemHovered();
     tooltip("The pivot, " + nameOf(pivot, session.names()) +
             ", is outside of the view.\nClick to center it.");

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <span>
 
+#include "controllers/document.h"
 #include "jobs/doctor_job.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
@@ -77,7 +77,7 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
 void follow(const PanelContext& context, const std::vector<std::string>& more) {
     std::vector<std::string> fixes = context.session().input().spec().fixes;
     fixes.insert(fixes.end(), more.begin(), more.end());
-    context.requests().fixes = std::move(fixes);
+    context.document().runWithFixes(std::move(fixes));
 }
 
 void drawRemedy(const PanelContext& context, const Finding& finding) {
@@ -115,7 +115,7 @@ void drawRepaired(const PanelContext& context) {
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
     if (smallButton(context, "Use the file as is", "doctor as it is",
                     "Open the input without any fixes"))
-        context.requests().fixes = std::vector<std::string>{};
+        context.document().runWithFixes({});
     ImGui::Spacing();
     ImGui::Separator();
 }

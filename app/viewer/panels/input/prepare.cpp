@@ -1,5 +1,5 @@
 // The panel that reads the input again with other options of the preparation.
-#include "panel_state/ui_requests.h"
+#include "controllers/document.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 
@@ -14,7 +14,7 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
         Result<RunSpec> spec = form.spec(context.session().input().spec());
         form.complaint = spec ? std::string{} : spec.error().message;
         if (spec) {
-            context.requests().openSpec = std::move(spec.value());
+            context.document().openSpec(std::move(spec.value()));
             form.close();
         }
     }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controllers/document.h"
+#include "controllers/lesson.h"
 #include "lesson_parts.h"
 #include "panel_state/lesson_panel.h"
-#include "panel_state/ui_requests.h"
 #include "panels/widgets/text_blocks.h"
 #include "panels/widgets/widgets.h"
 #include "scene/palette.h"
@@ -33,7 +34,7 @@ void drawLessons(const PanelContext& context) {
     if (!panel.complaint.empty()) wrappedText("! " + panel.complaint, context.palette.rejected);
     for (const LessonEntry& each : lessonEntries()) {
         if (selectable(context, each.title, false, "open " + each.source, each.text))
-            context.requests().open = each.source;
+            context.document().open(each.source);
         dimAtRight(minutesText(each.minutes));
     }
     ImGui::Spacing();
@@ -59,7 +60,7 @@ void drawStepBar(const PanelContext& context, const LessonWalk& walk) {
         ImGui::SetCursorScreenPos({x, at.y - 0.3F * em});
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::InvisibleButton("##step", {piece, height + 0.6F * em}))
-            context.state<LessonPanel>().toStep = i;
+            context.commands.lesson.toStep(i);
         nameItem(context, "lesson step " + std::to_string(i + 1), walk.lesson().steps[i].title);
         ImGui::PopID();
         const Palette& palette = context.palette;
@@ -92,9 +93,9 @@ void drawHead(const PanelContext& context, const LessonWalk& walk) {
 void followLink(const PanelContext& context, const std::string& link) {
     if (link.empty()) return;
     if (link.starts_with(kDecisionLink)) {
-        context.state<LessonPanel>().follow = link.substr(kDecisionLink.size());
+        context.commands.lesson.follow(link.substr(kDecisionLink.size()));
     } else {
-        context.requests().copyText = link;
+        context.ui().clipboard.copy(link);
         context.session().messages().say("Copied: " + link);
     }
 }
@@ -108,48 +109,48 @@ void drawText(const PanelContext& context, const LessonWalk& walk) {
     followLink(context, drawTextBlocks(context, teach::textBlocks(walk.shownStep().text)));
 }
 
-/// A button that requests something, as wide as the share of the line that it has.
-void askButton(const PanelContext& context, const char* label, const char* name, LessonAsk ask,
-               const std::string& tip, float width) {
-    if (textButton(context, label, name, tip, width)) context.state<LessonPanel>().ask = ask;
-}
-
 /// The way on, at the lower end of the panel.
 void drawFoot(const PanelContext& context, const LessonWalk& walk) {
     const LessonPanel& panel = context.state<LessonPanel>();
+    LessonController& lesson = context.commands.lesson;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     const bool plays = context.playback().playing();
     const bool hasPlay = walk.question() == nullptr && !walk.shownStep().until.empty();
     if (panel.away && !plays) {
-        askButton(context, "Back to the step", "lesson return", LessonAsk::Return,
-                  "Position, rules and view of this step", -1.0F);
+        if (textButton(context, "Back to the step", "lesson return",
+                       "Position, rules and view of this step", -1.0F))
+            lesson.returnToStep();
     } else if (hasPlay) {
-        askButton(context, "Play", "lesson play", LessonAsk::Play,
-                  "Play to " + walk.setting().answerPlace, -1.0F);
+        if (textButton(context, "Play", "lesson play", "Play to " + walk.setting().answerPlace,
+                       -1.0F))
+            lesson.play();
     } else {
         ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
     }
     const bool last = walk.step() + 1 == walk.lesson().steps.size();
     ImGui::BeginDisabled(walk.step() == 0);
-    askButton(context, "Back", "lesson previous", LessonAsk::Previous,
-              "The step before (" + context.key("lesson.previous") + ")", half);
+    if (textButton(context, "Back", "lesson previous",
+                   "The step before (" + context.key("lesson.previous") + ")", half))
+        lesson.previous();
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (last && teach::practiceSeed(walk.source())) {
         if (textButton(context, "Another", "lesson another", "Another pivot to play", half))
             context.run("help.practice");
     } else if (last) {
-        askButton(context, "Close", "lesson close", LessonAsk::Close,
-                  "Close the lesson; the run stays open", half);
+        if (textButton(context, "Close", "lesson close", "Close the lesson; the run stays open",
+                       half))
+            lesson.close();
     } else {
         const bool primary = !walk.asks();
         if (primary) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
         if (primary) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        askButton(context, primary ? "Next" : "Skip", "lesson next", LessonAsk::Next,
-                  (primary ? "The next step (" : "The next step, without an answer (") +
-                      context.key("lesson.next") + ")",
-                  half);
+        if (textButton(context, primary ? "Next" : "Skip", "lesson next",
+                       (primary ? "The next step (" : "The next step, without an answer (") +
+                           context.key("lesson.next") + ")",
+                       half))
+            lesson.next();
         if (primary) ImGui::PopStyleColor(2);
     }
 }

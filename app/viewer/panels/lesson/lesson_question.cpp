@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "controllers/lesson.h"
 #include "lesson_parts.h"
 #include "panel_state/lesson_panel.h"
 #include "panels/widgets/widgets.h"
@@ -124,7 +125,7 @@ void drawField(const PanelContext& context, LessonWalk& walk) {
         textField("##answer", hint.c_str(), typed, ImGuiInputTextFlags_EnterReturnsTrue);
     nameItem(context, "lesson answer field");
     if (typed != walk.state().typed) walk.type(std::move(typed));
-    if (entered) context.state<LessonPanel>().ask = LessonAsk::Answer;
+    if (entered) context.commands.lesson.answer();
 }
 
 /// Below the buttons, which keep their place: why the answer cannot be read; or, after a wrong try,
@@ -160,13 +161,14 @@ void drawOpen(const PanelContext& context, LessonWalk& walk) {
     ImGui::Spacing();
     if (!room) {
         ImGui::BeginDisabled(walk.state().given == teach::Answer{});
-        if (textButton(context, "Answer", "lesson answer", "Enter")) panel.ask = LessonAsk::Answer;
+        if (textButton(context, "Answer", "lesson answer", "Enter"))
+            context.commands.lesson.answer();
         ImGui::EndDisabled();
         ImGui::SameLine();
     }
     if (textButton(context, "Show answer", "lesson show",
                    "Go through the decisions up to the answer"))
-        panel.ask = LessonAsk::Show;
+        context.commands.lesson.showAnswer();
     if (!walk.question()->options.empty()) {
         ImGui::Checkbox("Count hands of a room", &panel.countsHands);
         nameItem(context, "lesson hands");
@@ -216,7 +218,7 @@ void drawResult(const PanelContext& context, const LessonWalk& walk) {
         ImGui::Spacing();
         wrappedText(withShortNumbers(walk.right().reason));
         if (smallButton(context, walk.question()->why, "lesson why", "Go to this decision"))
-            context.state<LessonPanel>().follow = walk.question()->why;
+            context.commands.lesson.follow(walk.question()->why);
     }
 }
 
@@ -233,7 +235,7 @@ void drawSolution(const PanelContext& context, const LessonWalk& walk) {
         ImGui::PushID(static_cast<int>(i));
         if (selectable(context, teach::moveText(moves[i].move, walk.setting().names), false,
                        "solution " + std::to_string(i + 1), describe(moves[i].event, walk.names())))
-            context.state<LessonPanel>().follow = address;
+            context.commands.lesson.follow(address);
         ImGui::PopID();
         ImGui::PopStyleColor();
         dimAtRight(address);
@@ -279,7 +281,7 @@ void drawDecisions(const PanelContext& context, const LessonWalk& walk) {
                                   withShortNumbers(describe(event, walk.names()));
         const std::string shown = fittedWords(label, ImGui::GetContentRegionAvail().x);
         if (selectable(context, shown, false, "decision " + address, describe(event, walk.names())))
-            context.state<LessonPanel>().follow = address;
+            context.commands.lesson.follow(address);
         ImGui::PopStyleColor();
         ImGui::PopID();
     }

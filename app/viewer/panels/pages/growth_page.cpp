@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "controllers/sampling.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
@@ -33,8 +34,8 @@ void name(const PanelContext& context, const char* text) {
 
 /// The particles get the keyboard focus back.
 void beginByEnter(const PanelContext& context) {
-    context.state<GrowthPage>().asked = GrowthAsk::Begin;
-    context.requests().closePopups = true;
+    context.commands.sampling.start();
+    context.ui().closesPopups = true;
 }
 
 /// A field after its name. Enter in it starts.
@@ -72,7 +73,7 @@ void drawShapes(const PanelContext& context) {
             const std::string label = fittedWords(std::string(shape.title), room) + "##" + id;
             if (ImGui::Selectable(label.c_str(), chosen)) {
                 page.form.choose(id);
-                page.asked = GrowthAsk::Begin;
+                context.commands.sampling.start();
             }
             if (ImGui::IsItemVisible()) context.where()["shape " + id] = lastItem();
             tooltip(std::string(shape.title) + " (" + id + ")");
@@ -144,7 +145,7 @@ void drawGrowthForm(const PanelContext& context) {
     if (textButton(context, "Restart", "growth begin",
                    "Spread these particles (Enter in a field, or " + context.key("run.start") + ")",
                    -1.0F))
-        page.asked = GrowthAsk::Begin;
+        context.commands.sampling.start();
     if (!page.complaint.empty()) wrappedText("! " + page.complaint, context.palette.rejected);
 }
 
@@ -248,7 +249,7 @@ void drawEndings(const PanelContext& context) {
     nameItem(context, "growth use",
              page.phase == GrowthPhase::Done ? "Open a run on them"
                                              : "Open a run on them as they are now");
-    if (use) page.asked = GrowthAsk::Use;
+    if (use) context.commands.sampling.use();
     ImGui::SameLine();
     const std::string command = sampleCommand(page.made);
     if (textButton(
@@ -259,7 +260,7 @@ void drawEndings(const PanelContext& context) {
     ImGui::SameLine();
     if (textButton(context, "Cancel", "growth cancel",
                    "Leave this page (" + context.key("help.leave") + ")"))
-        page.asked = GrowthAsk::Leave;
+        context.commands.sampling.leave();
 }
 
 float endingsWidth() {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "controllers/document.h"
 #include "input/tab_order.h"
 #include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
@@ -110,7 +111,7 @@ float sentenceHeight(const PanelContext& context, const StartPage& page, float w
 /// The item of a tile: a click opens it.
 void offerTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const std::string source = sourceOf(tile);
-    if (ImGui::InvisibleButton(source.c_str(), size)) context.requests().open = source;
+    if (ImGui::InvisibleButton(source.c_str(), size)) context.document().open(source);
     const bool first = &tile == &context.state<StartPage>().tiles.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Scenes)) takeKeyboard();
     const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
@@ -280,7 +281,7 @@ void drawRecentFiles(const PanelContext& context) {
         const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
         nameItem(context, what + std::to_string(++place), path);
     }
-    if (!chosen.empty()) context.requests().open = chosen;
+    if (!chosen.empty()) context.document().open(chosen);
     ImGui::Spacing();
 }
 

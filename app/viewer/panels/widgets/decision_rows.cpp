@@ -203,7 +203,7 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
 void goToDecision(const PanelContext& context, const Address& address, FrameRequest frame) {
     context.playback().pause();
     context.session().moves().goTo(address);
-    context.requests().frame = frame;
+    context.ui().frame = frame;
 }
 
 }  // namespace se::view

@@ -7,7 +7,7 @@
 
 #include "jobs/background_job.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "spiraling_edge/why/ledger.h"
 
