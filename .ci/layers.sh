@@ -36,7 +36,7 @@ viewer=()
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
-mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|export|panel_state|commands|controllers)/')
+mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|export|panel_state|document|lesson|compare|commands)/')
 
 # core -> GLM, the standard library, zlib in inflate.cpp.
 no "$(include "$window|$programs|app/|viewer|cli/|teach/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
@@ -78,9 +78,9 @@ no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
 mapfile -t not_export < <(printf '%s\n' "${viewer[@]}" | grep -v '^app/viewer/export/')
 no "$(include 'cgif')" "only export/ may use cgif" "${not_export[@]}"
-# Rooms of the viewer, from the bottom: a room may include those before it; those of one step do not
-# know each other.
-steps=(run jobs scene 'render|layers' rows session 'layout|input' export panel_state commands panels controllers)
+# Rooms of the viewer, from the bottom: a room may include those before it. Of one step, those with a
+# bar between them do not know each other, those with a plus do.
+steps=(run jobs scene 'render|layers' rows session 'layout|input' export panel_state document+lesson+compare commands panels)
 # below ROOM ABOVE: the files of a room must not include one of the rooms above it.
 below() {
     local files
@@ -88,8 +88,9 @@ below() {
     no "$(include "$2")" "$1/ must not know" "${files[@]}"
 }
 for i in "${!steps[@]}"; do
-    for room in ${steps[i]//|/ }; do
-        above=$(printf '%s\n' "${steps[@]:i}" | tr '|' '\n' | grep -vx "$room" | paste -sd '|')
+    for room in ${steps[i]//[|+]/ }; do
+        own=$(grep -F + <<<"${steps[i]}" | tr + '|')
+        above=$(printf '%s\n' "${steps[@]:i}" | tr '|+' '\n\n' | grep -vxE "${own:-$room}" | paste -sd '|')
         below "$room" "($above)/|(options|application|window|offscreen)\.h"
     done
 done

@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "commands/alert_actions.h"
-#include "commands/break_commands.h"
-#include "commands/camera_actions.h"
-#include "commands/command_actions.h"
+#include "document/actions.h"
+#include "document/alert_actions.h"
+#include "document/break_actions.h"
+#include "document/camera_actions.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
@@ -36,12 +36,12 @@ Application::Application(const Options& options, const ViewSettings& settings)
       commands_{session_, playback_, camera_,  ui_,   document_,
                 history_, lesson_,   compare_, mesh_, sampling_},
       document_(commands_),
-      alerts_(commands_, document_),
+      alerts_(commands_),
       sampling_(commands_),
       compare_(commands_),
       mesh_(commands_),
-      lesson_(commands_, document_),
-      firstRun_(commands_, document_),
+      lesson_(commands_),
+      firstRun_(commands_),
       export_(std::make_unique<WindowExport>(commands_)),
       history_(commands_) {
     compare_.setShaders(options.shaders);

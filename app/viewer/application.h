@@ -6,15 +6,15 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "controllers/alerts.h"
-#include "controllers/compare.h"
-#include "controllers/document.h"
-#include "controllers/first_run.h"
-#include "controllers/edit_history.h"
-#include "controllers/lesson.h"
-#include "controllers/mesh_saving.h"
-#include "controllers/sampling.h"
-#include "controllers/scene_painter.h"
+#include "compare/compared_runs.h"
+#include "document/alerts_shown.h"
+#include "document/document.h"
+#include "document/edit_history.h"
+#include "document/first_run.h"
+#include "document/mesh_saving.h"
+#include "document/new_points.h"
+#include "document/scene_painter.h"
+#include "lesson/lesson_player.h"
 #include "options.h"
 #include "panels/panel.h"
 #include "panels/ui.h"
@@ -148,12 +148,12 @@ class Application {
     ScenePainter painter_;
     std::uint32_t placedGeneration_ = 0;  ///< Generation that the camera was placed for.
     float contentScale_ = 1.0F;
-    DocumentController document_;
-    AlertController alerts_;
-    SamplingController sampling_;
-    CompareController compare_;
-    MeshController mesh_;
-    LessonController lesson_;
+    Document document_;
+    AlertsShown alerts_;
+    NewPoints sampling_;
+    ComparedRuns compare_;
+    MeshSaving mesh_;
+    LessonPlayer lesson_;
     FirstRun firstRun_;
     std::unique_ptr<WindowExport> export_;
     EditHistory history_;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "application.h"
-#include "commands/command_actions.h"
+#include "document/actions.h"
 
 namespace se::view {
 

@@ -1,7 +1,7 @@
 #include "export_options.h"
 
 #include "export/formats.h"
-#include "export/lesson_frames.h"
+#include "lesson/lesson_frames.h"
 #include "options.h"
 
 namespace se::view {

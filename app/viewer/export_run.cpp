@@ -9,12 +9,12 @@
 #include <numeric>
 #include <utility>
 
-#include "commands/camera_actions.h"
-#include "export/lesson_frames.h"
+#include "compare/compared_titles.h"
+#include "document/camera_actions.h"
+#include "lesson/lesson_frames.h"
 #include "picture_frames.h"
 #include "render/context.h"
 #include "scene/framing.h"
-#include "session/compare/compared_titles.h"
 #include "session/view_position.h"
 #include "spiraling_edge/run/event_text.h"
 #include "teach/lesson_text.h"

@@ -1,8 +1,8 @@
 // The steps of a lesson: input, position, looks, camera and second run of each.
-#include "commands/camera_actions.h"
-#include "export/lesson_frames.h"
+#include "document/camera_actions.h"
 #include "export_run.h"
 #include "jobs/open_lesson.h"
+#include "lesson/lesson_frames.h"
 #include "scene/decision_view.h"
 #include "session/view_position.h"
 

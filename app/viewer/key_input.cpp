@@ -4,9 +4,9 @@
 
 #include "application.h"
 #include "commands/commands.h"
-#include "commands/lesson_actions.h"
-#include "commands/piece_actions.h"
+#include "document/piece_actions.h"
 #include "input/key_routing.h"
+#include "lesson/lesson_actions.h"
 #include "session/view_position.h"
 
 namespace se::view {

@@ -7,11 +7,11 @@
 
 #include "commands/commands.h"
 #include "export/formats.h"
-#include "export/lesson_frames.h"
 #include "export/numbered_files.h"
 #include "export_options.h"
 #include "jobs/open_lesson.h"
 #include "jobs/thread.h"
+#include "lesson/lesson_frames.h"
 #include "options/spec_options.h"
 #include "run/number_format.h"
 #include "run/strings.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "controllers/start_options.h"
+#include "document/start_options.h"
 
 namespace se::view {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "application.h"
-#include "commands/alert_actions.h"
+#include "document/alert_actions.h"
 #include "jobs/questions.h"
 #include "session/selection_facts.h"
 #include "session/view_position.h"

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "controllers/document.h"
-#include "export/lesson_frames.h"
+#include "document/document.h"
+#include "document/ui_state.h"
 #include "export_run.h"
-#include "panel_state/ui_state.h"
+#include "lesson/lesson_frames.h"
 
 namespace se::view {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "application.h"
+#include "document/ui_state.h"
 #include "offscreen.h"
-#include "panel_state/ui_state.h"
 
 namespace se::view::test {
 

@@ -1,12 +1,12 @@
 /// A program without a window, for tests of its actions.
 #pragma once
 
-#include "controllers/compare.h"
-#include "controllers/document.h"
-#include "controllers/edit_history.h"
-#include "controllers/lesson.h"
-#include "controllers/mesh_saving.h"
-#include "controllers/sampling.h"
+#include "compare/compared_runs.h"
+#include "document/document.h"
+#include "document/edit_history.h"
+#include "document/mesh_saving.h"
+#include "document/new_points.h"
+#include "lesson/lesson_player.h"
 #include "open_session.h"
 #include "session/playback.h"
 
@@ -18,12 +18,12 @@ struct AroundSession {
     Camera camera;
     UiState ui;
     CommandContext context;
-    DocumentController document{context};
+    Document document{context};
     EditHistory history{context};
-    LessonController lesson{context, document};
-    CompareController compare{context};
-    MeshController mesh{context};
-    SamplingController sampling{context};
+    LessonPlayer lesson{context};
+    ComparedRuns compare{context};
+    MeshSaving mesh{context};
+    NewPoints sampling{context};
 
     explicit AroundSession(Session& session)
         : context{session, playback, camera,  ui,   document,

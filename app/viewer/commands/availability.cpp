@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "panel_state/ui_state.h"
-#include "session/compare/comparison.h"
+#include "compare/comparison.h"
+#include "document/ui_state.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include "controllers/compare.h"
-#include "controllers/document.h"
-#include "controllers/edit_history.h"
-#include "controllers/lesson.h"
+#include "compare/compared_runs.h"
+#include "document/document.h"
+#include "document/edit_history.h"
+#include "lesson/lesson_player.h"
 
-#include "alert_actions.h"
-#include "ask_actions.h"
-#include "break_commands.h"
-#include "camera_actions.h"
-#include "command_actions.h"
-#include "lesson_actions.h"
+#include "document/actions.h"
+#include "document/alert_actions.h"
+#include "document/ask_actions.h"
+#include "document/break_actions.h"
+#include "document/camera_actions.h"
+#include "document/piece_actions.h"
+#include "lesson/lesson_actions.h"
 #include "panel_state/side_panels.h"
-#include "piece_actions.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -40,10 +40,10 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { openBrowser(c, BrowserTask::Open); }, "load import read points scan"},
     {"file.new.shape", "File", "New from shape...", "Ctrl+N",
      "Spread new points over a shape, step by step.",
-     [](C& c) { openGrowthPage(c, GrowthSource::Shape); }, "sample create generate particles"},
+     [](C& c) { c.sampling.openPage(GrowthSource::Shape); }, "sample create generate particles"},
     {"file.new.volume", "File", "New from volume...", "Ctrl+Shift+N",
      "Spread new points over an isosurface of a volume, step by step.",
-     [](C& c) { openGrowthPage(c, GrowthSource::Volume); },
+     [](C& c) { c.sampling.openPage(GrowthSource::Volume); },
      "sample create generate particles isosurface nrrd"},
     {"file.prepare", "File", "Prepare...", "Ctrl+Shift+R",
      "Choose what is derived from the points, and how.", openPrepare,
@@ -126,9 +126,9 @@ const auto kCommands = std::to_array<Command>({
      "Compare with a mesh, or a trace, that another program made from the same points.",
      compareMesh, "difference side reference"},
     {"run.compare.swap", "Run", "Swap the compared runs", "", "Show the other run in all panels.",
-     [](C& c) { ofComparison(c, &CompareController::swap); }},
+     [](C& c) { ofComparison(c, &ComparedRuns::swap); }},
     {"run.compare.stop", "Run", "End comparison", "", "Close the other run, mesh or trace.",
-     [](C& c) { ofComparison(c, &CompareController::stop); }},
+     [](C& c) { ofComparison(c, &ComparedRuns::stop); }},
     {"run.end", "Run", "Run to the end", "End", "Run to the end in the background.",
      [](C& c) { pause(c), c.session.moves().toEnd(); }, "finish complete whole mesh result"},
     {"run.start", "Run", "Back to the start", "Home",
@@ -183,13 +183,13 @@ const auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.look.toggle(LookBack::Mode::Blink, c.ui.clock); }},
     {"step.difference", "Step", "First difference", "D",
      "Go to the first decision in which the compared runs differ.",
-     [](C& c) { ofComparison(c, &CompareController::toFirstDifference); }},
+     [](C& c) { ofComparison(c, &ComparedRuns::toFirstDifference); }},
     {"step.region.next", "Step", "Next region of difference", "Shift+D",
      "Show the next region where the compared meshes differ, largest first.",
-     [](C& c) { ofComparison(c, &CompareController::toNextRegion); }, "", kRepeats},
+     [](C& c) { ofComparison(c, &ComparedRuns::toNextRegion); }, "", kRepeats},
     {"step.region.previous", "Step", "Previous region of difference", "Ctrl+Shift+D",
      "Show the previous region of difference.",
-     [](C& c) { ofComparison(c, &CompareController::toPreviousRegion); }, "", kRepeats},
+     [](C& c) { ofComparison(c, &ComparedRuns::toPreviousRegion); }, "", kRepeats},
     {"step.birth", "Step", "Where the selection was made", "",
      "Go to the pivot that made the selected edge or triangle.", goToBirth},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",

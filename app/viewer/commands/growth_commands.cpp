@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "command_actions.h"
-#include "controllers/sampling.h"
+#include "document/actions.h"
+#include "document/new_points.h"
 
 namespace se::view {
 
@@ -13,22 +13,22 @@ namespace {
 
 struct Meaning {
     std::string_view id;
-    void (SamplingController::*act)();
+    void (NewPoints::*act)();
 };
 
 constexpr auto kMeanings = std::to_array<Meaning>({
-    {"run.play", &SamplingController::playOrPause},
-    {"run.step", &SamplingController::step},
-    {"step.event.next", &SamplingController::step},
-    {"step.pivot.next", &SamplingController::step},
-    {"run.end", &SamplingController::finish},
-    {"run.continue", &SamplingController::finish},
-    {"run.continue.back", &SamplingController::start},
-    {"run.start", &SamplingController::start},
-    {"file.restart", &SamplingController::start},
-    {"view.home", &SamplingController::home},
-    {"view.all", &SamplingController::home},
-    {"view.frame", &SamplingController::home},
+    {"run.play", &NewPoints::playOrPause},
+    {"run.step", &NewPoints::step},
+    {"step.event.next", &NewPoints::step},
+    {"step.pivot.next", &NewPoints::step},
+    {"run.end", &NewPoints::finish},
+    {"run.continue", &NewPoints::finish},
+    {"run.continue.back", &NewPoints::start},
+    {"run.start", &NewPoints::start},
+    {"file.restart", &NewPoints::start},
+    {"view.home", &NewPoints::home},
+    {"view.all", &NewPoints::home},
+    {"view.frame", &NewPoints::home},
 });
 
 /// Groups about the run, which does not exist yet.
@@ -44,21 +44,6 @@ bool isAside(const Command& command) {
 }
 
 }  // namespace
-
-void openGrowthPage(CommandContext& context, GrowthSource from) {
-    GrowthPage& page = context.ui.growth;
-    context.playback.pause();
-    const bool another = !page.open || page.form.from != from;
-    page.form.from = from;
-    page.open = true;
-    page.complaint.clear();
-    page.message.clear();
-    context.ui.closesPopups = true;
-    const bool nothingChosen = from == GrowthSource::Volume && page.form.volume.empty();
-    if (another && !nothingChosen) context.sampling.start();
-    if (!nothingChosen) return;
-    actions::openBrowser(context, BrowserTask::Volume);
-}
 
 bool runOnGrowthPage(const Command& command, CommandContext& context) {
     const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include "controllers/document.h"
+#include "document/document.h"
 
-#include "command_actions.h"
+#include "document/actions.h"
 #include "jobs/open_lesson.h"
 #include "run/model.h"
 #include "run/strings.h"

@@ -14,7 +14,7 @@
 #include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "scene/picture.h"
-#include "session/compare/compared_titles.h"
+#include "session/compare_with.h"
 #include "teach/lesson_runs.h"
 
 namespace se::view {

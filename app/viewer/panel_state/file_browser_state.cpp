@@ -6,7 +6,7 @@
 #include "export/formats.h"
 #include "jobs/open_lesson.h"
 #include "run/strings.h"
-#include "session/compare/compare_with.h"
+#include "session/compare_with.h"
 #include "session/session_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"

@@ -74,7 +74,7 @@ struct MeshForm {
     bool usedOnly = false;
     bool faultFields = false;
 
-    // Set by MeshController.
+    // Set by MeshSaving.
     std::optional<MeshSize> size;  ///< Empty until the run has ended.
     double share = 0.0;            ///< Of the run, in [0, 1].
     bool saving = false;

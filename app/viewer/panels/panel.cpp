@@ -6,10 +6,10 @@
 #include <tuple>
 #include <vector>
 
+#include "document/ui_state.h"
 #include "input/tab_order.h"
 #include "panel_state/growth_page.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"
 #include "session/session.h"

@@ -52,7 +52,7 @@ struct PanelContext {
     /// named in panel.cpp.
     template <class State>
     State& state() const;
-    DocumentController& document() const { return commands.document; }
+    Document& document() const { return commands.document; }
     ViewSettings& settings() const;
     /// Rectangles of the items drawn in this frame, for test scripts and the camera.
     std::map<std::string, Rect>& where() const;

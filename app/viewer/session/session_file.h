@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "annotations.h"
-#include "compare/compare_with.h"
+#include "compare_with.h"
 #include "layers/layer.h"
 #include "layout_preset.h"
 #include "run/model.h"

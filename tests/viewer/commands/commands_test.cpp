@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "commands/palette_entries.h"
+#include "document/ui_state.h"
 #include "headless_app.h"
-#include "panel_state/ui_state.h"
 #include "scene/camera.h"
 #include "session/playback.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chord.h"
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 
 using namespace se::view;
 using namespace se::view::test;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "commands/ask_actions.h"
 #include "commands/commands.h"
 #include "contrast.h"
+#include "document/ask_actions.h"
+#include "document/ui_state.h"
 #include "headless_app.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
 #include "rows/line_text.h"
 #include "scene/camera.h"
 #include "scene/point_tint.h"

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "compare/comparison.h"
 #include "jobs/background_job.h"
 #include "jobs/doctor_job.h"
 #include "jobs/growth.h"
@@ -16,7 +17,6 @@
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
 #include "open_session.h"
-#include "session/compare/comparison.h"
 #include "spiraling_edge/run/run_charts.h"
 #include "support/scarce_memory.h"
 

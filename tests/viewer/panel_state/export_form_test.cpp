@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "export/lesson_frames.h"
+#include "lesson/lesson_frames.h"
 #include "open_session.h"
 
 using namespace se::view;

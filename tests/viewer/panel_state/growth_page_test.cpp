@@ -59,7 +59,7 @@ TEST_CASE("A field that is wrong is named") {
 TEST_CASE("On the page with new points keys act on them, keys of the run have no effect") {
     test::HeadlessApp app("growth-keys");
     UiState& ui = app.ui;
-    openGrowthPage(app.context, GrowthSource::Shape);
+    app.sampling.openPage(GrowthSource::Shape);
     CHECK(ui.growth.open);
     const auto presses = [&](const char* id) {
         runCommand(*findCommand(id), app.context);
@@ -92,7 +92,7 @@ TEST_CASE("On the page with new points keys act on them, keys of the run have no
 
 TEST_CASE("A volume is chosen in a browser, and starts at once") {
     test::HeadlessApp app("growth-volume");
-    openGrowthPage(app.context, GrowthSource::Volume);
+    app.sampling.openPage(GrowthSource::Volume);
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.browser == BrowserTask::Volume);
     CHECK(app.ui.growth.phase == GrowthPhase::Idle);

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "commands/alert_actions.h"
+#include "document/alert_actions.h"
 #include "driven_app.h"
 #include "open_session.h"
 #include "point_files.h"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "commands/camera_actions.h"
+#include "document/camera_actions.h"
+#include "document/ui_state.h"
 #include "headless_app.h"
 #include "layout/dial.h"
 #include "layout/overlays.h"
-#include "panel_state/ui_state.h"
 #include "run/neighborhood.h"
 #include "scene/decision_view.h"
 #include "scene/framing.h"

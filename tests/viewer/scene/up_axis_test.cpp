@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "commands/command_actions.h"
+#include "document/actions.h"
 #include "headless_app.h"
 #include "session/playback.h"
 

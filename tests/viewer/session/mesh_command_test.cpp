@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "controllers/mesh_saving.h"
+#include "document/mesh_saving.h"
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
 #include "run/strings.h"

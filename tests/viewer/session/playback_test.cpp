@@ -3,8 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "commands/commands.h"
+#include "document/actions.h"
+#include "document/ui_state.h"
 #include "headless_app.h"
-#include "panel_state/ui_state.h"
 #include "scene/camera.h"
 
 using namespace se::view;

@@ -1,5 +1,5 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
-#include "controllers/document.h"
+#include "document/document.h"
 #include "panel_state/move_tool.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"

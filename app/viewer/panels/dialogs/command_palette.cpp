@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "commands/palette_entries.h"
+#include "document/ui_state.h"
 #include "input/key_routing.h"
-#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

@@ -1,8 +1,8 @@
 #include "export_fields.h"
 
+#include "document/ui_state.h"
+#include "lesson/lesson_panel.h"
 #include "panel_state/export_form.h"
-#include "panel_state/lesson_panel.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 
 namespace se::view {

@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <vector>
 
-#include "controllers/compare.h"
-#include "controllers/document.h"
-#include "controllers/lesson.h"
-#include "controllers/mesh_saving.h"
-#include "controllers/sampling.h"
+#include "compare/compared_runs.h"
+#include "document/document.h"
+#include "document/mesh_saving.h"
+#include "document/new_points.h"
+#include "document/ui_state.h"
 #include "export/numbered_files.h"
 #include "export_fields.h"
 #include "input/key_routing.h"
+#include "lesson/lesson_player.h"
 #include "mesh_fields.h"
-#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/mesh_command.h"

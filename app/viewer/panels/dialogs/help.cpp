@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/embedded_files.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 
 namespace se::view {

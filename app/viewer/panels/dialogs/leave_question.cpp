@@ -2,8 +2,8 @@
 #include <array>
 #include <utility>
 
-#include "controllers/document.h"
-#include "panel_state/leave_question.h"
+#include "document/document.h"
+#include "document/leave_question.h"
 #include "panels/widgets/widgets.h"
 
 namespace se::view {

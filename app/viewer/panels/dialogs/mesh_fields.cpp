@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "document/ui_state.h"
 #include "panel_state/file_browser_state.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "spiraling_edge/io/write_mesh.h"

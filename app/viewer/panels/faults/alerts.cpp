@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "commands/alert_actions.h"
-#include "commands/ask_actions.h"
+#include "document/alert_actions.h"
+#include "document/ask_actions.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/alert_actions.h"
-#include "commands/ask_actions.h"
+#include "document/alert_actions.h"
+#include "document/ask_actions.h"
+#include "document/ui_state.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "commands/break_commands.h"
+#include "document/break_actions.h"
 #include "jobs/hit_search.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"

@@ -2,7 +2,7 @@
 // link to its query.
 #include <algorithm>
 
-#include "commands/ask_actions.h"
+#include "document/ask_actions.h"
 #include "jobs/questions.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"

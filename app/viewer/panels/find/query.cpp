@@ -1,8 +1,8 @@
 // The Query panel: a line of a query with completions, and the decisions that it finds.
 #include <glm/geometric.hpp>
 
-#include "commands/ask_actions.h"
-#include "commands/break_commands.h"
+#include "document/ask_actions.h"
+#include "document/break_actions.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/settings.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/annotations.h"

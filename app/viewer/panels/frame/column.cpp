@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "commands/command_actions.h"
+#include "document/actions.h"
+#include "document/ui_state.h"
 #include "input/tab_order.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/rail_icons.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"

@@ -1,11 +1,11 @@
 // The two views of the layout Compare: their titles, and the second view.
 #include <algorithm>
 
-#include "panel_state/compare_page.h"
+#include "compare/compare_page.h"
+#include "compare/compared_titles.h"
+#include "document/ui_state.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
-#include "session/compare/compared_titles.h"
 #include "session/session.h"
 #include "view_parts.h"
 

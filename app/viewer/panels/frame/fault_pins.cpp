@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "commands/alert_actions.h"
+#include "document/alert_actions.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "session/session.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "commands/alert_actions.h"
+#include "document/alert_actions.h"
 #include "layers/layer.h"
 #include "panel_state/settings.h"
 #include "panels/widgets/widgets.h"

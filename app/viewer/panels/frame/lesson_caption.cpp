@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "panel_state/lesson_panel.h"
+#include "lesson/lesson_panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"
 #include "session/layout_preset.h"

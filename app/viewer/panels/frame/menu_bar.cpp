@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "commands/availability.h"
-#include "commands/command_actions.h"
-#include "controllers/document.h"
+#include "document/actions.h"
+#include "document/document.h"
+#include "document/ui_state.h"
 #include "layers/layer.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/camera.h"
 #include "scene/up_axis.h"

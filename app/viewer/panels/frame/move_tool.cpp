@@ -1,14 +1,14 @@
 // A point that is dragged in the view: in its tangent plane, with Shift along its normal. Its way
 // is drawn from where it was, with a tick where the verdict at the cursor changes.
 #include "panel_state/move_tool.h"
-#include "controllers/document.h"
+#include "document/document.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "document/ui_state.h"
 #include "input/view_drag.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/picking.h"
 #include "scene/point_move.h"

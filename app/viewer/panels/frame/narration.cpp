@@ -3,8 +3,8 @@
 // can be compared as well.
 #include <algorithm>
 
-#include "commands/alert_actions.h"
-#include "panel_state/ui_state.h"
+#include "document/alert_actions.h"
+#include "document/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"

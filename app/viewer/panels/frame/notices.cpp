@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "commands/alert_actions.h"
-#include "panel_state/ui_state.h"
+#include "document/alert_actions.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/compare_page.h"
 #include "input/view_drag.h"
 #include "jobs/hit_search.h"
-#include "panel_state/compare_page.h"
 #include "session/annotations.h"
 #include "session/playback.h"
 #include "session/session.h"

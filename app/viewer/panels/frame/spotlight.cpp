@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/palette.h"
 #include "view_parts.h"

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "commands/alert_actions.h"
-#include "panel_state/ui_state.h"
+#include "document/alert_actions.h"
+#include "document/ui_state.h"
 #include "session/session.h"
 #include "strips.h"
 

@@ -1,13 +1,13 @@
 // The context menu of a point, edge or triangle: queries, what-ifs, breakpoints, watches.
 #include <algorithm>
 
-#include "commands/alert_actions.h"
-#include "commands/ask_actions.h"
-#include "commands/command_actions.h"
-#include "controllers/compare.h"
-#include "controllers/document.h"
+#include "compare/compare_page.h"
+#include "compare/compared_runs.h"
+#include "document/actions.h"
+#include "document/alert_actions.h"
+#include "document/ask_actions.h"
+#include "document/document.h"
 #include "panel_state/column.h"
-#include "panel_state/compare_page.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "commands/piece_actions.h"
-#include "panel_state/ui_state.h"
+#include "document/piece_actions.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "view_parts.h"

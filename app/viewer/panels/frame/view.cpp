@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "commands/break_commands.h"
-#include "commands/command_actions.h"
+#include "document/actions.h"
+#include "document/break_actions.h"
+#include "document/ui_state.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
-#include "panel_state/lesson_panel.h"
+#include "lesson/lesson_panel.h"
 #include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
 #include "scene/motion.h"

@@ -1,7 +1,7 @@
 /// The labels of the view.
 #include <algorithm>
 
-#include "panel_state/ui_state.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"
 #include "session/session.h"

@@ -1,6 +1,6 @@
 // Points that take no part in the run, by reason, in the panel Doctor: to show them, and to bring
 // them back.
-#include "commands/piece_actions.h"
+#include "document/piece_actions.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "scene/draw_list.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "controllers/document.h"
+#include "document/document.h"
 #include "jobs/doctor_job.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"

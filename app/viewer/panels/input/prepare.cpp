@@ -1,5 +1,5 @@
 // The panel that reads the input again with other options of the preparation.
-#include "controllers/document.h"
+#include "document/document.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controllers/document.h"
-#include "controllers/lesson.h"
+#include "document/document.h"
+#include "lesson/lesson_panel.h"
+#include "lesson/lesson_player.h"
 #include "lesson_parts.h"
-#include "panel_state/lesson_panel.h"
 #include "panels/widgets/text_blocks.h"
 #include "panels/widgets/widgets.h"
 #include "scene/palette.h"
@@ -112,7 +112,7 @@ void drawText(const PanelContext& context, const LessonWalk& walk) {
 /// The way on, at the lower end of the panel.
 void drawFoot(const PanelContext& context, const LessonWalk& walk) {
     const LessonPanel& panel = context.state<LessonPanel>();
-    LessonController& lesson = context.commands.lesson;
+    LessonPlayer& lesson = context.commands.lesson;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     const bool plays = context.playback().playing();

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "controllers/lesson.h"
+#include "lesson/lesson_panel.h"
+#include "lesson/lesson_player.h"
 #include "lesson_parts.h"
-#include "panel_state/lesson_panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "run/number_format.h"

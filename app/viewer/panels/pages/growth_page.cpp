@@ -4,8 +4,8 @@
 #include <array>
 #include <filesystem>
 
-#include "controllers/sampling.h"
-#include "panel_state/ui_state.h"
+#include "document/new_points.h"
+#include "document/ui_state.h"
 #include "panels/widgets/axis_gizmo.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"

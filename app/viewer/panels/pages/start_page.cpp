@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "controllers/document.h"
+#include "document/document.h"
+#include "document/ui_state.h"
 #include "input/tab_order.h"
-#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "session/session.h"

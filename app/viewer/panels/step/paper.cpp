@@ -1,7 +1,7 @@
 // The Paper panel: the paper's pseudo-code with the current line highlighted.
 #include "rows/paper_text.h"
 
-#include "commands/alert_actions.h"
+#include "document/alert_actions.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"

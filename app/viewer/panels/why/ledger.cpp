@@ -1,5 +1,5 @@
 // The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
-#include "commands/ask_actions.h"
+#include "document/ask_actions.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panels/widgets/decision_rows.h"

@@ -1,6 +1,6 @@
 // Windows: dialogs, plates over the view, and the view itself.
-#include "panel_state/ui_state.h"
-#include "panels/widgets/widgets.h"
+#include "document/ui_state.h"
+#include "widgets.h"
 
 #include <algorithm>
 #include <cmath>

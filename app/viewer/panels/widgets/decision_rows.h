@@ -5,11 +5,11 @@
 #include <optional>
 #include <span>
 
+#include "document/ui_state.h"
 #include "jobs/background_job.h"
 #include "panel_state/side_panels.h"
-#include "panel_state/ui_state.h"
-#include "panels/widgets/widgets.h"
 #include "spiraling_edge/why/ledger.h"
+#include "widgets.h"
 
 namespace se::view {
 

@@ -1,0 +1,415 @@
+#include "actions.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include "compare/compared_runs.h"
+#include "document.h"
+#include "mesh_saving.h"
+#include "new_points.h"
+#include "session/view_position.h"
+
+#include "piece_actions.h"
+#include "run/model.h"
+
+namespace se::view {
+
+namespace actions {
+
+using C = CommandContext;
+
+namespace {
+
+constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
+
+void closeDialogs(UiState& ui) {
+    ui.cheatSheet = false;
+    ui.help = HelpPage::None;
+    ui.keyEditor = false;
+    ui.fileBrowser = false;
+    ui.palette.open = false;
+    ui.prepare.close();
+}
+
+}  // namespace
+
+void pause(C& c) { c.playback.pause(); }
+
+void escape(C& c) {
+    UiState& ui = c.ui;
+    if (ui.leaving.asked) return c.document.answer(LeaveAnswer::Cancel);
+    if (ui.fileBrowser && ui.browser == BrowserTask::SaveMesh && !ui.mesh.question.empty())
+        return c.mesh.keep();
+    // One thing at a time, the topmost first.
+    const bool covered =
+        ui.dialogOpen() || ui.popupOpen || ui.prepare.open || ui.walk.at() != KeyStop::View;
+    closeDialogs(ui);
+    ui.offersTour = false;
+    ui.closesPopups = true;
+    if (covered) return;
+    if (ui.growth.open) return c.sampling.leave();
+    if (c.session.drag().held()) return c.session.drag().takeBack();
+    if (ui.piece.on) return endPieceTool(c);
+    if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
+    const bool picked = c.session.selection().kind != SelectionKind::None ||
+                        !c.session.highlights().marked().empty() ||
+                        c.session.alerts().chosen().has_value();
+    c.session.select(Selection{});
+    c.session.highlights().mark({});
+    c.session.alerts().choose({});
+    if (!picked && ui.layoutPreset == LayoutPreset::Present)
+        applyLayoutPreset(c, LayoutPreset::Debug);
+}
+
+void nextMeshStyle(C& c) {
+    MeshStyle& style = c.ui.settings.meshStyle;
+    style = following(style);
+    c.session.messages().say("Finished triangles: " + std::string(rowOf(style).title) + ".");
+}
+
+void toggleTheme(C& c) {
+    Theme& theme = c.ui.settings.theme;
+    theme = theme == Theme::Dark ? Theme::Light : Theme::Dark;
+}
+
+void oppositeView(C& c) {
+    CameraPose pose = c.camera.pose();
+    pose.yawDegrees += 180.0F;
+    pose.pitchDegrees = -pose.pitchDegrees;
+    c.camera.setPose(pose);
+}
+
+UpAxis usualUp(const C& c) {
+    if (!c.session.ready() || c.ui.growth.open) return UpAxis::Z;
+    const std::string& source = c.session.input().spec().source;
+    if (isScene(source) || isSample(source) || isPractice(source)) return UpAxis::Z;
+    if (c.ui.settings.up) return *c.ui.settings.up;
+    return guessUpAxis(c.session.model().points, source);
+}
+
+void chooseUp(C& c, UpAxis axis) {
+    c.ui.settings.up = axis;
+    c.camera.setUp(axis);
+    c.session.messages().say("Up axis: " + std::string(upAxisName(axis)) +
+                             ", for this and all other files.");
+}
+
+void followUpAxis(C& c) {
+    c.ui.settings.up.reset();
+    c.camera.setUp(usualUp(c));
+    c.session.messages().say("Up axis: " + std::string(upAxisName(c.camera.up())) +
+                             " (automatic).");
+}
+
+void toggleBookmarkHere(C& c) {
+    if (!c.session.ready()) return;
+    if (c.session.event() == nullptr)
+        return c.session.messages().say("The start of the run cannot be bookmarked.");
+    const Address here = c.session.address();
+    const bool there = toggleBookmark(c.ui.bookmarks, here, c.camera.pose());
+    c.session.messages().say((there ? "Bookmark set: " : "Bookmark removed: ") + toString(here) +
+                             ".");
+}
+
+void resetRules(C& c) {
+    if (!c.session.ready()) return;
+    RunSpec rules = c.session.input().rules();
+    if (rules.choices.empty())
+        return c.session.messages().say("All rules have the values of their set.");
+    rules.choices.clear();
+    c.document.rerun(rules);
+}
+
+void clearWhatIfs(C& c) {
+    if (!c.session.ready()) return;
+    RunSpec rules = c.session.input().rules();
+    if (rules.whatIf.empty()) return c.session.messages().say("No what-ifs are active.");
+    rules.whatIf.clear();
+    c.document.rerun(rules);
+}
+
+void openBrowser(C& c, BrowserTask task) {
+    c.ui.browser = task;
+    c.ui.fileBrowser = true;
+}
+
+void saveAs(C& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
+    openBrowser(c, BrowserTask::SaveSession);
+}
+
+void saveMesh(C& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is no run to save the mesh of.");
+    pause(c);
+    c.ui.mesh.open();
+    openBrowser(c, BrowserTask::SaveMesh);
+}
+
+void exportFrames(C& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to export.");
+    pause(c);
+    c.ui.exported.open();
+    openBrowser(c, BrowserTask::Export);
+}
+
+void copyCommand(C& c) {
+    if (!c.session.ready())
+        return c.session.messages().say("There is no run to copy the command of.");
+    c.mesh.copyCommand({});
+}
+
+void savePoints(C& c) {
+    const bool made = c.session.ready() && c.session.input().spec().points != nullptr;
+    if (c.ui.growth.open ? !c.ui.growth.hasPoints() : !made) {
+        return c.session.messages().say("There are no new points to save.");
+    }
+    openBrowser(c, BrowserTask::SavePoints);
+}
+
+void openPrepare(C& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to prepare.");
+    pause(c);
+    closeDialogs(c.ui);
+    c.ui.prepare.take(c.session.input().spec(), c.session.model());
+    c.ui.prepare.shown = c.session.generation();
+    c.ui.prepare.wantsKeyboard = true;
+    openPart(c, kPreparePart);
+}
+
+void toMark(C& c, int direction) {
+    pause(c);
+    if (!c.session.ready()) return;
+    const std::optional<Address> mark = c.session.nextMark(direction);
+    const Bookmark* own = nextBookmark(c.ui.bookmarks, c.session.address(), direction);
+    // A mark of the run has no number within its stage: it is at the first event.
+    const bool ownIsNearer =
+        own != nullptr &&
+        (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
+    if (ownIsNearer) return c.session.moves().goTo(own->address);
+    if (mark) return c.session.moves().goTo(*mark);
+    c.session.messages().say(
+        direction > 0 ? "There is no split, join, seed, alert or bookmark after this one."
+                      : "There is no split, join, seed, alert or bookmark before this one.");
+}
+
+void step(C& c) {
+    pause(c);
+    c.ui.offersTour = false;
+    c.ui.column.suggest(Task::Step);
+}
+
+void playOrPause(C& c) {
+    c.ui.column.suggest(Task::Step);
+    // A long move to the next event must not continue after the pause.
+    if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.moves().cancel();
+    c.playback.toggle();
+}
+
+void stepByUnit(C& c, int direction) {
+    step(c);
+    playSteps(c, direction);
+}
+
+void setLoop(C& c, const char* end, void (PlayLoop::*set)(const Address& address)) {
+    if (!c.session.ready()) return;
+    (c.playback.loop.*set)(c.session.address());
+    c.session.messages().say("Loop " + std::string(end) + ": " + toString(c.session.address()) +
+                             ".");
+}
+
+void toggle(C& c, LayerId layer) { toggleLayer(c.ui.settings.layers, layer, c.session.stage()); }
+
+namespace {
+
+/// The comparison stays in sight while both runs are stepped through; then the panel before it is
+/// there again.
+void followLayout(C& c, LayoutPreset before) {
+    Column& column = c.ui.column;
+    const bool compares = c.ui.layoutPreset == LayoutPreset::Compare;
+    if (compares == (before == LayoutPreset::Compare)) return;
+    if (!compares) return column.takeBack();
+    column.keep();
+    column.open(*partNamed(kComparePart));
+    setOpen(c.ui.settings.parts, *partNamed(kComparePart), true);
+    column.chosen = true;
+}
+
+}  // namespace
+
+void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
+    const LayoutPreset before = std::exchange(c.ui.layoutPreset, layoutPreset);
+    c.ui.blank = BlankScreen::None;
+    const LayoutPresetRow& row = rowOf(layoutPreset);
+    c.ui.follow = followIn(layoutPreset);
+    followLayout(c, before);
+    c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
+}
+
+void blankScreen(C& c, BlankScreen with) {
+    if (c.ui.layoutPreset != LayoutPreset::Present)
+        return c.session.messages().say("The screen is blanked in the layout Present (F2).");
+    c.playback.pause();
+    c.ui.blank = with;
+}
+
+void toggleSpotlight(C& c) {
+    if (c.ui.layoutPreset != LayoutPreset::Present)
+        return c.session.messages().say("The spotlight belongs to the layout Present (F2).");
+    c.ui.spotlight = !c.ui.spotlight;
+}
+
+void showPart(C& c, std::string_view title) {
+    const PartRow* part = partNamed(title);
+    assert(part != nullptr);
+    if (c.ui.layoutPreset == LayoutPreset::Present) applyLayoutPreset(c, LayoutPreset::Debug);
+    setOpen(c.ui.settings.parts, *part, true);
+    c.ui.settings.panels.folded = false;
+    c.ui.column.open(*part);
+}
+
+void openPart(C& c, std::string_view title) {
+    showPart(c, title);
+    c.ui.column.chosen = true;
+}
+
+void pickTask(C& c, Task task) {
+    Column& column = c.ui.column;
+    bool& folded = c.ui.settings.panels.folded;
+    const bool open = c.ui.phone ? column.sheet : !folded;
+    if (c.ui.layoutPreset == LayoutPreset::Present) applyLayoutPreset(c, LayoutPreset::Debug);
+    if (open && column.task == task) return foldColumn(c);
+    if (!c.ui.phone) folded = false;
+    column.choose(task);
+}
+
+void turnSection(C& c, int direction) {
+    constexpr double kTurn = 15.0;
+    c.ui.section.turn(kTurn * direction);
+    const bool shown =
+        c.ui.column.task == Task::Step && isOpen(c.ui.settings.parts, *partNamed(kSectionPart));
+    if (!shown) openPart(c, kSectionPart);
+}
+
+void foldColumn(C& c) {
+    if (c.ui.phone) {
+        c.ui.column.sheet = !c.ui.column.sheet;
+    } else {
+        c.ui.settings.panels.folded = !c.ui.settings.panels.folded;
+    }
+}
+
+void goToBirth(C& c) {
+    if (!c.session.ready()) return;
+    if (c.session.selection().corners().size() < 2) {
+        return c.session.messages().say("Select an edge or a triangle first.");
+    }
+    const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
+    const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
+    if (!origin) return c.session.messages().say("The decision that made this is not known yet.");
+    pause(c);
+    c.session.moves().goTo(*origin);
+}
+
+void scaleBy(C& c, int direction) {
+    double chosen = c.ui.scale;
+    for (const double scale : kScales) {
+        if (direction > 0 && scale > c.ui.scale + 0.01F) {
+            chosen = scale;
+            break;
+        }
+        if (direction < 0 && scale < c.ui.scale - 0.01F) chosen = scale;
+    }
+    c.ui.settings.uiScale = chosen;
+}
+
+void toBookmark(C& c, std::size_t place) {
+    if (!c.session.ready()) return;
+    if (place >= c.ui.bookmarks.size()) {
+        return c.session.messages().say("There is no bookmark " + std::to_string(place + 1) + ".");
+    }
+    pause(c);
+    c.session.moves().goTo(c.ui.bookmarks[place].address);
+}
+
+void toggleCompare(CommandContext& c) {
+    const bool on = c.ui.layoutPreset == LayoutPreset::Compare;
+    applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
+}
+
+void compareUsual(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+    pause(c);
+    applyLayoutPreset(c, LayoutPreset::Compare);
+    c.compare.beginUsual();
+}
+
+void compareMesh(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+    pause(c);
+    applyLayoutPreset(c, LayoutPreset::Compare);
+    openBrowser(c, BrowserTask::Mesh);
+}
+
+void ofComparison(CommandContext& c, void (ComparedRuns::*act)()) {
+    const Comparison* now = c.ui.compare.now;
+    if (now == nullptr || !now->chosen())
+        return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
+    pause(c);
+    (c.compare.*act)();
+}
+
+void copyPosition(CommandContext& c) {
+    if (!c.session.ready()) return;
+    const std::string address = c.session.event() != nullptr ? toString(c.session.address()) : "0";
+    c.ui.clipboard.copy(toText(ViewPosition{address, c.camera.pose()}));
+    c.session.messages().say("Copied: " + address + " and the camera.");
+}
+
+void pastePosition(CommandContext& c) {
+    const Result<ViewPosition> place = viewPositionFromText(c.ui.clipboard.text());
+    if (!place) return c.session.messages().say(place.error().message);
+    pause(c);
+    if (place.value().camera) c.camera.setPose(*place.value().camera);
+    const Status status = c.session.moves().goToText(place.value().address);
+    if (!status) return c.session.messages().say(status.error().message);
+    if (!place.value().camera) c.ui.frame = FrameRequest::Decision;
+}
+
+void walkPanels(CommandContext& c, int direction) {
+    if (c.ui.walk.go(direction)) c.ui.closesPopups = true;
+}
+
+}  // namespace actions
+
+void playSteps(CommandContext& context, int count) {
+    Session& session = context.session;
+    const PlayLoop& loop = context.playback.loop;
+    switch (context.playback.unit()) {
+        case PlayUnit::SubStep:
+            session.moves().stepEvent(count);
+            break;
+        case PlayUnit::Pivot:
+            if (count > 0 && loop.complete() && session.ready()) {
+                const auto here = static_cast<long>(session.record().pivot);
+                const long rest = static_cast<long>(loop.to->pivot) - here;
+                if (rest > 0) count = static_cast<int>(std::min<long>(count, rest));
+            }
+            session.moves().stepPivot(count);
+            break;
+        case PlayUnit::Event: {
+            const std::optional<Address> mark = session.nextMark(count);
+            if (mark) {
+                session.moves().playTo(*mark);
+            } else if (session.ready() && session.overview().complete) {
+                context.playback.pause();
+                session.messages().say(count > 0 ? "There is no event after this one."
+                                                 : "There is no event before this one.");
+            }
+            break;
+        }
+    }
+}
+
+}  // namespace se::view

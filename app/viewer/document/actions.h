@@ -1,0 +1,105 @@
+/// Functions of the rows in the table of commands.
+#pragma once
+
+#include <cstddef>
+
+#include "context.h"
+#include "scene/camera.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "ui_state.h"
+
+namespace se::view {
+
+/// Moves by `count` playback units, at most to the end of the loop; back if it is
+/// negative.
+void playSteps(CommandContext& context, int count);
+
+namespace actions {
+
+void pause(CommandContext& c);
+/// Closes the overlays above the panels and clears the selection.
+void escape(CommandContext& c);
+void nextMeshStyle(CommandContext& c);
+void toggleTheme(CommandContext& c);
+/// Turns to look from the opposite side.
+void oppositeView(CommandContext& c);
+/// The up axis of an input when it is opened: z for scenes and sampled points; for files the
+/// chosen axis, otherwise a guess.
+UpAxis usualUp(const CommandContext& c);
+/// Sets the up axis of the open input and of files opened from now on.
+void chooseUp(CommandContext& c, UpAxis axis);
+/// Resets the choice: files use the guessed axis.
+void followUpAxis(CommandContext& c);
+/// The next size of text and panels on the scale, larger (+1) or smaller (-1).
+void scaleBy(CommandContext& c, int direction);
+void toggleBookmarkHere(CommandContext& c);
+/// To the bookmark at a position of their list, from 0.
+void toBookmark(CommandContext& c, std::size_t place);
+void saveAs(CommandContext& c);
+/// Opens the dialog for saving the mesh at the end of the run.
+void saveMesh(CommandContext& c);
+/// Opens the dialog for the export of frames.
+void exportFrames(CommandContext& c);
+/// Copies the command line that makes that mesh to the clipboard.
+void copyCommand(CommandContext& c);
+/// Opens the dialog for saving sampled points.
+void savePoints(CommandContext& c);
+/// Opens the dialog for what is derived from the points of the input.
+void openPrepare(CommandContext& c);
+/// Resets all rules to the values of their set; what-ifs stay.
+void resetRules(CommandContext& c);
+/// Removes all what-ifs; rules stay.
+void clearWhatIfs(CommandContext& c);
+/// To the next (+1) or previous (-1) mark of the run or bookmark.
+void toMark(CommandContext& c, int direction);
+/// Pauses, and shows the decision unless the user has picked another task.
+void step(CommandContext& c);
+void playOrPause(CommandContext& c);
+void stepByUnit(CommandContext& c, int direction);
+void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
+/// Covers the window, in the layout Present.
+void blankScreen(CommandContext& c, BlankScreen with);
+/// Dims all but the neighborhood of the pivot in the layout Present, or stops.
+void toggleSpotlight(CommandContext& c);
+/// Opens the part of the column with the result of an action, in Present in the layout that has a
+/// column: the next step shows the decision again. Requires a title of partRows().
+void showPart(CommandContext& c, std::string_view title);
+/// The user opens a part: it stays.
+void openPart(CommandContext& c, std::string_view title);
+/// The user picks a task of the rail; the open one folds the column.
+void pickTask(CommandContext& c, Task task);
+/// Turns the plane of the section by 15 degrees, counterclockwise (+1) or clockwise (-1), and opens
+/// its panel.
+void turnSection(CommandContext& c, int direction);
+/// Folds the column to its rail, or unfolds it.
+void foldColumn(CommandContext& c);
+/// To the decision that made the selected edge or triangle.
+void goToBirth(CommandContext& c);
+
+/// Pins a layer on or off.
+void toggle(CommandContext& c, LayerId layer);
+/// Sets an end of the playback loop to the cursor; `end` is its name.
+void setLoop(CommandContext& c, const char* end, void (PlayLoop::*set)(const Address& address));
+/// Opens the file dialog.
+void openBrowser(CommandContext& c, BrowserTask task);
+
+// Comparing.
+/// Opens the layout Compare, or returns to Debug.
+void toggleCompare(CommandContext& c);
+/// Compares with the most informative rule set beside those of the run.
+void compareUsual(CommandContext& c);
+/// Opens the file dialog.
+void compareMesh(CommandContext& c);
+/// Acts on the comparison; reports if there is none.
+void ofComparison(CommandContext& c, void (ComparedRuns::*act)());
+
+/// Copies the address and the camera as text, and goes to those that were copied.
+void copyPosition(CommandContext& c);
+void pastePosition(CommandContext& c);
+/// Gives the keyboard focus to the next (+1) or previous (-1) panel.
+void walkPanels(CommandContext& c, int direction);
+
+}  // namespace actions
+
+}  // namespace se::view

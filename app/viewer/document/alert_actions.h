@@ -1,0 +1,82 @@
+/// Actions for alerts. No ImGui.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "context.h"
+#include "panel_state/side_panels.h"
+#include "session/session.h"
+
+namespace se::view {
+
+/// The moments of an alert, as the panel lists them.
+enum class AlertMoment : std::uint8_t { Created, Unavoidable, Touched };
+inline constexpr std::array<AlertMoment, 3> kAlertMoments{
+    AlertMoment::Created, AlertMoment::Unavoidable, AlertMoment::Touched};
+/// "created", "unavoidable", "first touched".
+std::string_view momentName(AlertMoment moment);
+const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment);
+
+/// Subject of a "why?" query: the faulty triangle, edge or point; for a hole the point whose
+/// refusal left it.
+Selection subjectOf(const RunFailure& alert);
+/// "intersecting triangles"
+std::string titleOf(const FailureClass& kind);
+/// "21, 50, 77, ..."
+std::string pointsText(const MeshFailure& failure, std::size_t limit);
+
+/// Reason why some failures, or all, are not reported during stepping; empty if all are.
+std::string watchNote(std::size_t points, std::size_t noticed);
+
+/// Chooses an alert, goes to one of its moments if given, selects its subject and
+/// frames it. Requires a place in session.alerts().search().failures().
+void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment);
+/// Shows a place with faults on the finished mesh: chooses it, goes to the end of the run, selects
+/// the subject of its most severe fault, frames it, and says what is there. Requires a position in
+/// session.alerts().search().places().
+void showPlace(CommandContext& context, std::size_t place);
+/// The most severe fault that a point, an edge or a triangle is part of, by its alert; empty if
+/// there is none, or none that was followed.
+std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what);
+/// The next (+1) or previous (-1) place, from the most severe on.
+void nextPlace(CommandContext& context, int direction);
+/// "44 faults at 12 places", "the mesh is sound". Requires a search that is done.
+std::string verdictText(const AlertSearch& alerts);
+/// "Place 1 of 31: 1 hole of 3 edges." of the place that is shown, else "The run is finished: 44
+/// faults at 31 places." Requires a search that is done.
+std::string verdictSentence(const RunAlerts& alerts);
+/// True where the finished mesh is shown with its faults, and without its last decision.
+bool showsFinishedMesh(const CommandContext& context);
+/// Runs the input again with one more rule, or another set of rules, to its end: the place of the
+/// defect is visible there, since selection and camera stay.
+void switchOn(CommandContext& context, const Remedy& remedy);
+/// True if Fix has something to do: the mesh is not sound, and other settings can be tried, or one
+/// of those tried is better.
+bool canFix(const CommandContext& context);
+/// Runs the input again, to its end, with the best settings when all have been tried or the user
+/// has ended the trials: the result is the same whenever it is called. Requires canFix().
+void fixByTrials(CommandContext& context);
+/// "Run again, to the end: robust rules. 812 of 25 950 triangles go, 850 come, in 31 regions".
+/// Requires canFix().
+std::string fixText(const TrialJob& job);
+/// The triangles that Fix would change, while the pointer is on it and the finished mesh is shown;
+/// null otherwise.
+const MeshChange* shownChange(const CommandContext& context);
+/// Loops that stay open: "5 open, up to 0.0178 across", in the unit of the file; empty if none do.
+std::string openText(const OpenLoops& loops);
+/// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
+/// the file; 0: as the rules say. With the robust rules if those of the input close no holes.
+void closeHoles(CommandContext& context, double width);
+/// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
+/// without a fault was found.". Requires alerts of the new run.
+std::string closedText(const HoleClosing& closing, const AlertSearch& alerts);
+/// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
+void showBeside(CommandContext& context, const Remedy& remedy);
+
+/// Called when the alerts of an input are known. A newly opened input without any user action
+/// yet opens on its finished mesh if that has faults. True if it does.
+bool openOnVerdict(CommandContext& context);
+
+}  // namespace se::view

@@ -1,0 +1,166 @@
+/// Opening and saving: point files, scenes, session files, and their recent state.
+/// Independent of window and OpenGL.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "context.h"
+#include "panel_state/settings.h"
+#include "session/annotations.h"
+#include "session/session.h"
+#include "session/undo.h"
+#include "start_options.h"
+#include "ui_state.h"
+
+namespace se::view {
+
+/// The session file of the open input. Requires context.session.ready().
+SessionFile captureSession(const CommandContext& context);
+class Document {
+  public:
+    explicit Document(CommandContext& context) : c_(context) {}
+
+    /// Opens the input of the command line; without one the start page stays.
+    void begin(const Options& options);
+    /// Reads recent files and layout from that file and keeps them there from now on; with
+    /// `resetLayout` the layout is the default.
+    void keepIn(const std::filesystem::path& path, bool resetLayout);
+    // Requests of the user. What has unsaved annotations or settings is left after a question only.
+    /// Opens a point file, `scene:ID`, the line of a SampleSpec, a session file or a lesson; for a
+    /// volume the page with new points.
+    void open(const std::string& source);
+    /// Opens an input with its options: the current one prepared in another way, or points that
+    /// were sampled here and are shown already.
+    void openSpec(RunSpec spec);
+    void reload();
+    void quit();
+    /// Opens files that were dropped on the window: the first of them.
+    void drop(const std::vector<std::string>& paths);
+    void answer(LeaveAnswer answer);
+
+    // Other runs of the open input; annotations stay.
+    /// Runs by the rules of that spec.
+    void rerun(const RunSpec& rules, Resume resume = Resume::SamePosition);
+    /// Runs with these options: shown at the end, or where `resume` says if only rules differ.
+    void run(const RunSpec& spec, Resume resume = Resume::SamePosition);
+    /// Runs to the end with other fixes of the input, and without these points of the file.
+    void runWithFixes(std::vector<std::string> fixes);
+    void runWithout(IndexRanges leftOut);
+
+    /// Saves the session to its file, or opens the dialog for a name.
+    void save();
+    void saveAs(const std::string& path);
+
+    /// Opens the input of a step of the open lesson at an address.
+    void openStep(RunSpec spec, const std::string& address);
+    /// Queues a message for when the input is open that is being opened.
+    void sayOnArrival(const std::string& sentence) { arrival_.notice = sentence; }
+    /// Something else than a step of the open lesson was opened; once.
+    bool takeForeignOpening() { return std::exchange(foreign_, false); }
+    /// The requested input is not open yet.
+    bool arriving() const { return arrival_.pending; }
+    /// Adds a file to the list of recent ones.
+    void note(const std::string& file);
+    /// State that survives a restart.
+    const KeptFile& kept() const { return kept_; }
+    /// Goes to the requested position as soon as the requested input is open.
+    void poll();
+
+    /// The camera for the newly opened input, once.
+    std::optional<CameraPose> takeCamera() { return std::exchange(arrival_.camera, std::nullopt); }
+    /// The input was opened by a session file: one without a camera of its own has z up.
+    bool openedSession() const { return ofSession_; }
+    /// The alert of the newly opened session, once; empty: none.
+    std::string takeAlert() { return std::exchange(alert_, {}); }
+    /// The input was opened at a named position.
+    bool placed() const { return placed_; }
+    /// The counterpart named by the session or the command line, once.
+    std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
+    /// Error if the position of the command line does not exist.
+    const Status& placeStatus() const { return placeStatus_; }
+    /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
+    std::string unsaved() const;
+    /// The settings of the run are saved: with its mesh, say.
+    void keepSettings();
+    /// Shows the queued notices.
+    void warn();
+    /// Queues a notice for when the input is open, and prints it on standard error at once.
+    void warnLater(const std::string& warning);
+
+  private:
+    /// Actions to take once the requested input is open.
+    struct Arrival {
+        bool pending = false;
+        std::uint32_t generation = 0;        ///< Of the session, at the time of the request.
+        std::string sessionPath;             ///< Empty: no session file.
+        std::optional<SessionFile> session;  ///< Applied once its input is open.
+        std::string notice;                  ///< Notice to show when the input is open.
+        std::string goTo;
+        std::optional<CameraPose> camera;
+        Selection selected;
+        std::string alert;
+        std::string expectedHash;
+        std::string file;     ///< For the list of recent files.
+        bool framed = false;  ///< The decision at `goTo` is to be framed.
+        bool toEnd = false;   ///< Of the run: of an input that was changed.
+        bool ofSession = false;
+    };
+    /// The user's annotations of an input, and the session file that they belong to.
+    struct AnnotationRecord {
+        Annotations annotations;
+        Annotations saved;
+        std::string sessionPath;
+        std::string original;
+    };
+
+    /// The run has other settings than when its input was opened or saved.
+    bool hasNewSettings() const;
+    /// Leaves at once, or asks first if something would be lost.
+    void askToLeave(Leave to);
+    void leave(Leave to);
+    void go(const Leave& to);
+    void openNow(const std::string& source);
+    void openNow(RunSpec spec);
+    void runNow(const RunSpec& spec, Resume resume);
+    void reloadNow();
+    /// Waits for another input; `file` goes to the list of recent files.
+    void expectArrival(const std::string& file);
+    void openInput(RunSpec spec);
+    void aimAtScene(const std::string& source);
+    void compareWithTrace(const std::string& path);
+    void spreadOver(const std::string& volume);
+    void openSession(const std::string& path);
+    void takeLooks(const SessionFile& file, const std::string& path);
+    /// Stores the annotations of the open input, and restores those of `source`.
+    void switchAnnotations(const std::string& source);
+    void takeUp();
+    void arrive();
+    void keepLayout();
+    void keep(const std::function<void(KeptState&)>& change);
+    /// Queues a notice for when the input is open.
+    void sayLater(const std::string& sentence);
+
+    CommandContext& c_;
+    Arrival arrival_;
+    std::map<std::string, AnnotationRecord> records_;
+    std::string annotatedSource_;       ///< The source of the current annotations.
+    std::string original_;              ///< The open session file, as it was read.
+    Annotations saved_;                 ///< Annotations in the session file.
+    RunSpec keptSpec_;                  ///< The settings when the input was opened or saved.
+    std::string said_;                  ///< Waits until the input is open.
+    std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
+    std::optional<CompareWith> with_;
+    bool placed_ = false;
+    bool ofSession_ = false;
+    bool foreign_ = false;
+    std::string alert_;
+    Status placeStatus_ = success();
+    KeptFile kept_;
+    LayoutPreset keptLayout_ = LayoutPreset::Debug;
+};
+
+}  // namespace se::view

@@ -1,0 +1,236 @@
+#include "new_points.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "actions.h"
+#include "document.h"
+#include "scene/framing.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/sampler.h"
+
+namespace se::view {
+
+namespace {
+
+/// Above this number, particles are plain dots, like points in the view of a run.
+constexpr std::size_t kGrownShapesUpTo = 100'000;
+
+/// Positions for drawing particles. With `like`, at the same position and scale as before, so
+/// that the view does not jump while they move.
+std::unique_ptr<Model> modelOf(const GrowthPicture& picture, const Model* like) {
+    auto model = std::make_unique<Model>();
+    model->points.position = picture.points->position;
+    model->points.normal = picture.points->normal;
+    model->points.type = picture.points->type;
+    model->points.neighbors.offset.assign(picture.points->position.size() + 1, 0);
+    placeModel(*model);
+    if (like != nullptr) {
+        model->center = like->center;
+        model->scale = like->scale;
+        for (std::size_t p = 0; p < model->place.size(); ++p) {
+            model->place[p] = model->toView(picture.points->position[p]);
+        }
+    }
+    model->spacing = static_cast<float>(picture.wanted * model->scale);
+    return model;
+}
+
+void addStyles(const Model& model, const Palette& palette, DrawList& out) {
+    const std::size_t count = model.place.size();
+    CloudStyles& s = out.cloudStyles;
+    const bool dots = count > kGrownShapesUpTo;
+    s.styles[0] = {palette.used, dots ? 0.16F : 0.40F, dots ? Shape::Dot : Shape::Disc};
+    s.styles[1] = {palette.first, dots ? 0.20F : 0.44F, dots ? Shape::Dot : Shape::Square};
+    s.styles[2] = {palette.last, dots ? 0.24F : 0.60F, dots ? Shape::Dot : Shape::Diamond};
+    out.cloudStyleOf.resize(count);
+    std::array<std::uint8_t, BlockList<std::uint8_t>::kBlock> styles{};
+    for (std::size_t b = 0; b < out.cloudStyleOf.blockCount(); ++b) {
+        const std::size_t from = b * BlockList<std::uint8_t>::kBlock;
+        const std::size_t size = out.cloudStyleOf.block(b).size();
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::uint8_t type = model.points.type[from + i];
+            styles[i] = isCorner(type) ? 2 : isBoundary(type) ? 1 : 0;
+        }
+        out.cloudStyleOf.setBlock(b, std::span(styles).first(size));
+    }
+}
+
+/// The box whose walls cut the surface.
+void addDomain(const Model& model, const GrowthPicture& picture, const Palette& palette,
+               DrawList& out) {
+    const auto corner = [&](unsigned bits) {
+        return model.toView({(bits & 1U) != 0 ? picture.high.x : picture.low.x,
+                             (bits & 2U) != 0 ? picture.high.y : picture.low.y,
+                             (bits & 4U) != 0 ? picture.high.z : picture.low.z});
+    };
+    for (unsigned from = 0; from < 8; ++from) {
+        for (const unsigned axis : {1U, 2U, 4U}) {
+            if ((from & axis) != 0) continue;
+            out.line(corner(from), corner(from | axis), palette.border, 0.07F, Depth::XRay);
+        }
+    }
+}
+
+GrowthNumbers numbersOf(const GrowthPicture& picture) {
+    GrowthNumbers numbers;
+    const std::vector<std::uint8_t>& type = picture.points->type;
+    numbers.step = picture.step;
+    numbers.points = type.size();
+    numbers.onWalls = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isBoundary));
+    numbers.corners = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isCorner));
+    numbers.wanted = picture.wanted;
+    numbers.quality = picture.quality;
+    return numbers;
+}
+
+}  // namespace
+
+void NewPoints::begin(SampleSpec spec) {
+    spec.maxBytes = usual_.maxBytes;
+    GrowthPage& page = c_.ui.growth;
+    page.form.take(spec);
+    page.open = true;
+    before_ = c_.camera.pose();
+    growth_.start(spec);
+    poll();
+}
+
+void NewPoints::openPage(GrowthSource from) {
+    GrowthPage& page = c_.ui.growth;
+    c_.playback.pause();
+    const bool another = !page.open || page.form.from != from;
+    page.form.from = from;
+    page.open = true;
+    page.complaint.clear();
+    page.message.clear();
+    c_.ui.closesPopups = true;
+    if (from == GrowthSource::Volume && page.form.volume.empty())
+        return actions::openBrowser(c_, BrowserTask::Volume);
+    if (another) start();
+}
+
+void NewPoints::start() {
+    GrowthPage& page = c_.ui.growth;
+    page.message.clear();
+    Result<SampleSpec> spec = page.form.spec();
+    page.complaint = spec ? std::string{} : spec.error().message;
+    if (!spec) return;
+    spec.value().maxBytes = usual_.maxBytes;
+    growth_.start(spec.value());
+}
+
+bool NewPoints::poll() {
+    GrowthPage& page = c_.ui.growth;
+    page.found = growth_.found();
+    if (page.open && !before_) before_ = c_.camera.pose();
+    if (growth_.poll()) {
+        takePicture();
+        return true;
+    }
+    page.phase = growth_.phase();
+    return false;
+}
+
+void NewPoints::takePicture() {
+    GrowthPage& page = c_.ui.growth;
+    page.phase = growth_.phase();
+    page.made = growth_.spec();
+    if (page.phase == GrowthPhase::Failed) page.complaint = growth_.error();
+    const GrowthPicture* picture = growth_.picture();
+    if (picture == nullptr) {
+        page.numbers = {};
+        // Until the new particles are there, the old ones stay visible.
+        if (page.phase != GrowthPhase::Finding) model_.reset();
+        ++revision_;
+        return;
+    }
+    page.numbers = numbersOf(*picture);
+    const bool first = picture->step == 0 || model_ == nullptr;
+    model_ = modelOf(*picture, first ? nullptr : model_.get());
+    ++revision_;
+    const std::string& surface = page.made.surface;
+    if (first && std::exchange(homeOf_, surface) != surface) home();
+}
+
+void NewPoints::home() {
+    if (!model_) return;
+    c_.camera.setPose({});
+    frameModel(*model_, c_.ui.viewPart(), c_.camera);
+}
+
+void NewPoints::playOrPause() {
+    const GrowthPhase phase = growth_.phase();
+    const bool moves = phase == GrowthPhase::Spreading || phase == GrowthPhase::Finding;
+    if (moves) return growth_.pause();
+    phase == GrowthPhase::Paused ? growth_.play() : start();
+}
+
+void NewPoints::finish() { growth_.phase() == GrowthPhase::Idle ? start() : growth_.finish(); }
+
+void NewPoints::use() {
+    const GrowthPicture* picture = growth_.picture();
+    if (picture == nullptr) return;
+    growth_.pause();
+    RunSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
+    spec.source = sampleSource(growth_.spec());
+    spec.points = picture->points;
+    spec.leftOut = {};
+    spec.piece = {};
+    // These options were chosen for another input: sampled points have normals and walls.
+    spec.normals = NormalSource::AsGiven;
+    spec.walls = {};
+    spec.scanner.reset();
+    spec.start = {};
+    spec.rim = false;
+    c_.document.openSpec(std::move(spec));
+}
+
+void NewPoints::leave() {
+    c_.ui.betweenFrames([this] { close(); });
+}
+
+void NewPoints::close() {
+    GrowthPage& page = c_.ui.growth;
+    growth_.cancel();
+    page.open = false;
+    page.numbers = {};
+    page.phase = GrowthPhase::Idle;
+    model_.reset();
+    homeOf_.clear();
+    ++revision_;
+    if (before_) c_.camera.setPose(*before_);
+    before_.reset();
+}
+
+void NewPoints::save(const std::string& path) {
+    GrowthPage& page = c_.ui.growth;
+    const GrowthPicture* picture = growth_.picture();
+    std::shared_ptr<const PointFile> points = picture != nullptr ? picture->points : nullptr;
+    if (!page.open && c_.session.ready()) points = c_.session.input().spec().points;
+    if (!points) return;
+    const Status written = writeMesh(path, *points, {}, {.normals = true});
+    const std::string text = written ? "Saved " + path + "." : written.error().message;
+    if (!page.open) return c_.session.messages().say(text);
+    page.message = written ? text : std::string{};
+    page.complaint = written ? std::string{} : text;
+}
+
+void NewPoints::waitUntilDone() {
+    if (!c_.ui.growth.open) return;
+    growth_.waitUntilDone();
+    takePicture();
+}
+
+const DrawList& NewPoints::drawList(const Palette& palette) {
+    list_ = {};
+    list_.meshVisible = false;
+    list_.cloudVisible = model_ != nullptr;
+    const GrowthPicture* picture = growth_.picture();
+    if (model_) addStyles(*model_, palette, list_);
+    if (model_ && picture != nullptr) addDomain(*model_, *picture, palette, list_);
+    return list_;
+}
+
+}  // namespace se::view

@@ -1,0 +1,69 @@
+/// New points: connects the page, the thread that spreads them, and their drawing. Independent of
+/// window and OpenGL.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "context.h"
+#include "jobs/growth.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
+#include "ui_state.h"
+
+namespace se::view {
+
+class NewPoints {
+  public:
+    explicit NewPoints(CommandContext& context) : c_(context) {}
+
+    /// Opens the page with these particles; `usual` has the options for opening the points later.
+    void begin(SampleSpec spec);
+    void setUsual(const RunSpec& usual) { usual_ = usual; }
+    /// Takes the results of the thread. True if there is something new to draw.
+    bool poll();
+
+    /// Opens the page with the last form, of a shape or of a volume.
+    void openPage(GrowthSource from);
+    /// Spreads the points of the form from the start.
+    void start();
+    void playOrPause();
+    void step() { growth_.step(); }
+    /// To the end of spreading.
+    void finish();
+    /// Opens the points for a run.
+    void use();
+    /// Frames the points.
+    void home();
+    /// Closes the page; the open input returns.
+    void leave();
+    /// Saves the points of the page, or those of the open input.
+    void save(const std::string& path);
+
+    /// Blocks until nothing moves: for pictures without a user.
+    void waitUntilDone();
+    bool moving() const { return c_.ui.growth.open && c_.ui.growth.moving(); }
+
+    /// Drawing of the view, in view space.
+    const DrawList& drawList(const Palette& palette);
+    /// Positions of the particles, for the renderer; null while there are none.
+    const Model* model() const { return model_.get(); }
+    /// Grows whenever model() changes.
+    std::uint32_t revision() const { return revision_; }
+
+  private:
+    void takePicture();
+    void close();
+
+    CommandContext& c_;
+    Growth growth_;
+    RunSpec usual_;
+    std::unique_ptr<Model> model_;
+    DrawList list_;
+    std::uint32_t revision_ = 0;
+    std::string homeOf_;                ///< The surface that the camera was reset for.
+    std::optional<CameraPose> before_;  ///< Camera pose when the page was opened.
+};
+
+}  // namespace se::view

@@ -1,0 +1,168 @@
+/// State of the user interface: that of each panel. Plain values, no ImGui.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "between_frames.h"
+#include "compare/compare_page.h"
+#include "input/clipboard.h"
+#include "input/go_to_box.h"
+#include "input/key_map.h"
+#include "input/key_routing.h"
+#include "input/tab_order.h"
+#include "input/view_drag.h"
+#include "layout/drawn_label.h"
+#include "leave_question.h"
+#include "lesson/lesson_panel.h"
+#include "panel_state/column.h"
+#include "panel_state/export_form.h"
+#include "panel_state/file_browser_state.h"
+#include "panel_state/growth_page.h"
+#include "panel_state/move_tool.h"
+#include "panel_state/picture_look.h"
+#include "panel_state/piece_tool.h"
+#include "panel_state/settings.h"
+#include "panel_state/side_panels.h"
+#include "panel_state/start_page.h"
+#include "panel_state/what_if_offers.h"
+#include "scene/camera_move.h"
+#include "scene/motion.h"
+#include "session/annotations.h"
+#include "session/selection_facts.h"
+#include "spiraling_edge/run/breakpoint.h"
+
+namespace se::view {
+
+struct CommandPalette {
+    bool open = false;
+    bool justOpened = false;  ///< The input line gets the keyboard focus.
+    std::array<char, 64> filter{};
+    int chosen = 0;
+
+    void show() { *this = {true, true, {}, 0}; }
+};
+
+/// Target of the camera once the cursor has arrived.
+enum class FrameRequest : std::uint8_t {
+    None,
+    Home,   ///< All of the input, broadside.
+    Focus,  ///< The selection, or the decision.
+    Decision,
+    Fault,  ///< The chosen place with faults, or alert.
+};
+
+/// Motion of the camera with the run.
+enum class Follow : std::uint8_t {
+    Never,         ///< Turned off by the user.
+    LeavingPivot,  ///< While playing, to a pivot that has left the view.
+    EachDecision,  ///< To the view of each decision.
+};
+
+/// The usual motion in a layout.
+inline Follow followIn(LayoutPreset layout) {
+    return rowOf(layout).follows ? Follow::EachDecision : Follow::LeavingPivot;
+}
+
+/// The page of the menu Help that is open.
+enum class HelpPage : std::uint8_t { None, Guide, About };
+
+struct UiState {
+    /// An overlay above the view takes the keys.
+    bool dialogOpen() const { return coversView() || goTo.active(); }
+    bool coversView() const {
+        return fileBrowser || cheatSheet || help != HelpPage::None || keyEditor || palette.open ||
+               leaving.asked;
+    }
+
+    /// The part of the view in which the camera frames its subject.
+    ViewPart viewPart() const { return {viewAspect, coveredBelow}; }
+
+    /// The text fields that are open or about to be, as bits of TypedField.
+    unsigned typedFields() const {
+        return (palette.open ? kPaletteField : kNoField) |
+               (fileBrowser && !mesh.waits() && !exported.working ? kBrowserField : kNoField) |
+               (query.wantsKeyboard ? kQueryField : kNoField) |
+               (ledger.wantsKeyboard ? kLedgerField : kNoField) |
+               (prepare.wantsKeyboard ? kPrepareField : kNoField);
+    }
+
+    ViewSettings settings;
+    BetweenFrames betweenFrames;
+    Clipboard clipboard;
+    FrameRequest frame = FrameRequest::None;
+    bool takesPicture = false;  ///< The next frame is saved as a picture.
+    bool fullScreen = false;    ///< The window is to fill the monitor.
+    bool closesPopups = false;  ///< Menus are closed by the next frame.
+    GoToBox goTo;
+    TypingWait typing;
+    bool cheatSheet = false;
+    HelpPage help = HelpPage::None;
+    bool keyEditor = false;
+    KeyCapture keyCapture;
+    bool fileBrowser = false;
+    BrowserTask browser = BrowserTask::Open;
+    FileBrowsing browsing;
+    CommandPalette palette;
+    PrepareForm prepare;
+    PieceTool piece;
+    MoveTool move;
+    GrowthPage growth;
+    LessonPanel lesson;
+    MeshForm mesh;
+    ExportForm exported;
+    ComparePage compare;
+    LeaveQuestion leaving;
+    bool quitting = false;  ///< No unsaved work: the window closes.
+    LayoutPreset layoutPreset = LayoutPreset::Debug;
+    Bookmarks bookmarks;
+    std::vector<Breakpoint> breakpoints;
+    AlertsPanel alerts;
+    VerdictPart verdict;
+    DoctorPanel doctor;
+    WatchPanel watch;
+    Lasso lasso;
+    ViewDrag viewDrag;
+    Navigation navigation;
+    LedgerPanel ledger;
+    QueryPanel query;
+    SectionPanel section;
+    SubjectMenu subjectMenu;
+    KeyWalk walk;
+    bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
+    std::string notes;        ///< Free text by the user, stored in the session file.
+    std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
+    /// Annotations in no session file yet, see Document::unsaved().
+    std::string unsaved;
+    std::vector<std::string> recent;  ///< Files opened lately, the latest first.
+    StartPage startPage;
+    PictureLook picture;
+    /// Of the view, and of the one beside it in Compare, as last drawn.
+    std::array<std::vector<DrawnLabel>, 2> labels;
+    BlankScreen blank = BlankScreen::None;  ///< In the layout Present.
+    bool spotlight = false;                 ///< In Present, on the neighborhood of the pivot.
+    float scale = 1.0F;                     ///< Of text and panels, as drawn.
+    float viewAspect = 1.3F;                ///< Of the view, as last drawn.
+    bool phone = false;                     ///< The window has a phone's shape, as last drawn.
+    bool offersTour = false;                ///< After the first run, until an answer.
+    float coveredBelow = 0.0F;  ///< Share of the view's height that the caption covers at its lower
+                                ///< edge, as last drawn.
+    Follow follow = Follow::LeavingPivot;
+    CameraMove cameraMove;
+    /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
+    /// Step", "part Dial", "strip run" ... For --state-dump, so that test scripts find them.
+    std::map<std::string, Rect> where;
+    Column column;
+    std::string addressLine;  ///< Line above the caption; empty: none.
+    LookBack look;            ///< Whether the state before the decision is shown.
+    double clock = 0.0;       ///< Seconds, summed over the frames.
+    FactsCache facts;         ///< Of the selection.
+    DoubleClickFilter click;  ///< In the view; it may be the first half of a double click.
+    std::array<char, 64> ruleFilter{};
+    WhatIfForm whatIf;
+};
+
+}  // namespace se::view

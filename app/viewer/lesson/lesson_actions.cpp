@@ -1,0 +1,89 @@
+#include "lesson_actions.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include "document/document.h"
+#include "lesson_player.h"
+
+#include "document/actions.h"
+#include "teach/practice.h"
+
+namespace se::view {
+
+bool isAllowedDuringQuestion(const Command& command) {
+    constexpr std::array<std::string_view, 3> kGroups = {"View", "Layers", "Help"};
+    constexpr std::array<std::string_view, 13> kOthers = {
+        "file.open",           "file.screenshot", "file.quit",           "step.pivot.next",
+        "step.pivot.previous", "step.event.next", "step.event.previous", "step.pivot.finish",
+        "run.start",           "lesson.next",     "lesson.previous",     "lesson.return",
+        "lesson.close"};
+    const auto among = [](const auto& list, std::string_view word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    if (command.id == "view.layout.compare") return false;
+    return among(kGroups, command.group) || among(kOthers, command.id);
+}
+
+bool answerByKey(const KeyChord& chord, CommandContext& context) {
+    LessonPanel& panel = context.ui.lesson;
+    if (chord.mods != kNoMods || !panel.hides() || panel.countsHands ||
+        context.ui.layoutPreset == LayoutPreset::Present)
+        return false;
+    LessonWalk& walk = panel.walk;
+    if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
+        if (walk.state().given == teach::Answer{}) return false;
+        context.lesson.answer();
+        return true;
+    }
+    const std::size_t count = walk.question()->options.size();
+    const auto option = static_cast<std::size_t>(chord.key - 'A');
+    if (chord.key < 'A' || option >= count) return false;
+    walk.type(teach::optionLetter(option));
+    return true;
+}
+
+namespace actions {
+
+namespace {
+
+bool requireLesson(CommandContext& c) {
+    if (c.ui.lesson.walk.isOpen()) return true;
+    c.session.messages().say("No lesson is open.");
+    return false;
+}
+
+}  // namespace
+
+void openTour(CommandContext& c) { c.document.open(embeddedLessonSource("tour")); }
+
+void openPractice(CommandContext& c) {
+    c.document.open(std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice));
+}
+
+void returnToLessonStep(CommandContext& c) {
+    if (requireLesson(c)) c.lesson.returnToStep();
+}
+
+void closeLesson(CommandContext& c) {
+    if (requireLesson(c)) c.lesson.close();
+}
+
+void saveResult(CommandContext& c) {
+    if (!requireLesson(c)) return;
+    if (!c.ui.lesson.walk.hasAnswers())
+        return c.session.messages().say("No question of this lesson has been answered yet.");
+    openBrowser(c, BrowserTask::SaveResult);
+}
+
+void saveLesson(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
+    if (c.ui.bookmarks.empty())
+        return c.session.messages().say(
+            "Set bookmarks first (Ctrl+B): each becomes a step of the lesson.");
+    openBrowser(c, BrowserTask::SaveLesson);
+}
+
+}  // namespace actions
+
+}  // namespace se::view

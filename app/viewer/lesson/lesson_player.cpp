@@ -1,0 +1,392 @@
+// A step takes several frames: its input is opened, then the cursor goes to its position
+// (entering_), then names, layers, horizon, comparison and camera of the step are set (enter()).
+// What a step changes of the user's choices, it puts back when it is left (leaveStep()).
+#include "lesson_player.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bookmarked_lesson.h"
+#include "document/actions.h"
+#include "document/camera_actions.h"
+#include "lesson_frames.h"
+#include "session/view_position.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "teach/practice.h"
+
+namespace se::view {
+
+namespace {
+
+/// Time in which an answer is shown, decision by decision.
+constexpr double kSecondsOfAnswer = 8.0;
+/// Maximum number of decisions that are played.
+constexpr std::size_t kMaxShown = 400;
+/// Entry of the state for the seed of the last pivot to play.
+constexpr std::string_view kPracticeEntry = "practice";
+
+}  // namespace
+
+void LessonPlayer::begin(const Options& options) {
+    resultFile_ = options.resultFile;
+    const KeptState kept = c_.document.kept().read();
+    const auto last = kept.lessons.find(std::string(kPracticeEntry));
+    if (last != kept.lessons.end()) panel().nextPractice = last->second + 1;
+    layoutGiven_ = options.layout.has_value();
+    resultSource_ = options.lesson;
+    if (!options.lesson.empty()) open(options.lesson, options.lessonStep);
+}
+
+void LessonPlayer::open(const std::string& source, std::optional<std::size_t> step) {
+    toStep_ = step;
+    watch_.begin(source);
+    panel().opening = true;
+    panel().share = 0.0;
+    panel().complaint.clear();
+    opening_.start([source](const Progress& progress) { return openLesson(source, progress); });
+}
+
+void LessonPlayer::waitUntilDone() {
+    opening_.waitUntilDone();
+    poll();
+    for (int i = 0; i < 3; ++i) {
+        c_.session.waitUntilDone();
+        c_.document.poll();
+        poll();
+    }
+}
+
+bool LessonPlayer::poll() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(polled_, now);
+    panel().share = opening_.share();
+    bool changed = false;
+    if (opening_.poll()) {
+        changed = true;
+        panel().opening = false;
+        if (auto lesson = opening_.takeAnswer()) {
+            take(std::move(*lesson));
+        } else {
+            // The lesson before stays.
+            status_ = Error{opening_.complaint()};
+            panel().complaint = opening_.complaint();
+            c_.session.messages().say(opening_.complaint());
+        }
+    }
+    if (!walk().isOpen()) return changed;
+    watchFile();
+    if (entering_ && !isUnderWay()) {
+        changed = true;
+        arrive();
+        if (!walk().isOpen()) return true;
+    }
+    if (walk().asks()) walk().addSeconds(passed.count());
+    const bool takes = walk().takesPoints() && !entering_ && hasInput();
+    if (takes) c_.session.highlights().mark(walk().givenPoints());
+    c_.session.highlights().label(takes ? possiblePoints() : std::vector<Index>{});
+    panel().away = isAway();
+    return changed;
+}
+
+/// Points that can be an answer: the neighbors of the pivot; of a pivot to play, those beside it on
+/// the ring as well.
+std::vector<Index> LessonPlayer::possiblePoints() const {
+    const DecisionState& picture = c_.session.picture();
+    if (picture.pivot == kNone) return {};
+    const auto& neighbors = c_.session.shown().points.neighbors[picture.pivot];
+    std::vector<Index> points(neighbors.begin(), neighbors.end());
+    if (c_.ui.lesson.walk.question()->kind != "play" || picture.rings.empty()) return points;
+    const std::vector<Index>& ring = picture.rings.front().points;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (ring[i] != picture.pivot) continue;
+        points.push_back(ring[(i + ring.size() - 1) % ring.size()]);
+        points.push_back(ring[(i + 1) % ring.size()]);
+    }
+    return points;
+}
+
+void LessonPlayer::take(OpenedLesson lesson) {
+    const bool again = walk().isOpen() && walk().source() == lesson.source;
+    const std::size_t kept = again ? walk().step() : keptStep(lesson);
+    if (walk().isOpen()) leaveStep();
+    if (!layoutBefore_) layoutBefore_ = c_.ui.layoutPreset;
+    walk().open(std::move(lesson), kept);
+    const std::optional<LayoutPreset> layout = layoutPresetFromName(walk().lesson().layout);
+    const bool stays =
+        c_.ui.layoutPreset == LayoutPreset::Present || std::exchange(layoutGiven_, false) || again;
+    if (!stays) actions::applyLayoutPreset(c_, layout.value_or(LayoutPreset::Debug));
+    c_.ui.follow = Follow::EachDecision;
+    c_.ui.column.choose(Task::Lesson);
+    if (isLessonFile(walk().source())) c_.document.note(walk().source());
+    goTo(std::exchange(toStep_, std::nullopt).value_or(kept));
+}
+
+/// The step that was shown last; the first one of a lesson that was read to its end.
+std::size_t LessonPlayer::keptStep(const OpenedLesson& lesson) const {
+    const KeptState state = c_.document.kept().read();
+    const auto found = state.lessons.find(lesson.source);
+    const bool inside =
+        found != state.lessons.end() && found->second + 1 < lesson.lesson.steps.size();
+    return inside ? found->second : 0;
+}
+
+/// Of pivots to play the last seed is kept.
+void LessonPlayer::keepStep() {
+    const auto seed = teach::practiceSeed(walk().source());
+    const std::string source = seed ? std::string(kPracticeEntry) : walk().source();
+    const std::size_t number = seed ? static_cast<std::size_t>(*seed) : walk().step();
+    if (seed) panel().nextPractice = *seed + 1;
+    const Status kept =
+        c_.document.kept().change([&](KeptState& state) { state.lessons[source] = number; });
+    if (!kept) c_.session.messages().say(kept.error().message);
+}
+
+/// The file is read again when it has changed.
+void LessonPlayer::watchFile() {
+    if (opening_.busy() || !isLessonFile(walk().source())) return;
+    // Another lesson was refused.
+    if (watch_.path() != walk().source()) watch_.begin(walk().source());
+    if (watch_.hasChanged()) open(walk().source());
+}
+
+/// The open run is that of the step.
+bool LessonPlayer::hasInput() const {
+    return c_.session.ready() && c_.session.input().phase() == SessionPhase::Ready &&
+           c_.session.input().spec() == input_;
+}
+
+/// An input is being opened, or the cursor moves.
+bool LessonPlayer::isUnderWay() const {
+    return c_.session.input().phase() == SessionPhase::Loading || c_.document.arriving() ||
+           c_.session.moves().busy();
+}
+
+/// Whether the cursor is at the position of the step, as far as that is an address of a decision.
+bool LessonPlayer::isAtStep() const {
+    const auto at = addressFromString(c_.ui.lesson.walk.setting().at);
+    if (!at || at->stage == Stage::Pivot) return true;
+    const PivotRecord& record = c_.session.record();
+    return record.pivot == at->pivot && record.find(*at) == c_.session.cursor();
+}
+
+/// The run has come to rest: at the step, or the opening failed or was cancelled, or the user moved
+/// meanwhile.
+void LessonPlayer::arrive() {
+    if (!c_.session.ready()) return leave();
+    if (hasInput() && !isAtStep() && !std::exchange(retried_, true)) {
+        (void)c_.session.moves().goToText(walk().setting().at);
+        return;
+    }
+    entering_ = false;
+    if (hasInput()) enter();
+}
+
+void LessonPlayer::goTo(std::size_t step) {
+    leaveStep();
+    if (step != walk().step()) panel().countsHands = false;
+    walk().goTo(step);
+    keepStep();
+    const Result<RunSpec> input = inputOfStep(walk().setting(), walk().folder());
+    if (!input) return c_.session.messages().say(input.error().message);
+    input_ = input.value();
+    entering_ = true;
+    retried_ = false;
+    fresh_ = !hasInput();
+    const std::string at = walk().setting().at.empty() ? "0" : walk().setting().at;
+    if (fresh_) return c_.document.openStep(input_, at);
+    const Status moved = c_.session.moves().goToText(at);
+    if (!moved) c_.session.messages().say(moved.error().message);
+}
+
+void LessonPlayer::enter() {
+    Session& session = c_.session;
+    const teach::LessonStep& step = walk().shownStep();
+    home_ = session.address();
+    walk().setPointCount(session.model().points.size());
+    session.giveNames(walk().names());
+    session.alerts().choose(std::nullopt);
+    session.select(selectionOfStep(step, walk().setting().names));
+    choices_.pinLayers(step);
+    aiming_ = true;
+    const bool plays = std::exchange(playsOnArrival_, false);
+    if (walk().asks()) {
+        session.setHorizon(home_);
+        if (c_.ui.layoutPreset == LayoutPreset::Compare) c_.ui.layoutPreset = LayoutPreset::Debug;
+        return;
+    }
+    if (walk().state().shown) return show();
+    if (!step.compare.empty()) compare();
+    if (step.play || plays) playStep();
+}
+
+void LessonPlayer::leaveStep() {
+    c_.session.setHorizon(std::nullopt);
+    c_.session.giveNames({});
+    c_.session.highlights().mark({});
+    c_.session.highlights().label({});
+    choices_.putBack();
+    entering_ = aiming_ = false;
+}
+
+void LessonPlayer::compare() {
+    const Result<RunSpec> other = comparedInput(input_, walk().shownStep().compare);
+    if (!other) return c_.session.messages().say(other.error().message);
+    choices_.compare(CompareWith::otherRun(other.value()));
+}
+
+/// Plays from the cursor to `until`, at the speed of the step.
+void LessonPlayer::playTo(const Address& until) {
+    const std::optional<teach::PlaySpeed>& speed = walk().shownStep().play;
+    const double usual = walk().question() == nullptr
+                             ? 2.0
+                             : static_cast<double>(walk().right().shown.size()) / kSecondsOfAnswer;
+    home_ = until;
+    choices_.play(speed ? unitFromName(speed->unit).value_or(PlayUnit::SubStep) : PlayUnit::SubStep,
+                  speed ? speed->perSecond : std::max(2.0, usual), until);
+}
+
+/// Plays from the position of the step to its end.
+void LessonPlayer::playStep() {
+    const std::string& place = walk().setting().answerPlace;
+    const auto until = addressFromString(place);
+    if (until && !c_.session.reached(*until)) return playTo(*until);
+    // A share of the run, such as 100%.
+    if (!until && !place.empty()) (void)c_.session.moves().goToText(place);
+}
+
+/// Goes through the decisions from the question to its answer.
+void LessonPlayer::show() {
+    c_.session.setHorizon(std::nullopt);
+    const std::vector<Event>& decisions = walk().right().shown;
+    if (decisions.empty()) return;
+    const Address until = decisions.back().address;
+    home_ = until;
+    if (walk().shownStep().frame == "all") aiming_ = true;
+    if (!walk().shownStep().compare.empty()) compare();
+    if (c_.session.reached(until)) return;
+    if (!walk().shownStep().play && decisions.size() > kMaxShown)
+        return c_.session.moves().playTo(until);
+    playTo(until);
+}
+
+bool LessonPlayer::isAway() const {
+    if (entering_ || c_.playback.playing() || isUnderWay()) return false;
+    const LessonWalk& walk = c_.ui.lesson.walk;
+    return !hasInput() || (home_ && c_.session.address() != *home_ && !walk.asks());
+}
+
+bool LessonPlayer::takeAim() {
+    // Playback follows the pivot: all of an answer is framed at its end.
+    if (aiming_ && walk().question() != nullptr && c_.playback.playing() &&
+        walk().shownStep().frame == "all")
+        return false;
+    return aiming_ && !isUnderWay() && std::exchange(aiming_, false);
+}
+
+void LessonPlayer::aim() {
+    const teach::LessonStep& step = walk().shownStep();
+    if (!step.camera.empty()) {
+        const Result<ViewPosition> place = viewPositionFromText(step.camera);
+        if (place && place.value().camera) return c_.camera.setPose(*place.value().camera);
+    }
+    const std::optional<Vec3> direction = teach::viewDirection(walk().setting());
+    const bool all = step.frame == "all";
+    if (fresh_ || all || direction) return frameStep(c_, all, direction);
+    moveToDecision(c_, CameraMove::Kind::Requested);
+}
+
+void LessonPlayer::follow(const std::string& address) {
+    c_.playback.pause();
+    const Status moved = c_.session.moves().goToText(address);
+    if (!moved) return c_.session.messages().say(moved.error().message);
+    c_.ui.frame = FrameRequest::Decision;
+}
+
+void LessonPlayer::saveResult(const std::string& file) {
+    const Status written = writeFileAtomically(file, resultJson(walk().result()));
+    c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
+}
+
+void LessonPlayer::save() {
+    const bool asked = !resultFile_.empty() && walk().source() == resultSource_;
+    if (!asked || !walk().hasAnswers()) return;
+    const Status written = writeFileAtomically(resultFile_, resultJson(walk().result()));
+    if (!written) c_.session.messages().say(written.error().message);
+}
+
+void LessonPlayer::saveLesson(const std::string& file) {
+    Annotations annotations;
+    annotations.bookmarks = c_.ui.bookmarks;
+    annotations.notes = c_.ui.notes;
+    const auto text = lessonOfBookmarks(c_.session.input().spec(), annotations,
+                                        std::filesystem::path(file).parent_path());
+    const Status written = text ? writeFileAtomically(file, text.value()) : Status(text.error());
+    c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
+}
+
+void LessonPlayer::close() {
+    c_.ui.betweenFrames([this] { leave(); });
+}
+
+void LessonPlayer::leave() {
+    opening_.cancel();
+    leaveStep();
+    if (layoutBefore_) c_.ui.layoutPreset = *std::exchange(layoutBefore_, std::nullopt);
+    c_.ui.follow = followIn(c_.ui.layoutPreset);
+    c_.ui.column.reset();
+    const std::uint64_t next = panel().nextPractice;
+    panel() = {};
+    panel().nextPractice = next;
+}
+
+void LessonPlayer::closeForOther() {
+    if (c_.document.takeForeignOpening() && (walk().isOpen() || opening_.busy())) leave();
+}
+
+void LessonPlayer::toStep(std::size_t step) {
+    c_.ui.betweenFrames([this, step] {
+        if (step < walk().lesson().steps.size()) goTo(step);
+    });
+}
+
+void LessonPlayer::next() {
+    if (!walk().isOpen())
+        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (c_.ui.layoutPreset == LayoutPreset::Present && walk().asks()) return showAnswer();
+    if (walk().step() + 1 < walk().lesson().steps.size()) return toStep(walk().step() + 1);
+    c_.session.messages().say("This is the last step of the lesson.");
+}
+
+void LessonPlayer::previous() {
+    if (!walk().isOpen())
+        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (walk().step() > 0) return toStep(walk().step() - 1);
+    c_.session.messages().say("This is the first step of the lesson.");
+}
+
+void LessonPlayer::returnToStep() { toStep(walk().step()); }
+
+void LessonPlayer::play() {
+    playsOnArrival_ = true;
+    returnToStep();
+}
+
+void LessonPlayer::answer() {
+    c_.ui.betweenFrames([this] {
+        if (walk().asks()) walk().answer(), conclude();
+    });
+}
+
+void LessonPlayer::showAnswer() {
+    c_.ui.betweenFrames([this] {
+        if (walk().asks()) walk().showAnswer(), conclude();
+    });
+}
+
+/// Keeps what was answered, and shows the right answer once the question is closed.
+void LessonPlayer::conclude() {
+    save();
+    if (!walk().asks()) show();
+}
+
+}  // namespace se::view

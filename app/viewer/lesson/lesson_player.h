@@ -1,0 +1,113 @@
+/// Shows the steps of the open lesson in the run: opens their inputs, goes to their positions,
+/// hides what follows an open question. Independent of window and OpenGL.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+#include "document/start_options.h"
+#include "jobs/background_job.h"
+#include "jobs/file_watch.h"
+#include "jobs/open_lesson.h"
+#include "lesson_choices.h"
+#include "spiraling_edge/base/result.h"
+
+namespace se::view {
+
+class LessonPlayer {
+  public:
+    explicit LessonPlayer(CommandContext& context) : c_(context), choices_(context) {}
+
+    /// Opens the lesson of the command line, if there is one.
+    void begin(const Options& options);
+    /// Takes what threads have done; shows a step once its input is open. True if there is
+    /// something new to draw.
+    bool poll();
+    /// Closes the lesson if something else was opened: before any of that is shown.
+    void closeForOther();
+
+    void open(const std::string& source, std::optional<std::size_t> step = std::nullopt);
+    /// To the next step; in Present an open question is answered first.
+    void next();
+    void previous();
+    /// To a step, from 0.
+    void toStep(std::size_t step);
+    /// To the position of the step.
+    void returnToStep();
+    /// From the position of the step to its end.
+    void play();
+    /// Grades what is given to the open question.
+    void answer();
+    /// Shows the right answer to the open question.
+    void showAnswer();
+    void close();
+    /// To the address of a link in the text.
+    void follow(const std::string& address);
+    void saveResult(const std::string& file);
+    /// Writes the bookmarks as the steps of a lesson.
+    void saveLesson(const std::string& file);
+
+    /// Puts the user's choices back that the step has changed.
+    void putBackChoices() { choices_.putBack(); }
+    /// True once per step, when its camera can be placed.
+    bool takeAim();
+    /// Places the camera of the step.
+    void aim();
+    /// A lesson is being opened, or the run goes to a step.
+    bool moving() const { return opening_.busy() || entering_; }
+    /// Blocks until the lesson is open, or failed.
+    void waitUntilDone();
+    /// Error if the lesson of the command line cannot be opened.
+    const Status& status() const { return status_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    LessonPanel& panel() { return c_.ui.lesson; }
+    LessonWalk& walk() { return c_.ui.lesson.walk; }
+    void take(OpenedLesson lesson);
+    std::vector<Index> possiblePoints() const;
+    std::size_t keptStep(const OpenedLesson& lesson) const;
+    void keepStep();
+    void watchFile();
+    void goTo(std::size_t step);
+    void arrive();
+    void enter();
+    void leaveStep();
+    void compare();
+    void playTo(const Address& until);
+    void playStep();
+    void show();
+    void save();
+    void conclude();
+    void leave();
+    bool hasInput() const;
+    bool isUnderWay() const;
+    bool isAtStep() const;
+    bool isAway() const;
+
+    CommandContext& c_;
+    BackgroundQuery<OpenedLesson> opening_;
+    std::optional<std::size_t> toStep_;  ///< Of the lesson that is being opened.
+    bool entering_ = false;              ///< The run is on its way to the step.
+    bool aiming_ = false;                ///< The camera is not placed yet.
+    bool fresh_ = false;                 ///< The step has opened another input.
+    std::optional<Address> home_;        ///< Position of the step, or of its answer.
+    RunSpec input_;                      ///< Input of the step.
+    LessonChoices choices_;
+    bool playsOnArrival_ = false;               ///< The step is played once the run is there.
+    bool retried_ = false;                      ///< The move to the step was made again.
+    std::optional<LayoutPreset> layoutBefore_;  ///< The user's, while a lesson is open.
+    bool layoutGiven_ = false;                  ///< By the command line.
+    std::string resultSource_;                  ///< The lesson of the command line.
+    std::filesystem::path resultFile_;          ///< Of --result; empty: none.
+    FileWatch watch_;                           ///< Of the lesson's file.
+    Clock::time_point polled_ = Clock::now();
+    Status status_ = success();
+};
+
+}  // namespace se::view

@@ -1,0 +1,411 @@
+#include "lesson/lesson_player.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "commands/commands.h"
+#include "headless_app.h"
+#include "lesson/lesson_actions.h"
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_check.h"
+#include "teach/lesson_read.h"
+#include "teach/practice.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+struct LessonApp : test::HeadlessApp {
+    LessonApp() : test::HeadlessApp("lesson-test") {}
+    void settle() {
+        lesson.closeForOther();
+        lesson.waitUntilDone();
+        waitUntilDone();
+        lesson.poll();
+        waitUntilDone();
+    }
+    void open(const std::string& source) {
+        document.open(source);
+        settle();
+    }
+    void goTo(std::size_t step) {
+        lesson.toStep(step);
+        settle();
+    }
+    /// Makes the request and waits.
+    void ask(void (LessonPlayer::*request)()) {
+        (lesson.*request)();
+        settle();
+    }
+    std::string place() { return session.event() ? toString(session.address()) : "0"; }
+    LessonWalk& walk() { return ui.lesson.walk; }
+};
+
+/// A share, such as 100%, is no address.
+bool isAddress(const std::string& place) { return addressFromString(place).has_value(); }
+
+}  // namespace
+
+TEST_CASE("Every step of every lesson is shown at its position, with its question open") {
+    LessonApp app;
+    for (const teach::EmbeddedLesson& each : teach::embeddedLessons()) {
+        app.open(embeddedLessonSource(each.id));
+        REQUIRE(app.walk().isOpen());
+        for (std::size_t i = 0; i < app.walk().lesson().steps.size(); ++i) {
+            CAPTURE(std::string(each.id));
+            CAPTURE(i + 1);
+            app.goTo(i);
+            REQUIRE(app.walk().step() == i);
+            const std::string& at = app.walk().setting().at;
+            if (isAddress(at) && at != "0") CHECK(app.session.reached(*addressFromString(at)));
+            CHECK(app.session.horizon().has_value() == app.walk().asks());
+            CHECK_FALSE(app.session.messages().missed());
+        }
+    }
+}
+
+TEST_CASE("While a question is open no move passes it, until it is answered") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    CHECK(app.place() == "1.sort.12");
+    app.session.moves().stepEvent(1);
+    app.session.moves().toEnd();
+    app.session.moves().stepPivot(5);
+    app.session.moves().goToShare(0.5);
+    app.session.moves().goToPoint(30);
+    app.session.moves().finishPivot();
+    app.waitUntilDone();
+    CHECK(app.place() == "1.sort.12");
+    app.session.moves().stepEvent(-3);
+    CHECK(app.place() == "1.sort.9");
+    app.session.moves().toEnd();
+    app.waitUntilDone();
+    CHECK(app.place() == "1.sort.12");
+
+    app.walk().type("3, 4, 5, 6, 7");
+    app.ask(&LessonPlayer::answer);
+    CHECK_FALSE(app.walk().asks());
+    CHECK(app.playback.playing());
+    REQUIRE(app.playback.until.has_value());
+    CHECK(toString(*app.playback.until) == "1.sphere.11");
+    app.session.moves().toEnd();
+    app.waitUntilDone();
+    CHECK(app.session.atEnd());
+}
+
+TEST_CASE("A way off the step is noticed, and leads back to position, rules and question") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(2);
+    CHECK_FALSE(app.ui.lesson.away);
+    app.session.moves().toEnd();
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK(app.place() == "1.ring.6");
+    app.session.rerun(withRule(app.session.input().rules(), "sphere", 0.0));
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK(app.session.input().rules().choices.empty());
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("While a question for points is open the neighbors of the pivot have labels") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    REQUIRE(app.walk().takesPoints());
+    const Index pivot = app.session.picture().pivot;
+    CHECK(app.session.highlights().labeled().size() ==
+          app.session.shown().points.neighbors[pivot].size());
+    app.goTo(2);
+    CHECK(app.session.highlights().labeled().empty());
+}
+
+TEST_CASE("Hands of a room are counted for one question only") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    app.ui.lesson.countsHands = true;
+    CHECK(app.ui.lesson.countsRoom());
+    app.goTo(3);
+    CHECK_FALSE(app.ui.lesson.countsRoom());
+}
+
+TEST_CASE("Names of the lesson are those of its points, and end with it") {
+    LessonApp app;
+    app.open("lesson:removal");
+    REQUIRE_FALSE(app.session.names().empty());
+    app.ask(&LessonPlayer::close);
+    CHECK_FALSE(app.walk().isOpen());
+    app.document.open("scene:torus");
+    app.settle();
+    CHECK(app.session.names().empty());
+}
+
+TEST_CASE("Opening something else closes the lesson, a step with another input does not") {
+    LessonApp app;
+    app.open("lesson:neighbor-ring");
+    for (std::size_t i = 0; i < app.walk().lesson().steps.size(); ++i) app.goTo(i);
+    CHECK(app.walk().isOpen());
+    app.document.open("scene:torus");
+    app.settle();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK_FALSE(app.session.horizon().has_value());
+    CHECK(app.session.model().name == "scene:torus");
+}
+
+TEST_CASE("A faulty lesson is refused with file and line, and the one before stays") {
+    LessonApp app;
+    app.open("lesson:tour");
+    const std::filesystem::path path = app.folder / "bad.lesson.md";
+    std::ofstream(path) << "# Bad\n```se lesson\nversion = 1\ninput = \"scene:torus\"\n```\n"
+                           "## Step\n```se step\nat = \"1.sphere.99\"\n```\n";
+    app.open(path.string());
+    CHECK(app.ui.lesson.complaint.find("bad.lesson.md:8: at: pivot 1 has") != std::string::npos);
+    CHECK(app.walk().source() == "lesson:tour");
+}
+
+TEST_CASE("Bookmarks are saved as a lesson that passes its check, with notes and cameras") {
+    LessonApp app;
+    app.document.open("scene:figure-8");
+    app.waitUntilDone();
+    app.session.rerun(withRule(app.session.input().rules(), "maxgap", 100.0));
+    app.waitUntilDone();
+    for (const char* at : {"9.sphere.2", "9.emit.1"}) {
+        REQUIRE(app.session.moves().goToText(at).ok());
+        app.waitUntilDone();
+        toggleBookmark(app.ui.bookmarks, app.session.address(), app.camera.pose());
+    }
+    app.ui.bookmarks[0].note = "# q \"goes\"";
+    app.ui.notes = "Why q goes.";
+    const std::string path = (app.folder / "mine.lesson.md").string();
+    app.lesson.saveLesson(path);
+    const Result<teach::LessonReading> reading = teach::readLessonFile(path);
+    REQUIRE(reading.ok());
+    REQUIRE(reading.value().ok());
+    const teach::Lesson& lesson = reading.value().lesson;
+    REQUIRE(lesson.steps.size() == 2);
+    CHECK(lesson.steps[0].title == "q \"goes\"");
+    CHECK(lesson.steps[1].title == "9.emit.1");
+    CHECK(lesson.rules == specChange({{"switches", "maxgap=100"}}));
+    CHECK(lesson.text.find("Why q goes.") != std::string::npos);
+    CHECK(viewPositionFromText(lesson.steps[0].camera).value().camera == app.camera.pose());
+    teach::LessonRuns runs(app.folder);
+    CHECK(teach::checkLesson(lesson, runs).empty());
+}
+
+TEST_CASE("While a question is open only commands work that tell nothing of what follows") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    for (const char* id : {"file.savemesh", "ask.charts", "step.alert.next", "run.compare",
+                           "step.mark.next", "run.play", "edit.rules.reset", "file.copycommand"}) {
+        CAPTURE(id);
+        CHECK_FALSE(isAllowedDuringQuestion(*findCommand(id)));
+        app.session.messages().clear();
+        runCommand(*findCommand(id), app.context);
+        CHECK(app.session.messages().last().find("Answer the question") != std::string::npos);
+    }
+    for (const char* id : {"view.frame", "layer.labels", "lesson.next", "file.quit", "help.keys"})
+        CHECK(isAllowedDuringQuestion(*findCommand(id)));
+}
+
+TEST_CASE("In Present the key for the next step shows the answer first") {
+    LessonApp app;
+    app.ui.layoutPreset = LayoutPreset::Present;
+    app.open("lesson:spiral");
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    app.goTo(1);
+    app.ask(&LessonPlayer::next);
+    CHECK(app.walk().step() == 1);
+    CHECK_FALSE(app.walk().asks());
+    app.ask(&LessonPlayer::next);
+    CHECK(app.walk().step() == 2);
+}
+
+TEST_CASE("A step that compares opens the layout Compare, and the next one returns") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
+    REQUIRE(app.compare.comparison().chosen());
+    CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==
+          "sphere off");
+    app.ask(&LessonPlayer::previous);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
+    CHECK_FALSE(app.compare.comparison().chosen());
+}
+
+TEST_CASE("In Present a step that compares shows the second view there") {
+    LessonApp app;
+    app.ui.layoutPreset = LayoutPreset::Present;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    CHECK(app.compare.comparison().chosen());
+    CHECK(app.ui.compare.isIn(LayoutPreset::Present));
+    app.ask(&LessonPlayer::previous);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    CHECK_FALSE(app.ui.compare.isIn(LayoutPreset::Present));
+    CHECK_FALSE(app.compare.comparison().chosen());
+}
+
+TEST_CASE("Letters choose an option of the open question, and Enter answers") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t step = 0;
+    while (app.walk().lesson().steps[step].question == std::nullopt ||
+           app.walk().lesson().steps[step].question->kind != "choice")
+        ++step;
+    app.goTo(step);
+    REQUIRE(app.walk().asks());
+    const KeyChord enter{key::kEnter, kNoMods};
+    CHECK_FALSE(answerByKey(enter, app.context));
+    CHECK_FALSE(answerByKey({'Z', kNoMods}, app.context));
+    CHECK_FALSE(answerByKey({'B', kCtrl}, app.context));
+    CHECK(answerByKey({'B', kNoMods}, app.context));
+    CHECK(app.walk().state().given.choice == 1);
+    CHECK(answerByKey(enter, app.context));
+    CHECK(app.walk().state().tries == 1);
+    // B is black there.
+    app.ui.layoutPreset = LayoutPreset::Present;
+    CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
+    app.ui.layoutPreset = LayoutPreset::Debug;
+    app.ask(&LessonPlayer::showAnswer);
+    CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
+}
+
+TEST_CASE("A pivot to practice opens at its beginning, and the next one is another") {
+    LessonApp app;
+    app.open("practice:7");
+    REQUIRE(app.walk().isOpen());
+    const teach::PracticeTask task = teach::practiceTask(7);
+    CHECK(app.place() == toString(task.address));
+    CHECK(app.session.model().points.position == task.points->position);
+    CHECK(app.walk().asks());
+    CHECK_FALSE(app.ui.lesson.away);
+    app.walk().showAnswer();
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK_FALSE(app.ui.lesson.away);
+    actions::openPractice(app.context);
+    app.settle();
+    CHECK(app.walk().source() == "practice:8");
+}
+
+TEST_CASE("A lesson opens after something else was open, and a click there closes it at once") {
+    LessonApp app;
+    app.document.open("scene:torus");
+    app.settle();
+    app.open("lesson:tour");
+    CHECK(app.walk().isOpen());
+    app.goTo(1);
+    // The horizon of the question does not reach into what is opened next.
+    app.open("lesson:spiral");
+    app.goTo(1);
+    app.document.open("scene:figure-8");
+    app.settle();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK(app.place() == "9.sphere.2");
+}
+
+TEST_CASE("Going on before an input is open shows the last step that was chosen") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t other = 1;
+    while (app.walk().lesson().steps[other].input.empty()) ++other;
+    app.goTo(other - 1);
+    const std::string before = app.session.model().name;
+    for (const std::size_t step : {other, other - 1}) {
+        app.lesson.toStep(step);
+    }
+    app.settle();
+    CHECK(app.walk().step() == other - 1);
+    CHECK(app.session.model().name == before);
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("An input of a step that does not open leaves a way back to the step") {
+    LessonApp app;
+    app.open("lesson:removal");
+    std::size_t other = 1;
+    while (app.walk().lesson().steps[other].input.empty()) ++other;
+    app.lesson.toStep(other);
+    app.session.cancelOpening();
+    app.settle();
+    CHECK(app.ui.lesson.away);
+    CHECK_FALSE(app.ui.lesson.hides());
+    CHECK_FALSE(app.lesson.moving());
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK_FALSE(app.ui.lesson.away);
+}
+
+TEST_CASE("A lesson leaves layers, layout and playback as the user had them") {
+    LessonApp app;
+    modeOf(app.ui.settings.layers, LayerId::Normals) = LayerMode::PinnedOff;
+    const LayerModes layers = app.ui.settings.layers;
+    app.playback.setUnit(PlayUnit::Event);
+    app.playback.setRate(15.0);
+    app.open("practice:3");
+    CHECK(app.ui.settings.layers != layers);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
+    app.walk().showAnswer();
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK(app.playback.playing());
+    app.ask(&LessonPlayer::close);
+    CHECK(app.ui.settings.layers == layers);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
+    CHECK(app.playback.unit() == PlayUnit::Event);
+    CHECK(app.playback.rate() == 15.0);
+    CHECK_FALSE(app.playback.playing());
+}
+
+TEST_CASE("Returning to a step that compares begins its comparison again") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(app.walk().lesson().steps.size() - 1);
+    app.compare.stop();
+    app.ask(&LessonPlayer::returnToStep);
+    CHECK(app.compare.comparison().chosen());
+    CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
+}
+
+TEST_CASE("Play starts at the position of the step, again once it has played") {
+    LessonApp app;
+    app.open("lesson:tour");
+    app.goTo(4);
+    for (int i = 0; i < 2; ++i) {
+        app.ask(&LessonPlayer::play);
+        CHECK(app.place() == "200.split.1");
+        CHECK(app.playback.playing());
+        REQUIRE(app.session.moves().goToText("200.advance.1").ok());
+        app.playback.pause();
+        app.settle();
+    }
+}
+
+TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one file") {
+    LessonApp app;
+    const std::string file = (app.folder / "mine.result.json").string();
+    Options options;
+    options.lesson = "lesson:spiral";
+    options.lessonStep = 1;
+    options.resultFile = file;
+    app.lesson.begin(options);
+    app.settle();
+    app.walk().type("3, 4, 5, 6, 7");
+    app.ask(&LessonPlayer::answer);
+    REQUIRE(std::filesystem::exists(file));
+    app.open("lesson:spiral");
+    CHECK(app.walk().step() == 1);
+    CHECK(app.walk().hasAnswers());
+    const auto size = std::filesystem::file_size(file);
+    app.open("practice:1");
+    app.walk().type("next 0");
+    app.ask(&LessonPlayer::answer);
+    CHECK(std::filesystem::file_size(file) == size);
+}
