@@ -295,6 +295,22 @@ void Application::drawUserInterface(const PanelRects& rects) {
 
 bool Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
+    update(seconds);
+    layOut(size, seconds);
+    fillViews();
+    ui_.betweenFrames.beginDrawing();
+    drawUserInterface(areas_);
+    const bool panelsChanged = imgui_->endFrame();
+    const auto built = std::chrono::steady_clock::now();
+    const bool drawn = draw(size, panelsChanged);
+    uiSeconds_ = std::chrono::duration<double>(built - began).count();
+    noteTimes(built);
+    endFrame(size);
+    return drawn;
+}
+
+/// Takes what threads have done, plays, and chooses the state that is shown.
+void Application::update(double seconds) {
     ui_.clock += seconds;
     // Ignore breakpoints and watches while a text field is active.
     if (!ImGui::GetIO().WantTextInput) {
@@ -305,6 +321,9 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     play(seconds);
     session_.showNames(ui_.settings.names);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));
+}
+
+void Application::layOut(glm::ivec2 size, double seconds) {
     ui_.scale = scaleIn(size);
     imgui_->setLooks(ui_.scale, ui_.settings.theme);
     ImGuiIO& io = ImGui::GetIO();
@@ -312,41 +331,43 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
     areas_ = areasIn(glm::vec2(size));
-    const PanelRects& rects = areas_;
-    ui_.navigation.stripFolded = rects.stripFolded;
-    ui_.phone = rects.phone;
-    ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
-    if (ui_.growth.open) {
-        painter_.fillParticles(sampling_, ui_.settings.theme);
-    } else {
-        placeCamera();
-        moveCamera();
-        if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
-            session_.questions().requestClosest();
-        const bool onPaper = ui_.takesPicture || options_.onPaper();
-        painter_.fill(commands_, onPaper, compare_.look());
-        compare_.fill(onPaper);
-    }
-    ui_.betweenFrames.beginDrawing();
-    drawUserInterface(rects);
-    const bool panelsChanged = imgui_->endFrame();
-    const auto built = std::chrono::steady_clock::now();
-    const bool viewChanged = painter_.draw(commands_, rects.view, imgui_->em());
-    const bool otherViewChanged = compare_.draw(rects.otherView, imgui_->em());
+    ui_.navigation.stripFolded = areas_.stripFolded;
+    ui_.phone = areas_.phone;
+    ui_.viewAspect = areas_.view.size.x / std::max(1.0F, areas_.view.size.y);
+}
+
+/// Places the camera, and lists what the views show.
+void Application::fillViews() {
+    if (ui_.growth.open) return painter_.fillParticles(sampling_, ui_.settings.theme);
+    placeCamera();
+    moveCamera();
+    if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
+        session_.questions().requestClosest();
+    const bool onPaper = ui_.takesPicture || options_.onPaper();
+    painter_.fill(commands_, onPaper, compare_.look());
+    compare_.fill(onPaper);
+}
+
+/// Draws the frame, unless it equals the one before; true if it did.
+bool Application::draw(glm::ivec2 size, bool panelsChanged) {
+    const bool viewChanged = painter_.draw(commands_, areas_.view, imgui_->em());
+    const bool otherViewChanged = compare_.draw(areas_.otherView, imgui_->em());
     // A picture is read from what this frame draws.
     const bool forced = redraws_ > 0 || ui_.takesPicture;
     redraws_ = std::max(redraws_ - 1, 0);
     // A view of another size is shown only with its picture: until then the frame before stays, if
     // the window has it.
     const bool late = painter_.late() || compare_.late();
-    const bool drawn = forced || (!late && (viewChanged || otherViewChanged || panelsChanged));
-    if (drawn) {
-        const auto& tile = ui_.picture.tile;
-        clearFrame(tile ? tile->size : size, palette().panel);
-        imgui_->draw(tile);
-    }
-    uiSeconds_ = std::chrono::duration<double>(built - began).count();
-    noteTimes(built);
+    if (!forced && (late || !(viewChanged || otherViewChanged || panelsChanged))) return false;
+    const auto& tile = ui_.picture.tile;
+    clearFrame(tile ? tile->size : size, palette().panel);
+    imgui_->draw(tile);
+    return true;
+}
+
+/// What follows the drawing: changes are noted, calls that had to wait are made, pictures are
+/// taken.
+void Application::endFrame(glm::ivec2 size) {
     if (options_.narrate) narrate();
     ui_.typing.endFrame(ImGui::GetIO().WantTextInput);
     ui_.typing.see(ui_.typedFields());
@@ -363,7 +384,6 @@ bool Application::frame(glm::ivec2 size, double seconds) {
         ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
-    return drawn;
 }
 
 void Application::noteTimes(std::chrono::steady_clock::time_point built) {

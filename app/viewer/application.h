@@ -117,6 +117,14 @@ class Application {
         unsigned revision = 0;  ///< Of the camera, after that.
     };
 
+    // The parts of a frame, in their order.
+    void update(double seconds);
+    void layOut(glm::ivec2 size, double seconds);
+    void fillViews();
+    void drawUserInterface(const PanelRects& rects);
+    bool draw(glm::ivec2 size, bool panelsChanged);
+    void endFrame(glm::ivec2 size);
+
     void noteTimes(std::chrono::steady_clock::time_point built);
     PanelRects areasIn(glm::vec2 size) const;
     bool goToBoxTakes(const KeyChord& chord);
@@ -133,7 +141,6 @@ class Application {
     void settleCamera();
     void frameNow(FrameRequest request);
     void moveCamera();
-    void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
     void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include "compare/compared_runs.h"
-#include "document/document.h"
-#include "document/edit_history.h"
-#include "lesson/lesson_player.h"
 
+#include "compare/compared_runs.h"
 #include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
 #include "document/break_actions.h"
 #include "document/camera_actions.h"
+#include "document/document.h"
+#include "document/edit_history.h"
 #include "document/piece_actions.h"
 #include "lesson/lesson_actions.h"
+#include "lesson/lesson_player.h"
 #include "panel_state/side_panels.h"
 #include "run/strings.h"
 #include "session/playback.h"

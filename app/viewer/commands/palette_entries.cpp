@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include "document/document.h"
 
 #include "document/actions.h"
+#include "document/document.h"
 #include "jobs/open_lesson.h"
 #include "run/model.h"
 #include "run/strings.h"

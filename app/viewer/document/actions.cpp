@@ -5,14 +5,14 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
+
 #include "compare/compared_runs.h"
 #include "document.h"
 #include "mesh_saving.h"
 #include "new_points.h"
-#include "session/view_position.h"
-
 #include "piece_actions.h"
 #include "run/model.h"
+#include "session/view_position.h"
 
 namespace se::view {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include "compare/compared_runs.h"
-#include "document.h"
 
 #include "actions.h"
+#include "compare/compared_runs.h"
+#include "document.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "run/overview.h"

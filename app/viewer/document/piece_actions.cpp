@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <utility>
-#include "document.h"
 
 #include "actions.h"
+#include "document.h"
 #include "run/strings.h"
 #include "scene/framing.h"
 #include "scene/picking.h"

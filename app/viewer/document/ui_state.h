@@ -22,13 +22,12 @@
 #include "panel_state/export_form.h"
 #include "panel_state/file_browser_state.h"
 #include "panel_state/growth_page.h"
-#include "panel_state/move_tool.h"
+#include "panel_state/panel_states.h"
 #include "panel_state/picture_look.h"
 #include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/start_page.h"
-#include "panel_state/what_if_offers.h"
 #include "scene/camera_move.h"
 #include "scene/motion.h"
 #include "session/annotations.h"
@@ -90,6 +89,9 @@ struct UiState {
                (prepare.wantsKeyboard ? kPrepareField : kNoField);
     }
 
+    /// What panels remember. Those below are read by others as well.
+    PanelStates states;
+
     ViewSettings settings;
     BetweenFrames betweenFrames;
     Clipboard clipboard;
@@ -97,48 +99,45 @@ struct UiState {
     bool takesPicture = false;  ///< The next frame is saved as a picture.
     bool fullScreen = false;    ///< The window is to fill the monitor.
     bool closesPopups = false;  ///< Menus are closed by the next frame.
-    GoToBox goTo;
-    TypingWait typing;
+    GoToBox& goTo = states.of<GoToBox>();
+    TypingWait& typing = states.of<TypingWait>();
     bool cheatSheet = false;
     HelpPage help = HelpPage::None;
     bool keyEditor = false;
     KeyCapture keyCapture;
     bool fileBrowser = false;
     BrowserTask browser = BrowserTask::Open;
-    FileBrowsing browsing;
-    CommandPalette palette;
-    PrepareForm prepare;
-    PieceTool piece;
-    MoveTool move;
-    GrowthPage growth;
-    LessonPanel lesson;
-    MeshForm mesh;
-    ExportForm exported;
-    ComparePage compare;
-    LeaveQuestion leaving;
+    FileBrowsing& browsing = states.of<FileBrowsing>();
+    CommandPalette& palette = states.of<CommandPalette>();
+    PrepareForm& prepare = states.of<PrepareForm>();
+    PieceTool& piece = states.of<PieceTool>();
+    GrowthPage& growth = states.of<GrowthPage>();
+    LessonPanel& lesson = states.of<LessonPanel>();
+    MeshForm& mesh = states.of<MeshForm>();
+    ExportForm& exported = states.of<ExportForm>();
+    ComparePage& compare = states.of<ComparePage>();
+    LeaveQuestion& leaving = states.of<LeaveQuestion>();
     bool quitting = false;  ///< No unsaved work: the window closes.
     LayoutPreset layoutPreset = LayoutPreset::Debug;
-    Bookmarks bookmarks;
-    std::vector<Breakpoint> breakpoints;
-    AlertsPanel alerts;
-    VerdictPart verdict;
-    DoctorPanel doctor;
-    WatchPanel watch;
-    Lasso lasso;
-    ViewDrag viewDrag;
-    Navigation navigation;
-    LedgerPanel ledger;
-    QueryPanel query;
-    SectionPanel section;
-    SubjectMenu subjectMenu;
-    KeyWalk walk;
+    Bookmarks& bookmarks = states.of<Bookmarks>();
+    std::vector<Breakpoint>& breakpoints = states.of<std::vector<Breakpoint>>();
+    AlertsPanel& alerts = states.of<AlertsPanel>();
+    VerdictPart& verdict = states.of<VerdictPart>();
+    DoctorPanel& doctor = states.of<DoctorPanel>();
+    WatchPanel& watch = states.of<WatchPanel>();
+    ViewDrag& viewDrag = states.of<ViewDrag>();
+    Navigation& navigation = states.of<Navigation>();
+    LedgerPanel& ledger = states.of<LedgerPanel>();
+    QueryPanel& query = states.of<QueryPanel>();
+    SectionPanel& section = states.of<SectionPanel>();
+    KeyWalk& walk = states.of<KeyWalk>();
     bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
     std::string notes;        ///< Free text by the user, stored in the session file.
     std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
     /// Annotations in no session file yet, see Document::unsaved().
     std::string unsaved;
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
-    StartPage startPage;
+    StartPage& startPage = states.of<StartPage>();
     PictureLook picture;
     /// Of the view, and of the one beside it in Compare, as last drawn.
     std::array<std::vector<DrawnLabel>, 2> labels;
@@ -155,14 +154,14 @@ struct UiState {
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
     /// Step", "part Dial", "strip run" ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
-    Column column;
-    std::string addressLine;  ///< Line above the caption; empty: none.
-    LookBack look;            ///< Whether the state before the decision is shown.
-    double clock = 0.0;       ///< Seconds, summed over the frames.
-    FactsCache facts;         ///< Of the selection.
-    DoubleClickFilter click;  ///< In the view; it may be the first half of a double click.
-    std::array<char, 64> ruleFilter{};
-    WhatIfForm whatIf;
+    Column& column = states.of<Column>();
+    std::string addressLine;                 ///< Line above the caption; empty: none.
+    LookBack& look = states.of<LookBack>();  ///< Whether the state before the decision is shown.
+    double clock = 0.0;                      ///< Seconds, summed over the frames.
+    FactsCache& facts = states.of<FactsCache>();  ///< Of the selection.
+    DoubleClickFilter& click =
+        states
+            .of<DoubleClickFilter>();  ///< In the view; it may be the first half of a double click.
 };
 
 }  // namespace se::view

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include "document/document.h"
-#include "lesson_player.h"
 
 #include "document/actions.h"
+#include "document/document.h"
+#include "lesson_player.h"
 #include "teach/practice.h"
 
 namespace se::view {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <vector>
 
 #include "document/ui_state.h"
@@ -18,50 +17,7 @@ namespace se::view {
 
 // ---- the context ----------------------------------------------------------------------------
 
-template <class State>
-State& PanelContext::state() const {
-    UiState& ui = commands.ui;
-    return std::get<State&>(std::tie(
-        ui.alerts, ui.bookmarks, ui.breakpoints, ui.doctor, ui.column, ui.watch, ui.browsing,
-        ui.click, ui.compare, ui.exported, ui.facts, ui.goTo, ui.growth, ui.lasso, ui.leaving,
-        ui.ledger, ui.lesson, ui.look, ui.mesh, ui.move, ui.navigation, ui.palette, ui.piece,
-        ui.prepare, ui.query, ui.section, ui.startPage, ui.subjectMenu, ui.typing, ui.verdict,
-        ui.viewDrag, ui.walk, ui.whatIf));
-}
-
-template AlertsPanel& PanelContext::state() const;
-template Bookmarks& PanelContext::state() const;
-template DoctorPanel& PanelContext::state() const;
-template Column& PanelContext::state() const;
-template WatchPanel& PanelContext::state() const;
-template std::vector<Breakpoint>& PanelContext::state() const;
-template CommandPalette& PanelContext::state() const;
-template ComparePage& PanelContext::state() const;
-template DoubleClickFilter& PanelContext::state() const;
-template ExportForm& PanelContext::state() const;
-template FactsCache& PanelContext::state() const;
-template FileBrowsing& PanelContext::state() const;
-template GoToBox& PanelContext::state() const;
-template GrowthPage& PanelContext::state() const;
-template KeyWalk& PanelContext::state() const;
-template Lasso& PanelContext::state() const;
-template LeaveQuestion& PanelContext::state() const;
-template LedgerPanel& PanelContext::state() const;
-template LessonPanel& PanelContext::state() const;
-template LookBack& PanelContext::state() const;
-template MeshForm& PanelContext::state() const;
-template MoveTool& PanelContext::state() const;
-template Navigation& PanelContext::state() const;
-template PieceTool& PanelContext::state() const;
-template PrepareForm& PanelContext::state() const;
-template QueryPanel& PanelContext::state() const;
-template SectionPanel& PanelContext::state() const;
-template StartPage& PanelContext::state() const;
-template SubjectMenu& PanelContext::state() const;
-template TypingWait& PanelContext::state() const;
-template VerdictPart& PanelContext::state() const;
-template ViewDrag& PanelContext::state() const;
-template WhatIfForm& PanelContext::state() const;
+PanelStates& PanelContext::states() const { return commands.ui.states; }
 
 ViewSettings& PanelContext::settings() const { return commands.ui.settings; }
 

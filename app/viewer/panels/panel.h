@@ -1,4 +1,4 @@
-/// Panels show the session and request commands and moves. One file each.
+/// Panels show the session, and call commands and moves. One file each.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 #include "commands/commands.h"
 #include "layout/panel_rects.h"
-#include "panel_state/side_panels.h"
+#include "panel_state/panel_states.h"
 #include "scene/palette.h"
 #include "ui.h"
 
@@ -48,10 +48,12 @@ struct PanelContext {
     Playback& playback() const { return commands.playback; }
     Camera& camera() const { return commands.camera; }
     UiState& ui() const { return commands.ui; }
-    /// The part of ui() that a panel remembers, by its type: state<PrepareForm>(). Only the types
-    /// named in panel.cpp.
+    /// What a panel remembers between frames, of its own type: state<PrepareForm>().
     template <class State>
-    State& state() const;
+    State& state() const {
+        return states().of<State>();
+    }
+    PanelStates& states() const;
     Document& document() const { return commands.document; }
     ViewSettings& settings() const;
     /// Rectangles of the items drawn in this frame, for test scripts and the camera.

@@ -13,6 +13,10 @@ namespace se::view {
 
 namespace {
 
+struct RuleFilter {
+    std::array<char, 64> typed{};
+};
+
 /// Position after its name, and width, of an input that is not a switch, in em.
 constexpr float kNameWidth = 7.0F;
 constexpr float kControl = 8.2F;
@@ -171,7 +175,7 @@ void drawRules(const PanelContext& context) {
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RunSpec rules = session.input().rules();
     const std::size_t count = differingCount(rules);
-    const RuleListFields place{context.ui().ruleFilter, ""};
+    const RuleListFields place{context.state<RuleFilter>().typed, ""};
     std::optional<RunSpec> chosen = drawRuleSets(context, rules, place);
     ImGui::SameLine();
     ImGui::TextDisabled("%s", fitted(session.input().isRerunning() ? "re-running ..."

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "document/mesh_saving.h"
 #include "document/ui_state.h"
 #include "panel_state/file_browser_state.h"
 #include "panels/widgets/widgets.h"

@@ -6,6 +6,7 @@
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/settings.h"
+#include "panel_state/side_panels.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"

@@ -1,14 +1,14 @@
 // A point that is dragged in the view: in its tangent plane, with Shift along its normal. Its way
 // is drawn from where it was, with a tick where the verdict at the cursor changes.
-#include "panel_state/move_tool.h"
-#include "document/document.h"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "document/document.h"
 #include "document/ui_state.h"
 #include "input/view_drag.h"
+#include "panel_state/move_tool.h"
+#include "panel_state/what_if_offers.h"
 #include "panels/widgets/widgets.h"
 #include "scene/picking.h"
 #include "scene/point_move.h"
@@ -34,8 +34,8 @@ bool isOffered(const PanelContext& context) {
     return !context.beside && ImGui::GetFrameCount() - context.state<MoveTool>().offeredIn <= 1;
 }
 
-/// The point at a pixel of the window among those that can be dragged: the pivot, its neighbors and
-/// the selected one. kNone if there is none.
+/// The point at a pixel of the window among those that can be dragged: the pivot, its neighbors
+/// and the selected one. kNone if there is none.
 Index draggableAt(const PanelContext& context, glm::vec2 pixel) {
     const Session& session = context.session();
     const Index pivot = session.picture().pivot;

@@ -7,6 +7,7 @@
 #include "compare/compare_page.h"
 #include "input/view_drag.h"
 #include "jobs/hit_search.h"
+#include "panel_state/side_panels.h"
 #include "session/annotations.h"
 #include "session/playback.h"
 #include "session/session.h"

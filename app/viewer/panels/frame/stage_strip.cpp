@@ -1,6 +1,7 @@
 // The strips PIVOT, the stages of the pivot at the cursor, and STAGE, the events of one of them.
 #include <algorithm>
 
+#include "panel_state/side_panels.h"
 #include "scene/draw_list.h"
 #include "scene/palette.h"
 #include "session/playback.h"

@@ -6,6 +6,7 @@
 
 #include "document/alert_actions.h"
 #include "document/ui_state.h"
+#include "panel_state/side_panels.h"
 #include "session/session.h"
 #include "strips.h"
 

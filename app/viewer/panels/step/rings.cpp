@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "document/ui_state.h"
 #include "input/tab_order.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"

@@ -2,6 +2,7 @@
 // the rows in sight are drawn, so that a list of any length costs the same; all rows are of one
 // height, which lets the list scroll to the row of the cursor without a search.
 #include "decision_rows.h"
+#include "panel_state/side_panels.h"
 
 #include <algorithm>
 #include <array>

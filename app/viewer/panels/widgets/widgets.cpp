@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "panel_state/settings.h"
 #include "rows/evidence_rows.h"
 #include "rows/paper_words.h"
 #include "scene/draw_list.h"
