@@ -136,6 +136,7 @@ TEST_CASE("Playing stops at the breakpoint that F5 goes to, in every unit") {
         for (const int count : {1, 8}) {
             b.playback.setUnit(unit);
             b.session.moves().toStart();
+            CHECK(b.place() == "start");
             CHECK(playOn(b, count) == first);
             CHECK_FALSE(b.playback.playing());
             CHECK(playOn(b, count) == second);
