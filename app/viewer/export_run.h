@@ -56,7 +56,6 @@ class ExportRun {
     Status goTo(const std::string& place);
     Status openStep(std::size_t step);
     Status compareStep(std::size_t step, const std::vector<std::string>& words);
-    Status aimAtStep(const teach::LessonStep& step, std::size_t number);
     void placeCamera();
     void aimAtFigure();
     void goToAnswer(std::size_t step);

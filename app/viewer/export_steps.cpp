@@ -1,10 +1,8 @@
 // The steps of a lesson: input, position, looks, camera and second run of each.
-#include "document/camera_actions.h"
 #include "export_run.h"
 #include "jobs/open_lesson.h"
 #include "lesson/lesson_frames.h"
 #include "scene/decision_view.h"
-#include "session/view_position.h"
 
 namespace se::view {
 
@@ -50,9 +48,9 @@ Status ExportRun::openStep(std::size_t step) {
                                 viewWayOf(session().shown(), session().picture())};
     // Steps of one decision have one camera.
     const bool before = std::exchange(ownView_, own);
-    if (std::exchange(aimed_, here) != here || resized || own || before)
-        return aimAtStep(file.lesson.steps[step], step);
-    return success();
+    if (std::exchange(aimed_, here) == here && !resized && !own && !before) return success();
+    const Status aimed = aimAtStep(application_->commands(), file.lesson.steps[step], setting);
+    return aimed ? aimed : Error{stepPlace(file, step, "camera") + aimed.error().message};
 }
 
 /// Opens the second run of a step beside the first one; without words there is none.
@@ -72,22 +70,6 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
     if (const Status done = application_->waitUntilDone(); !done)
         return Error{stepPlace(file, step, "compare") + done.error().message};
     draw(1);
-    return success();
-}
-
-/// Camera of a step: its own, or the direction of its view at the decision or at all.
-Status ExportRun::aimAtStep(const teach::LessonStep& step, std::size_t number) {
-    Camera& camera = application_->camera();
-    if (!step.camera.empty()) {
-        const Result<ViewPosition> place = viewPositionFromText(step.camera);
-        if (!place || !place.value().camera)
-            return Error{stepPlace(*order_.lesson, number, "camera") +
-                         "expected a position with its address, as Ctrl+C copies it"};
-        camera.setPose(*place.value().camera);
-        return success();
-    }
-    const auto direction = teach::viewDirection(teach::settingOf(order_.lesson->lesson, number));
-    frameStep(application_->commands(), step.frame == "all", direction);
     return success();
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "document/camera_actions.h"
 #include "jobs/open_lesson.h"
+#include "session/view_position.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_read.h"
 
@@ -72,6 +74,19 @@ Selection selectionOfStep(const teach::LessonStep& step,
     points.reserve(step.select.size());
     for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
     return Selection::of(points);
+}
+
+Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
+                 const teach::StepSetting& setting) {
+    if (step.camera.empty()) {
+        frameStep(context, step.frame == "all", teach::viewDirection(setting));
+        return success();
+    }
+    const Result<ViewPosition> place = viewPositionFromText(step.camera);
+    if (!place || !place.value().camera)
+        return Error{"expected a position with its address, as Ctrl+C copies it"};
+    context.camera.setPose(*place.value().camera);
+    return success();
 }
 
 }  // namespace se::view

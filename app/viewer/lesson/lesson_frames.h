@@ -1,6 +1,7 @@
 /// The steps of a lesson as inputs and looks of the viewer.
 #pragma once
 
+#include "document/context.h"
 #include "export/order.h"
 #include "layers/layer.h"
 #include "run/model.h"
@@ -27,5 +28,10 @@ LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step);
 /// The points that a step selects; nothing if it selects none.
 Selection selectionOfStep(const teach::LessonStep& step,
                           const std::vector<teach::NamedPoint>& names);
+
+/// Camera of a step: its own, or one that frames the decision or all, from the direction of its
+/// view. Fails if its own is no position.
+Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
+                 const teach::StepSetting& setting);
 
 }  // namespace se::view

@@ -10,7 +10,6 @@
 #include "document/actions.h"
 #include "document/camera_actions.h"
 #include "lesson_frames.h"
-#include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "teach/practice.h"
 
@@ -285,13 +284,9 @@ bool LessonPlayer::takeAim() {
 
 void LessonPlayer::aim() {
     const teach::LessonStep& step = walk().shownStep();
-    if (!step.camera.empty()) {
-        const Result<ViewPosition> place = viewPositionFromText(step.camera);
-        if (place && place.value().camera) return c_.camera.setPose(*place.value().camera);
-    }
-    const std::optional<Vec3> direction = teach::viewDirection(walk().setting());
-    const bool all = step.frame == "all";
-    if (fresh_ || all || direction) return frameStep(c_, all, direction);
+    const bool own = fresh_ || step.frame == "all" || !step.camera.empty() ||
+                     teach::viewDirection(walk().setting());
+    if (own && aimAtStep(c_, step, walk().setting())) return;
     moveToDecision(c_, CameraMove::Kind::Requested);
 }
 
