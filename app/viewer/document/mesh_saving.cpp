@@ -82,12 +82,15 @@ bool MeshSaving::canSave(const std::string& path) {
 }
 
 void MeshSaving::save(const std::string& path) {
-    MeshForm& form = c_.ui.mesh;
-    if (!canSave(path)) return;
-    std::error_code error;
-    if (!fs::exists(path, error)) return write(path);
-    form.question = path;
-    form.justAsked = true;
+    // The key that asks must not answer the question in the same frame.
+    c_.ui.betweenFrames([this, path] {
+        MeshForm& form = c_.ui.mesh;
+        if (!canSave(path)) return;
+        std::error_code error;
+        if (!fs::exists(path, error)) return write(path);
+        form.question = path;
+        form.justAsked = true;
+    });
 }
 
 void MeshSaving::replace() {
