@@ -36,7 +36,7 @@ viewer=()
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
-mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|export|panel_state|document|lesson|compare|commands)/')
+mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|paint|export|panel_state|document|lesson|compare|commands)/')
 
 # core -> GLM, the standard library, zlib in inflate.cpp.
 no "$(include "$window|$programs|app/|viewer|cli/|teach/|benchmark|doctest|nanoflann")" "core must not know" "${core[@]}"
@@ -80,7 +80,7 @@ mapfile -t not_export < <(printf '%s\n' "${viewer[@]}" | grep -v '^app/viewer/ex
 no "$(include 'cgif')" "only export/ may use cgif" "${not_export[@]}"
 # Rooms of the viewer, from the bottom: a room may include those before it. Of one step, those with a
 # bar between them do not know each other, those with a plus do.
-steps=(run jobs scene 'render|layers' rows session 'layout|input' export panel_state document+lesson+compare commands panels)
+steps=(run jobs scene 'render|layers' rows session 'layout|input' paint export panel_state document+lesson+compare commands panels)
 # below ROOM ABOVE: the files of a room must not include one of the rooms above it.
 below() {
     local files

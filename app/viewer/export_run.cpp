@@ -297,8 +297,6 @@ FrameShapes ExportRun::shapesOf(const Session& run, const DrawList& list, const 
                        application_->camera().matrices(view.size.x / view.size.y),
                        view.size,
                        application_->em(),
-                       paletteOf(settings_.theme).background,
-                       paletteOf(otherTheme(settings_.theme)).background,
                        ui().labels[0]};
     shapes.corner = view.min;
     shapes.theme = settings_.theme;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "layout/drawn_label.h"
+#include "paint/view_texts.h"
 #include "rows/pivot_dial.h"
 #include "run/model.h"
 #include "scene/camera.h"
@@ -28,8 +28,6 @@ struct FrameShapes {
     CameraMatrices camera;
     glm::vec2 size{1.0F};  ///< Pixels.
     float em = 16.0F;      ///< Pixels.
-    Color background{};
-    Color otherBackground{};
     std::span<const DrawnLabel> labels{};
     glm::vec2 corner{0.0F};  ///< Upper left one of the view in the frame.
     Theme theme = Theme::Dark;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "paint/svg_text.h"
 #include "spiraling_edge/base/files.h"
-#include "svg_text.h"
 
 namespace se::view {
 

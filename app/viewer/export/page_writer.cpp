@@ -139,12 +139,11 @@ class PageWriter : public FrameWriter {
     }
 
     std::string drawing(const ExportFrame& frame, const std::string& elements) {
-        const FrameShapes& shapes = frame.shapes.front();
         return fmt::format(
             "<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"{2}\" {3}>"
-            "<rect class=\"{4}\" width=\"100%\" height=\"100%\"/>{5}</svg>\n",
+            "{4}{5}</svg>\n",
             frame.size.x, frame.size.y, escapedXml(frame.caption), kSvgLook,
-            classes_.fill({shapes.background, shapes.otherBackground}), elements);
+            svgBackground(frame, classes_), elements);
     }
 
     std::string captionOf(const std::string& address, const std::string& caption) const {

@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "paint/dial_painter.h"
+#include "paint/view_texts.h"
 #include "run/strings.h"
 #include "svg_canvas.h"
 
 namespace se::view {
+
+namespace {
+
+void drawSvgLabels(SvgCanvas& canvas) {
+    canvas.beginGroup("labels");
+    drawLabels(canvas, canvas.in().labels, canvas.in().list, canvas.in().other);
+    canvas.endGroup();
+}
+
+}  // namespace
 
 Result<std::string> svgFrame(const FrameShapes& shapes, SvgClasses& classes,
                              const std::string& prefix) {
@@ -25,61 +36,58 @@ Result<std::string> svgFrame(const FrameShapes& shapes, SvgClasses& classes,
 
 namespace {
 
-/// Baseline and letters of a title, as shares of an em, and its distances from the edges in em.
-constexpr float kTitleBaseline = 0.8F;
-constexpr float kTitleLetters = 0.826F;
-constexpr float kLetterAt = 0.8F;
-constexpr float kNameAt = 2.2F;
-constexpr float kNoteAt = 0.7F;
-constexpr float kTitleEdge = 0.3F;
+/// Sizes around the dial, in em: margin, height of the heading, and of the caption.
+constexpr float kDialMargin = 0.7F;
+constexpr float kDialHeading = 2.4F;
+constexpr float kDialCaption = 2.0F;
 
-/// The bar above one of two views, as the window has it.
+/// The dial of the pivot on a panel, with a heading and its caption. A second disc is left out: the
+/// drawing beside it shows the other point.
+void drawFrameDial(SvgPainter& painter, const FrameDial& frame) {
+    if (frame.dial.empty()) return;
+    const float em = painter.em();
+    const Rect& area = frame.area;
+    Rect room{area.min + glm::vec2(kDialMargin, kDialHeading) * em,
+              area.size - glm::vec2(2.0F * kDialMargin, kDialHeading + kDialCaption) * em};
+    room.size.y = std::min(room.size.y, 1.1F * room.size.x);
+    const DialPicture picture{frame.dial, frame.names};
+    painter.beginGroup("dial");
+    painter.box(area, painter.ink(&Palette::panel));
+    drawDialDisc(painter, picture, discOf(painter, picture, room), room);
+    painter.text(area.min + glm::vec2(kDialMargin, 0.5F) * em,
+                 "Tangent plane at " + nameOf(frame.dial.pivot, frame.names),
+                 painter.ink(&Palette::textDim), {em});
+    painter.text({area.min.x + 0.5F * area.size.x, room.max().y + 0.6F * em}, frame.dial.caption,
+                 painter.ink(&Palette::text), {em, Typeface::Text, Align::Middle});
+    painter.endGroup();
+}
+
+/// The bar above one of two views, and the line between them.
 std::string titleBarOf(const FrameShapes& shapes, SvgClasses& classes) {
-    const float em = shapes.em;
+    SvgPainter painter(shapes.theme, shapes.em, classes, "");
     const Rect& bar = shapes.bar;
-    const std::string mark = classes.fill(bothThemes(shapes, shapes.title->color));
-    const float y = bar.min.y + 0.5F * (bar.size.y - em) + kTitleBaseline * em;
-    const std::string letters =
-        fmt::format(" y=\"{:.1f}\" font-size=\"{:.1f}\"", y, kTitleLetters * em);
-    const auto box = [&](const std::string& kind, float width) {
-        return fmt::format(
-            "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-            "height=\"{:.1f}\"/>",
-            kind, bar.min.x, bar.min.y, width, bar.size.y);
-    };
-    std::string out;
     if (shapes.corner.x > 0.0F)
-        out = fmt::format(
-            "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-            "height=\"{:.1f}\"/>",
-            classes.fill(bothThemes(shapes, &Palette::border)), bar.min.x, bar.max().y,
-            std::max(1.0F, std::round(kDividerEms * em)), shapes.size.y);
-    out += box(classes.fill(bothThemes(shapes, &Palette::panelRaised)), bar.size.x);
-    out += box(mark, kTitleEdge * em);
-    out += fmt::format("<text class=\"{}\" font-weight=\"600\" x=\"{:.1f}\"{}>{}</text>", mark,
-                       bar.min.x + kLetterAt * em, letters, shapes.title->letter);
-    out += fmt::format("<text class=\"{}\" x=\"{:.1f}\"{}>{}</text>",
-                       classes.fill(bothThemes(shapes, &Palette::text)), bar.min.x + kNameAt * em,
-                       letters, escapedXml(shapes.title->name));
-    constexpr float kLetterEms = 0.56F;  // About the mean width of a letter.
-    const auto letterCount =
-        static_cast<float>(shapes.title->name.size() + shapes.title->note.size());
-    if (bar.size.x < (kNameAt + kNoteAt + 1.0F + kLetterEms * letterCount) * em) return out;
-    out += fmt::format(
-        "<text class=\"{}\" xml:space=\"preserve\" text-anchor=\"end\" x=\"{:.1f}\"{}>{}</text>",
-        mark, bar.max().x - kNoteAt * em, letters, escapedXml(shapes.title->note));
-    return out;
+        painter.box({{bar.min.x, bar.max().y}, {painter.px(kDividerEms), shapes.size.y}},
+                    painter.ink(&Palette::border));
+    drawTitleBar(painter, bar, *shapes.title);
+    return painter.take();
 }
 
 }  // namespace
+
+std::string svgBackground(const ExportFrame& frame, SvgClasses& classes) {
+    const Theme theme = frame.shapes.front().theme;
+    const Ink ink(paletteOf(theme).background, paletteOf(otherTheme(theme)).background);
+    return "<rect class=\"" + classes.fill(ink) + "\" width=\"100%\" height=\"100%\"/>";
+}
 
 Result<std::string> svgViews(const ExportFrame& frame, SvgClasses& classes,
                              const std::string& prefix) {
     std::string out;
     if (frame.dial != nullptr) {
-        SvgCanvas canvas(frame.shapes.front(), classes, prefix);
-        drawSvgDial(canvas, *frame.dial);
-        out = canvas.take();
+        SvgPainter painter(frame.shapes.front().theme, frame.shapes.front().em, classes, prefix);
+        drawFrameDial(painter, *frame.dial);
+        out = painter.take();
     }
     if (frame.shapes.size() == 1) {
         Result<std::string> drawn = svgFrame(frame.shapes.front(), classes, prefix);

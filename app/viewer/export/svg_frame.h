@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "frame.h"
-#include "svg_text.h"
+#include "paint/svg_text.h"
 
 namespace se::view {
 
@@ -22,6 +22,9 @@ inline constexpr std::string_view kSvgLook =
 /// to. Fails if there are over kMaxShapes.
 Result<std::string> svgFrame(const FrameShapes& shapes, SvgClasses& classes,
                              const std::string& prefix);
+
+/// An element that fills a frame with the background of its view.
+std::string svgBackground(const ExportFrame& frame, SvgClasses& classes);
 
 /// The elements of a frame: those of its view, or of two views that are compared, each a group with
 /// its title, `view-a` and `view-b`.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -57,8 +58,7 @@ std::string dashesOf(float dash, float length) {
 }
 
 /// The head of an arrow at the middle of a line (shaders/line.frag).
-void drawHead(SvgCanvas& canvas, const Line& line, const ColorPair& color, glm::vec2 a,
-              glm::vec2 b) {
+void drawHead(SvgCanvas& canvas, const Line& line, const Ink& color, glm::vec2 a, glm::vec2 b) {
     const float size = line.arrow * canvas.em() * canvas.markZoom();
     const float length = glm::distance(a, b);
     if (!(size > 0.0F) || length <= 1.1F * size) return;
@@ -66,28 +66,20 @@ void drawHead(SvgCanvas& canvas, const Line& line, const ColorPair& color, glm::
     const glm::vec2 across(-way.y, way.x);
     const glm::vec2 middle = 0.5F * (a + b);
     const glm::vec2 back = middle - 0.42F * size * way;
-    std::string data = "M";
-    appendPlace(data, middle + 0.5F * size * way);
-    data += 'L';
-    appendPlace(data, back + 0.484F * size * across);
-    data += ' ';
-    appendPlace(data, back - 0.484F * size * across);
-    canvas.addPath(fillOf(canvas, color, line.color.a) + " stroke=\"none\"", data + 'z');
+    canvas.polygon(
+        {middle + 0.5F * size * way, back + 0.484F * size * across, back - 0.484F * size * across},
+        color);
 }
 
-void drawPart(SvgCanvas& canvas, const Line& line, const ColorPair& color, glm::vec2 a, glm::vec2 b,
+void drawPart(SvgCanvas& canvas, const Line& line, const Ink& color, glm::vec2 a, glm::vec2 b,
               bool hidden) {
     const float width = std::max(1.0F, line.width * canvas.em() * canvas.markZoom());
     const float alpha = line.color.a * (hidden ? kHiddenAlpha : 1.0F);
     if (alpha < kInvisible) return;
     const float dash = canvas.em() * (hidden ? std::max(line.dash, kHiddenDashEms) : line.dash);
-    const std::string attributes =
-        strokeOf(canvas, color, alpha, width) + dashesOf(dash, glm::distance(a, b));
-    std::string data = "M";
-    appendPlace(data, a);
-    data += 'L';
-    appendPlace(data, b);
-    canvas.addPath(attributes, data);
+    canvas.setMore(dashesOf(dash, glm::distance(a, b)));
+    canvas.line(a, b, color.withAlpha(alpha).line(width));
+    canvas.setMore({});
 }
 
 void drawLine(SvgCanvas& canvas, std::size_t i) {
@@ -96,7 +88,7 @@ void drawLine(SvgCanvas& canvas, std::size_t i) {
     const auto a = canvas.screen().at(line.from, bias);
     const auto b = canvas.screen().at(line.to, bias);
     if (!a || !b) return;
-    const ColorPair color = SvgCanvas::colors(line, canvas.counterpart(&DrawList::lines, i));
+    const Ink color = SvgCanvas::colors(line, canvas.counterpart(&DrawList::lines, i));
     if (line.depth == Depth::OnTop) {
         drawPart(canvas, line, color, glm::vec2(*a), glm::vec2(*b), false);
         return drawHead(canvas, line, color, glm::vec2(*a), glm::vec2(*b));
@@ -112,18 +104,17 @@ void drawLine(SvgCanvas& canvas, std::size_t i) {
 
 void drawSheet(SvgCanvas& canvas, std::size_t i) {
     const Sheet& sheet = canvas.in().list.sheets[i];
-    std::string data = "M";
+    std::array<glm::vec2, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto at = canvas.screen().at(sheet.corners[k]);
         if (!at) return;
-        if (k > 0) data += k == 1 ? 'L' : ' ';
-        appendPlace(data, glm::vec2(*at));
+        corners[k] = glm::vec2(*at);
     }
     // Between the stripes of a hatched one it is clearer.
     const float alpha = sheet.color.a * (sheet.hatched ? 0.64F : 1.0F);
     if (alpha < kInvisible) return;
-    const ColorPair color = SvgCanvas::colors(sheet, canvas.counterpart(&DrawList::sheets, i));
-    canvas.addPath(fillOf(canvas, color, alpha) + " stroke=\"none\"", data + 'z');
+    const Ink ink = SvgCanvas::colors(sheet, canvas.counterpart(&DrawList::sheets, i));
+    canvas.polygon({corners[0], corners[1], corners[2]}, ink.withAlpha(alpha));
 }
 
 /// Clear in the middle, denser at the rim (shaders/shell.frag).
@@ -138,7 +129,7 @@ void drawSphere(SvgCanvas& canvas, std::size_t i) {
         camera.orthographic ? 1.0F : std::sqrt(away * away - sphere.radius * sphere.radius);
     const float radius =
         0.5F * canvas.in().size.y * camera.projection[1][1] * sphere.radius / reach;
-    const ColorPair color = SvgCanvas::colors(sphere, canvas.counterpart(&DrawList::spheres, i));
+    const Ink color = SvgCanvas::colors(sphere, canvas.counterpart(&DrawList::spheres, i));
     const std::string name = fmt::format("{}sphere-{}", canvas.prefix(), i);
     std::string stops;
     for (const float at : {0.0F, 0.5F, 0.7F, 0.8F, 0.9F, 0.95F, 1.0F}) {

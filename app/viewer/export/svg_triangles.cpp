@@ -32,7 +32,7 @@ Color times(const Color& color, float shade) {
 struct SvgTriangle {
     std::array<glm::vec3, 3> places{};
     std::array<glm::vec3, 3> screen{};
-    ColorPair color;
+    Ink color{Color{}};
     float smooth = 0.0F;  ///< Share of the light by the normals of the points.
     float soft = 0.0F;    ///< Share without light.
     glm::vec3 normal{0.0F};
@@ -95,7 +95,7 @@ class TriangleCollector {
         }
     }
 
-    void addOfModel(const Triangle& t, const ColorPair& color) {
+    void addOfModel(const Triangle& t, const Ink& color) {
         SvgTriangle triangle;
         const Model& model = in_.model;
         triangle.places = {model.place[t.a], model.place[t.b], model.place[t.c]};
@@ -193,15 +193,15 @@ void drawTriangle(SvgCanvas& canvas, const SvgTriangle& t) {
     const DrawList& list = canvas.in().list;
     float shade = shadeOf(t, canvas.screen());
     shade = std::round(kShades * (shade + (1.0F - shade) * t.soft)) / kShades;
-    const ColorPair color{times(t.color.color, shade), times(t.color.other, shade)};
-    std::string attributes = fillOf(canvas, color, t.ghost ? kGhostAlpha : 1.0F);
+    const Ink color{times(t.color.color, shade), times(t.color.other, shade)};
+    std::string attributes = canvas.attributesOf(color.withAlpha(t.ghost ? kGhostAlpha : 1.0F));
     const float strength = list.meshEdges ? smoothStep(6.0F, 20.0F, heightOf(t)) : 0.0F;
     const float alpha = std::round(4.0F * strength) / 4.0F;
-    const float width = std::max(1.0F, 0.07F * canvas.em());
+    const float width = canvas.px(0.07F);
     if (alpha > 0.0F) {
         const DrawList* other = canvas.in().other;
-        const ColorPair edge{list.meshEdgeColor,
-                             other != nullptr ? other->meshEdgeColor : list.meshEdgeColor};
+        const Ink edge{list.meshEdgeColor,
+                       other != nullptr ? other->meshEdgeColor : list.meshEdgeColor};
         attributes.replace(0, 8, " class=\"" + canvas.classes().line(edge) + " ");
         attributes +=
             fmt::format(" stroke-width=\"{:.2g}\" stroke-opacity=\"{:.2g}\"", width, 0.85F * alpha);
@@ -219,7 +219,7 @@ void drawWire(SvgCanvas& canvas) {
     const Color other = in.other != nullptr ? in.other->meshEdgeColor : in.list.meshEdgeColor;
     const std::string attributes =
         " fill=\"none\"" +
-        strokeOf(canvas, {in.list.meshEdgeColor, other}, 1.0F, std::max(1.0F, 0.07F * canvas.em()));
+        canvas.attributesOf(Ink(in.list.meshEdgeColor, other).line(canvas.px(0.07F)));
     const std::size_t count = std::min(in.triangles.size(), in.list.finishedTriangles);
     for (const Triangle& each : in.triangles.first(count)) {
         SvgTriangle t;

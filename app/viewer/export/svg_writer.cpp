@@ -15,13 +15,9 @@ class SvgWriter : public FrameWriter {
     explicit SvgWriter(const ExportTarget& target) : target_(target), files_(target) {}
 
     Status add(const ExportFrame& frame) override {
-        const FrameShapes& shapes = frame.shapes.front();
         SvgClasses classes(target_.theme, false);
         const std::string background =
-            target_.cutOut
-                ? std::string()
-                : "<rect class=\"" + classes.fill({shapes.background, shapes.background}) +
-                      "\" width=\"100%\" height=\"100%\"/>\n";
+            target_.cutOut ? std::string() : svgBackground(frame, classes) + "\n";
         Result<std::string> drawn = svgViews(frame, classes, "");
         if (!drawn) return Error{target_.path.string() + ": " + drawn.error().message};
         const std::string caption =

@@ -3,9 +3,7 @@
 #include "dial.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
-#include <glm/trigonometric.hpp>
 #include <optional>
 
 #include "overlays.h"
@@ -19,9 +17,7 @@ Rect boundsOf(float radius, std::span<const DialName> names, float gap, float ma
     glm::vec2 low(-radius - margin);
     glm::vec2 high(radius + margin);
     for (const DialName& name : names) {
-        const float a = glm::radians(static_cast<float>(name.degrees));
-        const glm::vec2 rim(radius * std::cos(a), -radius * std::sin(a));
-        const glm::vec2 corner = nameCorner(rim, name, gap);
+        const glm::vec2 corner = nameCorner(DialCircle{{}, radius}.at(name.degrees), name, gap);
         low = glm::min(low, corner);
         high = glm::max(high, corner + name.extent);
     }
@@ -59,10 +55,8 @@ class NamePlacer {
   private:
     std::optional<Rect> freeAt(const DialName& name, int off, int row) const {
         const double degrees = name.degrees + off;
-        const float a = glm::radians(static_cast<float>(degrees));
-        const glm::vec2 rim = disc_.center + disc_.radius * glm::vec2(std::cos(a), -std::sin(a));
         const float gap = room_.gap + static_cast<float>(row) * room_.line;
-        const Rect rect{nameCorner(rim, {degrees, name.extent}, gap), name.extent};
+        const Rect rect{nameCorner(disc_.at(degrees), {degrees, name.extent}, gap), name.extent};
         // Half a pixel: the disc was made as large as the names allow.
         const bool inside = within(rect, room_.area, 0.5F);
         // Moved along the rim a long name may reach into the disc; its corner touches it anyway.

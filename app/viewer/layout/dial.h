@@ -2,6 +2,8 @@
 /// names side by side where two points are at nearly the same angle. Plain arithmetic, in pixels.
 #pragma once
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
 #include <span>
 #include <vector>
 
@@ -15,9 +17,16 @@ struct DialName {
     glm::vec2 extent{0.0F};
 };
 
+/// The disc: angle 0 to the right, counterclockwise.
 struct DialCircle {
     glm::vec2 center{0.0F};
     float radius = 0.0F;
+
+    /// The place at an angle, `reach` radii from the center.
+    glm::vec2 at(double degrees, float reach = 1.0F) const {
+        const float a = glm::radians(static_cast<float>(degrees));
+        return center + reach * radius * glm::vec2(std::cos(a), -std::sin(a));
+    }
 };
 
 /// Position of the near corner of a name, for a rim point: at `gap` from it, away from the center.

@@ -33,16 +33,8 @@ struct FrontView {
     }
     std::string drawn(const DrawList* other = nullptr) {
         SvgClasses classes(Theme::Dark, other != nullptr);
-        const FrameShapes shapes{list,
-                                 other,
-                                 *model,
-                                 {},
-                                 camera.matrices(1.0F),
-                                 {400.0F, 400.0F},
-                                 16.0F,
-                                 paletteOf(Theme::Dark).background,
-                                 paletteOf(Theme::Light).background,
-                                 labels};
+        const FrameShapes shapes{list,  other, *model, {}, camera.matrices(1.0F), {400.0F, 400.0F},
+                                 16.0F, labels};
         return svgFrame(shapes, classes, "f-").value();
     }
     /// A wall before everything on the left half.
@@ -91,7 +83,7 @@ TEST_CASE("Triangles are drawn from back to front, hidden ones not at all") {
 TEST_CASE("Points that a triangle hides are left out, others have their numbers") {
     FrontView view;
     view.list.cloudVisible = true;
-    view.list.cloudStyles.styles[0] = {kRed, 0.5F, view::Shape::Disc, false};
+    view.list.cloudStyles.styles[0] = {kRed, 0.5F, se::view::Shape::Disc, false};
     view.list.cloudStyleOf.resize(view.model->place.size());
     const std::size_t all = countOf(view.drawn(), "data-point");
     CHECK(all == view.model->place.size());
@@ -106,9 +98,9 @@ TEST_CASE("Points that a triangle hides are left out, others have their numbers"
 TEST_CASE("Labels are text, with the signs of markup escaped, and a mark knows its point") {
     FrontView view;
     view.list.label({0, 0, 0}, "d < r & s", kRed);
-    view.labels.push_back({0, {200, 200}, {{210, 190}, {60, 18}}, {213, 190}, 14.0F, true});
+    view.labels.push_back({0, {200, 200}, {{210, 190}, {60, 18}}, {213, 190}, {14.0F}, true});
     view.list.layers = {{"Labels"}};
-    view.list.mark(view.model->place[7], view::Shape::RingedDisc, kRed, 1.0F);
+    view.list.mark(view.model->place[7], se::view::Shape::RingedDisc, kRed, 1.0F);
     const std::string svg = view.drawn();
     CHECK(svg.find(">d &lt; r &amp; s</text>") != std::string::npos);
     CHECK(svg.find("data-point=\"7\"") != std::string::npos);

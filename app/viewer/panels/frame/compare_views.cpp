@@ -4,8 +4,9 @@
 #include "compare/compare_page.h"
 #include "compare/compared_titles.h"
 #include "document/ui_state.h"
+#include "paint/view_texts.h"
 #include "panel_state/side_panels.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "session/session.h"
 #include "view_parts.h"
 
@@ -13,11 +14,8 @@ namespace se::view {
 
 namespace {
 
-/// "A  paper rules", and at the right end the count of triangles only in this one.
 void drawTitle(const PanelContext& context, const Rect& bar, const ComparedTitle& title) {
-    const float em = context.em;
-    if (bar.size.x < em) return;
-    const Color& color = context.palette.*title.color;
+    if (bar.size.x < context.em) return;
     const std::string window = "##title" + title.letter;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     // Lower than the minimum height of windows, or it would cover the top of the view.
@@ -26,21 +24,8 @@ void drawTitle(const PanelContext& context, const Rect& bar, const ComparedTitle
         beginRegion(window.c_str(), bar, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar(2);
     if (open) {
-        ImDrawList* list = ImGui::GetWindowDrawList();
-        fill(list, bar, context.palette.panelRaised);
-        list->AddRectFilled(toVec2(bar.min), {bar.min.x + 0.3F * em, bar.max().y}, toU32(color));
-        const float y = bar.min.y + 0.5F * (bar.size.y - em);
-        list->AddText(context.fonts.strong, em, {bar.min.x + 0.8F * em, y}, toU32(color),
-                      title.letter.c_str());
-        const float noteWidth =
-            title.note.empty() ? 0.0F : ImGui::CalcTextSize(title.note.c_str()).x;
-        const float room = bar.size.x - 2.2F * em - 0.7F * em;
-        const bool both = noteWidth + 6.0F * em <= room;
-        const std::string shown = fittedName(title.name, both ? room - noteWidth - em : room);
-        list->AddText({bar.min.x + 2.2F * em, y}, toU32(context.palette.text), shown.c_str());
-        if (both)
-            list->AddText({bar.max().x - 0.7F * em - noteWidth, y}, toU32(color),
-                          title.note.c_str());
+        ScreenPainter painter(context);
+        drawTitleBar(painter, bar, title);
     }
     ImGui::End();
 }

@@ -7,10 +7,10 @@
 
 #include "document/alert_actions.h"
 #include "layers/layer.h"
+#include "paint/shapes.h"
 #include "panel_state/settings.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "rows/paper_words.h"
-#include "scene/draw_list.h"
 #include "session/session.h"
 #include "view_parts.h"
 
@@ -110,32 +110,30 @@ std::vector<Entry> entriesOf(const PanelContext& context) {
     return entries;
 }
 
-/// The sign of an entry, about `at`.
-void drawSign(const PanelContext& context, const Entry& entry, ImVec2 at, float em) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const Color& tint = context.palette.*entry.color;
-    const ImU32 color = toU32(tint);
-    const float half = 0.6F * em;
-    const ImVec2 low(at.x - half, at.y - 0.4F * em);
-    const ImVec2 high(at.x + half, at.y + 0.4F * em);
+/// The sign of an entry, about `at`; `em`: its scale.
+void drawSign(ScreenPainter& painter, const Entry& entry, glm::vec2 at, float em) {
+    const Ink ink = painter.ink(entry.color);
+    const glm::vec2 half(0.6F * em, 0.4F * em);
+    const glm::vec2 left(half.x, 0.0F);
     switch (entry.stroke) {
         case Stroke::None:
-            return drawShape(list, at, entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em,
-                             entry.shape, color);
+            return drawShape(painter, at, entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em,
+                             entry.shape, ink);
         case Stroke::Ring:
+            return drawActiveRing(painter, at - left, 0.75F * em, ink);
         case Stroke::Waiting:
-            return drawRingSign(list, {at.x - half, at.y}, 0.75F * em, entry.stroke == Stroke::Ring,
-                                color);
+            return drawWaitingRing(painter, at - left, 0.75F * em, ink);
         case Stroke::Line:
-            return list->AddLine({low.x, at.y}, {high.x, at.y}, color, std::max(1.0F, 0.08F * em));
+            return painter.line(at - left, at + left, ink.line(std::max(1.0F, 0.08F * em)));
         case Stroke::Round:
-            list->AddCircleFilled(at, 0.42F * em, toU32(tint.withAlpha(0.2F)));
-            return list->AddCircle(at, 0.42F * em, color, 0, std::max(1.0F, 0.12F * em));
+            painter.circle(at, 0.42F * em, ink.withAlpha(0.2F));
+            return painter.circle(at, 0.42F * em, ink.line(std::max(1.0F, 0.12F * em)));
         case Stroke::Area:
-            list->AddRectFilled(low, high, toU32(tint.withAlpha(0.3F)));
-            return list->AddRect(low, high, toU32(tint.withAlpha(0.8F)));
+            painter.box(at - half, at + half, ink.withAlpha(0.3F));
+            return painter.box(at - half, at + half, ink.withAlpha(0.8F).line(1.0F));
         case Stroke::Hatched:
-            list->AddTriangleFilled({low.x, high.y}, high, {at.x, low.y}, color);
+            return painter.polygon(
+                {at - glm::vec2(0.0F, half.y), at + half, at + glm::vec2(-half.x, half.y)}, ink);
     }
 }
 
@@ -148,7 +146,7 @@ struct Plate {
     /// `below`: height of what follows, in em and one line of text.
     Plate(const PanelContext& context, std::span<const Rect> taken, const std::string& title,
           float wanted, float below)
-        : width(std::max(wanted, ImGui::CalcTextSize(title.c_str()).x)) {
+        : p(context), width(std::max(wanted, textWidth(title))) {
         const float em = context.em;
         const Rect& view = context.rects.view;
         const float line = ImGui::GetTextLineHeight();
@@ -159,27 +157,33 @@ struct Plate {
             rect.min = free->min;
         fits = rect.size.x < 0.6F * view.size.x && rect.size.y < 0.3F * view.size.y;
         left = rect.min.x + 0.6F * em;
+        type = {ImGui::GetFontSize(), Typeface::Small};
         const float y = rect.min.y + 0.4F * em;
         top = y + line + 0.2F * em;
         if (!fits) return;
-        fill(list, rect, context.palette.panel.withAlpha(kPlateOpacity), 0.3F * em);
-        list->AddText({left, y}, toU32(context.palette.text), title.c_str());
+        p.box(rect, p.ink(&Palette::panel, kPlateOpacity), 0.3F * em);
+        p.text({left, y}, title, p.ink(&Palette::text), type);
+    }
+
+    void note(glm::vec2 at, const std::string& text, Align align = Align::Left) {
+        p.text(at, text, p.ink(&Palette::textDim), {type.size, type.face, align});
     }
 
     std::optional<Rect> place() const { return fits ? std::optional(rect) : std::nullopt; }
 
+    ScreenPainter p;
+    Type type;
     float width;  ///< Of the content.
     Rect rect;
     float left = 0.0F;
     float top = 0.0F;  ///< Of what follows below the title.
     bool fits = false;
-    ImDrawList* list = ImGui::GetWindowDrawList();
 };
 
 std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::string last = grouped(context.drawList.creationEnd);
-    const Plate plate(context, taken, "triangle, in creation order", 12.0F * em, 1.7F);
+    Plate plate(context, taken, "triangle, in creation order", 12.0F * em, 1.7F);
     if (!plate.fits) return std::nullopt;
     const float left = plate.left;
     const float width = plate.width;
@@ -187,20 +191,18 @@ std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect>
     for (int i = 0; i < kParts; ++i) {
         const float from = static_cast<float>(i) / kParts;
         const float to = static_cast<float>(i + 1) / kParts;
-        plate.list->AddRectFilledMultiColor(
-            {left + from * width, top}, {left + to * width, top + 0.6F * em}, toU32(viridis(from)),
-            toU32(viridis(to)), toU32(viridis(to)), toU32(viridis(from)));
+        plate.p.box({left + from * width, top}, {left + to * width, top + 0.6F * em},
+                    Ink(viridis(0.5F * (from + to))));
     }
     // Position of the cursor on the scale.
     const float share = std::min(1.0F, static_cast<float>(context.drawList.finishedTriangles) /
                                            static_cast<float>(context.drawList.creationEnd));
     const float x = left + share * width;
-    plate.list->AddTriangleFilled({x - 0.3F * em, top + 1.0F * em}, {x, top + 0.55F * em},
-                                  {x + 0.3F * em, top + 1.0F * em}, toU32(context.palette.text));
-    const float below = top + 0.9F * em;
-    plate.list->AddText({left, below}, toU32(context.palette.textDim), "1");
-    plate.list->AddText({left + width - ImGui::CalcTextSize(last.c_str()).x, below},
-                        toU32(context.palette.textDim), last.c_str());
+    plate.p.polygon(
+        {{x - 0.3F * em, top + 1.0F * em}, {x, top + 0.55F * em}, {x + 0.3F * em, top + 1.0F * em}},
+        plate.p.ink(&Palette::text));
+    plate.note({left, top + 0.9F * em}, "1");
+    plate.note({left + width, top + 0.9F * em}, last, Align::Right);
     return plate.place();
 }
 
@@ -210,20 +212,17 @@ std::optional<Rect> drawComponents(const PanelContext& context, std::span<const 
     const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
     const std::size_t named = std::min(count, kNamedColors);
     const float cells = static_cast<float>(named + (count > named ? 1 : 0));
-    const Plate plate(context, taken, title, cells * 2.0F * em, 1.2F);
+    Plate plate(context, taken, title, cells * 2.0F * em, 1.2F);
     if (!plate.fits) return std::nullopt;
     const float y = plate.top + 0.1F * em;
     for (std::size_t i = 0; i < named; ++i) {
         const float x = plate.left + 2.0F * em * static_cast<float>(i);
-        plate.list->AddRectFilled({x, y + 0.2F * em}, {x + 0.7F * em, y + 0.9F * em},
-                                  toU32(componentColor(i)), 0.1F * em);
-        plate.list->AddText({x + 0.85F * em, y}, toU32(context.palette.textDim),
-                            std::to_string(i + 1).c_str());
+        plate.p.box({x, y + 0.2F * em}, {x + 0.7F * em, y + 0.9F * em}, Ink(componentColor(i)),
+                    0.1F * em);
+        plate.note({x + 0.85F * em, y}, std::to_string(i + 1));
     }
-    if (count > named) {
-        plate.list->AddText({plate.left + 2.0F * em * static_cast<float>(named), y},
-                            toU32(context.palette.textDim), "\xE2\x80\xA6");
-    }
+    if (count > named)
+        plate.note({plate.left + 2.0F * em * static_cast<float>(named), y}, "\xE2\x80\xA6");
     return plate.place();
 }
 
@@ -231,17 +230,16 @@ std::optional<Rect> drawComponents(const PanelContext& context, std::span<const 
 std::optional<Rect> drawMargins(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const float cell = ImGui::CalcTextSize("< 1e-6").x + 0.4F * em;
-    const Plate plate(context, taken, "points: least margin of any test",
-                      cell * static_cast<float>(kMarginSteps), 1.7F);
+    Plate plate(context, taken, "points: least margin of any test",
+                cell * static_cast<float>(kMarginSteps), 1.7F);
     if (!plate.fits) return std::nullopt;
     const float top = plate.top;
     const float step = plate.width / static_cast<float>(kMarginSteps);
     for (std::size_t i = 0; i < kMarginSteps; ++i) {
         const float x = plate.left + step * static_cast<float>(i);
-        plate.list->AddRectFilled({x, top}, {x + step, top + 0.6F * em},
-                                  toU32(marginColor(i, context.settings().theme)));
-        plate.list->AddText({x, top + 0.75F * em}, toU32(context.palette.textDim),
-                            marginStepText(i).c_str());
+        plate.p.box({x, top}, {x + step, top + 0.6F * em},
+                    Ink(marginColor(i, context.settings().theme)));
+        plate.note({x, top + 0.75F * em}, marginStepText(i));
     }
     return plate.place();
 }
@@ -279,15 +277,15 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     if (!place) return std::nullopt;
     const glm::vec2 at = place->min;
     context.where()["legend"] = *place;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, *place, context.palette.panel.withAlpha(kPlateOpacity), 0.3F * em);
+    ScreenPainter painter(context);
+    painter.box(*place, painter.ink(&Palette::panel, kPlateOpacity), 0.3F * em);
     float y = at.y + 0.35F * em;
     std::string defined;
-    ImGui::PushFont(context.fonts.small);
+    const Type type{em, Typeface::Small};
     for (const Entry& entry : entries) {
-        drawSign(context, entry, {at.x + 0.95F * em, y + 0.5F * row}, em);
-        list->AddText({at.x + 1.9F * em, y + 0.5F * (row - ImGui::GetTextLineHeight())},
-                      toU32(context.palette.text), entry.text);
+        drawSign(painter, entry, {at.x + 0.95F * em, y + 0.5F * row}, em);
+        painter.text({at.x + 1.9F * em, y + 0.5F * (row - em)}, entry.text,
+                     painter.ink(&Palette::text), type);
         const Rect whole{{at.x, y}, {size.x, row}};
         context.where()[std::string("legend ") + entry.text] = whole;
         if (ImGui::IsWindowHovered() && whole.contains(pointerInWindow()) &&
@@ -297,7 +295,6 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
         }
         y += row;
     }
-    ImGui::PopFont();
     if (!defined.empty()) showTooltip(defined);
     return place;
 }

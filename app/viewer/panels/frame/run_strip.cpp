@@ -30,7 +30,7 @@ void keepPainted(const PanelContext& context, const LaneRoom& room) {
 }
 
 /// Pivots along the top, at round numbers.
-void drawScale(const RunStrip& strip) {
+void drawScale(RunStrip& strip) {
     const float em = strip.context.em;
     const double room =
         6.0 * em / strip.bars.size.x * (strip.window().to() - strip.window().from());
@@ -41,48 +41,45 @@ void drawScale(const RunStrip& strip) {
         step /= 2.0;
     }
     step = std::max(1.0, step);
-    const ImU32 color = toU32(strip.context.palette.textDim);
-    const ImU32 line = toU32(strip.context.palette.textDim.withAlpha(0.22F));
-    const float size = 0.78F * em;
+    const Type type{0.78F * em};
     for (double pivot = std::ceil(strip.window().from() / step) * step;
          pivot <= strip.window().to(); pivot += step) {
         const float x = std::round(strip.xOf(pivot));
         const std::string text = grouped(static_cast<std::size_t>(pivot));
-        const float width =
-            strip.context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
-        strip.list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y}, line);
+        const float width = strip.p.textSize(text, type).x;
+        strip.p.box({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y},
+                    strip.p.ink(&Palette::textDim, 0.22F));
         const float left =
             std::clamp(x - 0.5F * width, strip.bars.min.x, strip.bars.max().x - width);
-        strip.list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
-                            text.c_str());
+        strip.p.text({left, strip.bars.min.y}, text, strip.p.ink(&Palette::textDim), type);
     }
 }
 
-void drawAlertMarks(const RunStrip& strip) {
+void drawAlertMarks(RunStrip& strip) {
     const float em = strip.context.em;
     const float y = strip.lanes.min.y;
     for (const LaneAlert& alert : strip.picture().alerts) {
         const float x = strip.bars.min.x + alert.x;
-        strip.list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em},
-                                      {x + 0.3F * em, y - 0.25F * em}, {x, y + 0.25F * em},
-                                      toU32(strip.context.palette.rejected));
+        strip.p.polygon(
+            {{x - 0.3F * em, y - 0.25F * em}, {x + 0.3F * em, y - 0.25F * em}, {x, y + 0.25F * em}},
+            strip.p.ink(&Palette::rejected));
     }
 }
 
 /// Failures on the way: thin strokes along the top of the lanes, one per pixel; and the
 /// three moments of the chosen alert.
-void drawNoticed(const RunStrip& strip) {
+void drawNoticed(RunStrip& strip) {
     const Session& session = strip.context.session();
-    const Palette& palette = strip.context.palette;
     const float em = strip.context.em;
     const float top = strip.lanes.min.y;
+    const float bottom = strip.lanes.max().y;
     float last = -1.0F;
     for (const LiveFailure& each : session.overview().failures) {
         const float x = std::round(strip.xOf(each.address.pivot));
         if (x == last || x < strip.bars.min.x || x > strip.bars.max().x) continue;
         last = x;
-        strip.list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
-                                  toU32(palette.rejected));
+        strip.p.box({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
+                    strip.p.ink(&Palette::rejected));
     }
     const RunFailure* alert = session.alerts().shown();
     if (alert == nullptr) return;
@@ -91,37 +88,34 @@ void drawNoticed(const RunStrip& strip) {
         const float x = std::round(strip.xOf(line->event.address.pivot));
         if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
         const bool created = line == &moments.created;
-        const Color color = created ? palette.rejected : palette.text;
-        strip.list->AddRectFilled({x - 0.04F * em, top},
-                                  {x + 0.04F * em + 1.0F, strip.lanes.max().y},
-                                  toU32(color.withAlpha(0.8F)));
-        strip.list->AddCircleFilled({x + 0.5F, strip.lanes.max().y - 0.3F * em}, 0.28F * em,
-                                    toU32(color));
+        const Ink ink = strip.p.ink(created ? &Palette::rejected : &Palette::text);
+        strip.p.box({x - 0.04F * em, top}, {x + 0.04F * em + 1.0F, bottom}, ink.withAlpha(0.8F));
+        strip.p.circle({x + 0.5F, bottom - 0.3F * em}, 0.28F * em, ink);
     }
 }
 
 /// A flag with the number of the bookmark, while there is a key for it.
-void drawBookmarkMarks(const RunStrip& strip) {
+void drawBookmarkMarks(RunStrip& strip) {
     const float em = strip.context.em;
-    const ImU32 color = toU32(strip.context.palette.text);
+    const Ink ink = strip.p.ink(&Palette::text);
     const Bookmarks& marks = strip.context.state<Bookmarks>();
     const float bottom = strip.lanes.max().y;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const float x = std::round(strip.xOf(marks[i].address.pivot));
         if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
-        strip.list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, bottom},
-                                  toU32(strip.context.palette.text.withAlpha(0.45F)));
-        strip.list->AddTriangleFilled({x, bottom - 0.8F * em}, {x + 0.6F * em, bottom - 0.55F * em},
-                                      {x, bottom - 0.3F * em}, color);
-        if (i >= kBookmarkKeys) continue;
-        const std::string number = std::to_string((i + 1) % kBookmarkKeys);
-        strip.list->AddText(strip.context.fonts.text, 0.75F * em,
-                            {x + 0.65F * em, bottom - 0.95F * em}, color, number.c_str());
+        strip.p.box({x, strip.lanes.min.y}, {x + 1.0F, bottom}, ink.withAlpha(0.45F));
+        strip.p.polygon({{x, bottom - 0.8F * em},
+                         {x + 0.6F * em, bottom - 0.55F * em},
+                         {x, bottom - 0.3F * em}},
+                        ink);
+        if (i < kBookmarkKeys)
+            strip.p.text({x + 0.65F * em, bottom - 0.95F * em},
+                         std::to_string((i + 1) % kBookmarkKeys), ink, {0.75F * em});
     }
 }
 
 /// A tick at each pivot where the run stops: upright, from the lower edge of the lanes.
-void drawStops(const RunStrip& strip) {
+void drawStops(RunStrip& strip) {
     const PanelContext& context = strip.context;
     const float bottom = strip.lanes.max().y;
     const float top = bottom - 0.45F * context.em;
@@ -130,11 +124,11 @@ void drawStops(const RunStrip& strip) {
     for (const Breakpoint& each : context.session().hits().wanted()) {
         const LineHits* known = context.session().hits().of(each.line);
         if (!each.on || known == nullptr) continue;
-        const ImU32 color = toU32(each.logOnly ? context.palette.textDim : context.palette.test);
+        const Ink ink = strip.p.ink(each.logOnly ? &Palette::textDim : &Palette::test);
         for (const std::uint32_t pivot :
              stopPivots(each, known->list, {strip.window().from(), strip.window().to()}, columns)) {
             const float x = std::round(strip.xOf(pivot));
-            strip.list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, color);
+            strip.p.box({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, ink);
         }
     }
 }
@@ -154,19 +148,19 @@ Rect differenceMark(const RunStrip& strip) {
     return {{x + 0.5F - half, strip.lanes.max().y - 2.0F * half}, glm::vec2(2.0F * half)};
 }
 
-void drawDifference(const RunStrip& strip) {
+void drawDifference(RunStrip& strip) {
     const Rect mark = differenceMark(strip);
     if (mark.size.x <= 0.0F) return;
-    const Palette& palette = strip.context.palette;
     const glm::vec2 at = mark.min + 0.5F * mark.size;
-    strip.list->AddRectFilled({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
-                              toU32(palette.text.withAlpha(0.6F)));
-    strip.list->AddTriangleFilled({mark.min.x, at.y}, {at.x, mark.min.y}, {at.x, mark.max().y},
-                                  toU32(palette.used));
-    strip.list->AddTriangleFilled({at.x, mark.min.y}, {mark.max().x, at.y}, {at.x, mark.max().y},
-                                  toU32(palette.last));
-    strip.list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
-                        {at.x, mark.max().y}, toU32(palette.background), 1.0F);
+    const glm::vec2 top(at.x, mark.min.y);
+    const glm::vec2 bottom(at.x, mark.max().y);
+    const glm::vec2 left(mark.min.x, at.y);
+    const glm::vec2 right(mark.max().x, at.y);
+    strip.p.box({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
+                strip.p.ink(&Palette::text, 0.6F));
+    strip.p.polygon({left, top, bottom}, strip.p.ink(&Palette::used));
+    strip.p.polygon({top, right, bottom}, strip.p.ink(&Palette::last));
+    strip.p.polygon({left, top, right, bottom}, strip.p.ink(&Palette::background).line(1.0F));
     strip.context.where()["strip difference"] = mark;
 }
 
@@ -182,47 +176,43 @@ std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
 }
 
 /// The stretch of the playback loop; a mark alone is a bracket.
-void drawLoop(const RunStrip& strip) {
+void drawLoop(RunStrip& strip) {
     const PlayLoop& loop = strip.context.playback().loop;
     if (loop.empty()) return;
     const float em = strip.context.em;
-    const Color& tint = strip.context.palette.pivot;
+    const Ink ink = strip.p.ink(&Palette::pivot);
     const float top = strip.lanes.min.y;
     const float bottom = strip.lanes.max().y;
-    if (loop.complete()) {
-        strip.list->AddRectFilled({strip.xOf(loop.from->pivot), top},
-                                  {strip.xOf(loop.to->pivot), bottom},
-                                  toU32(tint.withAlpha(0.10F)));
-    }
+    if (loop.complete())
+        strip.p.box({strip.xOf(loop.from->pivot), top}, {strip.xOf(loop.to->pivot), bottom},
+                    ink.withAlpha(0.1F));
     const auto bracket = [&](const Address& at, float side, const char* letter) {
         const float x = strip.xOf(at.pivot);
         const float width = 0.14F * em;
-        strip.list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, toU32(tint));
-        for (const float y : {top, bottom - width}) {
-            strip.list->AddRectFilled({std::min(x, x + side * 0.4F * em), y},
-                                      {std::max(x, x + side * 0.4F * em), y + width}, toU32(tint));
-        }
-        strip.list->AddText(
-            strip.context.fonts.text, 0.8F * em,
-            {x + side * 0.55F * em - (side < 0.0F ? 0.45F * em : 0.0F), bottom - 1.2F * em},
-            toU32(tint), letter);
+        strip.p.box({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, ink);
+        for (const float y : {top, bottom - width})
+            strip.p.box({std::min(x, x + side * 0.4F * em), y},
+                        {std::max(x, x + side * 0.4F * em), y + width}, ink);
+        strip.p.text({x + side * 0.55F * em, bottom - 1.2F * em}, letter, ink,
+                     {0.8F * em, Typeface::Text, side < 0.0F ? Align::Right : Align::Left});
     };
     if (loop.from) bracket(*loop.from, 1.0F, "A");
     if (loop.to) bracket(*loop.to, -1.0F, "B");
 }
 
-void drawPlayhead(const RunStrip& strip) {
+void drawPlayhead(RunStrip& strip) {
     const Session& session = strip.context.session();
     const float at = strip.xOf(std::min<double>(session.record().pivot, strip.window().last()));
     if (at < strip.bars.min.x - 1.0F || at > strip.bars.max().x + 1.0F) return;
     const float x = std::round(at);
     const float em = strip.context.em;
     const float top = strip.bars.min.y;
-    const ImU32 color = toU32(strip.context.palette.pivot);
-    strip.list->AddRectFilled({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y},
-                              color);
-    strip.list->AddTriangleFilled({x - 0.38F * em, top - 0.2F * em},
-                                  {x + 0.38F * em, top - 0.2F * em}, {x, top + 0.4F * em}, color);
+    const Ink ink = strip.p.ink(&Palette::pivot);
+    strip.p.box({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y}, ink);
+    strip.p.polygon({{x - 0.38F * em, top - 0.2F * em},
+                     {x + 0.38F * em, top - 0.2F * em},
+                     {x, top + 0.4F * em}},
+                    ink);
 }
 
 std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse) {
@@ -314,7 +304,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     strip.lanes.size.y = bars.size.y - scale;
     keepPainted(context, {bars.size.x, rowsFor(strip), 0.7F * em});
     strip.pitch = pitchOf(strip);
-    fill(strip.list, strip.lanes, context.palette.background, 0.2F * em);
+    strip.p.box(strip.lanes, strip.p.ink(&Palette::background), 0.2F * em);
     ImGui::PushClipRect({bars.min.x - 0.4F * em, area.min.y},
                         {bars.max().x + 0.4F * em, area.max().y}, true);
     drawRingLengths(strip);

@@ -1,9 +1,8 @@
 // The strips PIVOT, the stages of the pivot at the cursor, and STAGE, the events of one of them.
 #include <algorithm>
 
+#include "paint/shapes.h"
 #include "panel_state/side_panels.h"
-#include "scene/draw_list.h"
-#include "scene/palette.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
@@ -18,6 +17,8 @@ constexpr float kLeastTick = 2.0F;
 /// Cells of the STAGE strip, in em.
 constexpr float kWidestCell = 10.0F;
 constexpr float kLeastCell = 2.4F;
+/// Size of the name of a stage, in em.
+constexpr float kStageName = 0.85F;
 
 Color cellColor(const PanelContext& context, const Event& event) {
     if (event.address.stage == Stage::Emit) return context.palette.test;
@@ -25,9 +26,10 @@ Color cellColor(const PanelContext& context, const Event& event) {
 }
 
 void frameHere(const PanelContext& context, const Rect& cell) {
-    ImGui::GetWindowDrawList()->AddRect(
-        {cell.min.x - 1.0F, cell.min.y - 1.0F}, {cell.max().x + 1.0F, cell.max().y + 1.0F},
-        toU32(context.palette.pivot), 0.2F * context.em, 0, std::max(1.5F, 0.13F * context.em));
+    ScreenPainter painter(context);
+    painter.box(cell.min - 1.0F, cell.max() + 1.0F,
+                painter.ink(&Palette::pivot).line(std::max(1.5F, 0.13F * context.em)),
+                0.2F * context.em);
 }
 
 /// An item over a picture: a click goes to the event.
@@ -46,12 +48,13 @@ void offerEvent(const PanelContext& context, const char* id, const Rect& area, s
 /// A stage is as wide as its tests, but at least as wide as its name.
 std::vector<float> widthsOf(const PanelContext& context, const std::vector<StageRun>& runs,
                             float total, float gap) {
-    const float size = 0.85F * context.em;
     std::vector<float> widths;
     float sum = 0.0F;
     for (const StageRun& run : runs) {
-        const std::string name(stageName(run.stage));
-        const float text = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str()).x;
+        const float text =
+            ScreenPainter(context)
+                .textSize(std::string(stageName(run.stage)), {kStageName * context.em})
+                .x;
         const float cells = static_cast<float>(run.size()) * 1.15F * context.em;
         widths.push_back(std::max(text + 0.2F * gap, std::min(cells, 0.5F * total)));
         sum += widths.back();
@@ -65,26 +68,26 @@ std::vector<float> widthsOf(const PanelContext& context, const std::vector<Stage
 /// The events of a stage, one tick each; as one piece if there are too many.
 void drawTicks(const PanelContext& context, const StageRun& run, const Rect& block) {
     const Session& session = context.session();
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter painter(context);
     const float width = block.size.x / static_cast<float>(run.size());
     if (width < kLeastTick) {
-        const bool later = run.begin > session.cursor();
-        const Color color = run.refused > 0 ? context.palette.rejected : context.palette.textDim;
-        return fill(list, block, color.withAlpha(later ? 0.3F : 0.7F), 0.15F * context.em);
+        const float alpha = run.begin > session.cursor() ? 0.3F : 0.7F;
+        return painter.box(
+            block, painter.ink(run.refused > 0 ? &Palette::rejected : &Palette::textDim, alpha),
+            0.15F * context.em);
     }
     for (std::size_t e = run.begin; e < run.end; ++e) {
         const Event& event = session.record().events[e];
         const bool later = e > session.cursor();
         const float x = block.min.x + width * static_cast<float>(e - run.begin);
         const float inset = width > 4.0F ? 1.0F : 0.0F;
-        list->AddRectFilled({x + inset, block.min.y}, {x + width - inset, block.max().y},
-                            toU32(cellColor(context, event).withAlpha(later ? 0.3F : 0.85F)),
-                            0.12F * context.em);
-        if (outcomeOf(event) == Outcome::Refused && width > 0.6F * context.em) {
-            drawShape(list, {x + 0.5F * width, block.min.y + 0.5F * block.size.y},
+        painter.box({x + inset, block.min.y}, {x + width - inset, block.max().y},
+                    Ink(cellColor(context, event)).withAlpha(later ? 0.3F : 0.85F),
+                    0.12F * context.em);
+        if (outcomeOf(event) == Outcome::Refused && width > 0.6F * context.em)
+            drawShape(painter, {x + 0.5F * width, block.min.y + 0.5F * block.size.y},
                       0.5F * context.em, Shape::Cross,
-                      toU32(context.palette.background.withAlpha(later ? 0.6F : 1.0F)));
-        }
+                      painter.ink(&Palette::background, later ? 0.6F : 1.0F));
     }
 }
 
@@ -101,16 +104,15 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
                     float textTop) {
     const float em = context.em;
     const bool here = run.contains(context.session().cursor());
-    const float size = 0.85F * em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter painter(context);
+    const Type type{kStageName * em};
     const std::string name(stageName(run.stage));
     // Of the stage at the cursor as much as fits; of the others the whole name or none.
-    const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str()).x;
-    list->PushClipRect({block.min.x, textTop}, {block.max().x + 0.3F * em, block.max().y}, true);
-    if (here || width <= block.size.x + 0.3F * em)
-        list->AddText(context.fonts.text, size, {block.min.x, textTop},
-                      toU32(here ? context.palette.text : context.palette.textDim), name.c_str());
-    list->PopClipRect();
+    ImGui::PushClipRect({block.min.x, textTop}, {block.max().x + 0.3F * em, block.max().y}, true);
+    if (here || painter.textSize(name, type).x <= block.size.x + 0.3F * em)
+        painter.text({block.min.x, textTop}, name,
+                     painter.ink(here ? &Palette::text : &Palette::textDim), type);
+    ImGui::PopClipRect();
     drawTicks(context, run, block);
     if (here) frameHere(context, block);
     offerEvent(context, "##stage",
@@ -151,21 +153,20 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
     const Event& event = session.record().events[index];
     const float em = context.em;
     const bool later = index > session.cursor();
-    const Color color = cellColor(context, event);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, cell, color.withAlpha(later ? 0.10F : 0.22F), 0.2F * em);
-    list->AddRectFilled(toVec2(cell.min), {cell.min.x + 0.22F * em, cell.max().y},
-                        toU32(color.withAlpha(later ? 0.45F : 1.0F)), 0.1F * em);
+    const Ink ink(cellColor(context, event));
+    ScreenPainter painter(context);
+    painter.box(cell, ink.withAlpha(later ? 0.1F : 0.22F), 0.2F * em);
+    painter.box(cell.min, {cell.min.x + 0.22F * em, cell.max().y},
+                ink.withAlpha(later ? 0.45F : 1.0F), 0.1F * em);
     const float middle = cell.min.y + 0.5F * cell.size.y;
     float x = cell.min.x + 0.45F * em;
     if (outcomeOf(event) == Outcome::Refused) {
-        drawShape(list, {x + 0.3F * em, middle}, 0.55F * em, Shape::Cross, toU32(color));
+        drawShape(painter, {x + 0.3F * em, middle}, 0.55F * em, Shape::Cross, ink);
         x += 0.8F * em;
     }
     const float room = cell.max().x - x - 0.1F * em;
-    const std::string text = fitted(cellText(event, session.names(), room), room);
-    const Color ink = later ? context.palette.textDim : context.palette.text;
-    list->AddText({x, middle - 0.5F * ImGui::GetTextLineHeight()}, toU32(ink), text.c_str());
+    painter.text({x, middle - 0.5F * em}, fitted(cellText(event, session.names(), room), room),
+                 painter.ink(later ? &Palette::textDim : &Palette::text), {em});
     if (index == session.cursor()) frameHere(context, cell);
     offerEvent(context, "##cell", cell, index);
     if (ImGui::IsItemHovered()) {

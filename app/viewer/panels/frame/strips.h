@@ -2,7 +2,7 @@
 #pragma once
 
 #include "panel_state/side_panels.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 
 namespace se::view {
 
@@ -20,7 +20,7 @@ struct RunStrip {
     Rect bars;
     Rect lanes;  ///< Within bars, without the scale above.
     float pitch = 1.0F;
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter p{context};
 
     const LanePicture& picture() const { return context.state<Navigation>().lanes.picture; }
     const StripWindow& window() const { return context.state<Navigation>().strip; }
@@ -36,10 +36,10 @@ std::uint32_t rowsFor(const RunStrip& strip);
 /// Distance between rows as painted.
 float pitchOf(const RunStrip& strip);
 /// Length of the active ring, in the background.
-void drawRingLengths(const RunStrip& strip);
-void drawLanes(const RunStrip& strip);
+void drawRingLengths(RunStrip& strip);
+void drawLanes(RunStrip& strip);
 /// Number of lanes without a row of their own, beside the shared row.
-void drawMore(const RunStrip& strip);
+void drawMore(RunStrip& strip);
 /// Tooltip of the shared row, if the mouse is there.
 std::string gatheredText(const RunStrip& strip, ImVec2 mouse);
 

@@ -2,7 +2,8 @@
 #include <algorithm>
 
 #include "document/ui_state.h"
-#include "panels/widgets/widgets.h"
+#include "paint/view_texts.h"
+#include "panels/widgets/screen_painter.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "view_parts.h"
@@ -11,19 +12,17 @@ namespace se::view {
 
 namespace {
 
-struct Print {
-    ImFont* font;
-    float size;
-};
+/// Distance between a text and the edge of its plate, in em.
+constexpr glm::vec2 kLabelMargin{0.22F, 0.02F};
 
 /// In Present capitals are at least 4 % of the view high; they are 0.6 of a line.
-Print printOf(const PanelContext& context, const Label& label) {
+Type typeOf(const PanelContext& context, const Label& label) {
     if (context.rects.layoutPreset == LayoutPreset::Present) {
         const float least = 0.04F / 0.6F * context.rects.view.size.y;
-        return {context.fonts.caption, std::max(least, context.em)};
+        return {std::max(least, context.em), Typeface::Caption};
     }
-    if (label.strong) return {context.fonts.strong, context.em};
-    return {context.fonts.text, 0.88F * context.em};
+    if (label.strong) return {context.em, Typeface::Strong};
+    return {0.88F * context.em};
 }
 
 /// `hovered`: the place of the point under the pointer, whose labels are all shown.
@@ -34,14 +33,6 @@ LabelRank rankOf(const Label& label, const glm::vec3* hovered) {
                                                                              : LabelRank::Minor;
 }
 
-void drawPlate(const PanelContext& context, const DrawnLabel& drawn) {
-    const Label& label = context.drawList.labels[drawn.index];
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, drawn.plate, context.palette.background.withAlpha(kPlateAlpha), 0.2F * context.em);
-    list->AddText(printOf(context, label).font, drawn.size, toVec2(drawn.text), toU32(label.color),
-                  label.text.c_str());
-}
-
 }  // namespace
 
 void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
@@ -49,6 +40,7 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     std::vector<DrawnLabel>& drawn = context.ui().labels[context.beside ? 1 : 0];
     drawn.clear();
     if (labels.empty()) return;
+    ScreenPainter painter(context);
     const ScreenProjection projection(context);
     const float em = context.em;
     const Session& session = context.session();
@@ -64,11 +56,9 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         const bool seen = label.extent == 0.0F ||
                           projection.pixels(label.position, label.extent) >= kSeenFrom * em;
         if (!seen) continue;
-        const Print print = printOf(context, label);
-        const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
+        const glm::vec2 extent = painter.textSize(label.text, typeOf(context, label));
         shown.push_back(i);
-        wanted.push_back(
-            {*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label, hovered)});
+        wanted.push_back({*at, extent + 2.0F * kLabelMargin * em, rankOf(label, hovered)});
     }
     const Rect& view = context.rects.view;
     const std::vector<LabelMark> marks = projection.marks();
@@ -79,18 +69,12 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
         room.middle = projection.at(session.shown().place[picture.pivot]).value_or(room.middle);
     }
     for (const PlacedLabel& each : placeLabels(room, wanted)) {
+        Type type = typeOf(context, labels[shown[each.index]]);
+        type.length = each.plate.size.x - 2.0F * kLabelMargin.x * em;
         drawn.push_back({shown[each.index], wanted[each.index].at, each.plate,
-                         each.plate.min + glm::vec2(0.22F, 0.02F) * em,
-                         printOf(context, labels[shown[each.index]]).size, each.leader});
+                         each.plate.min + kLabelMargin * em, type, each.leader});
     }
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    for (const DrawnLabel& each : drawn) {
-        if (!each.leader) continue;
-        list->AddLine(toVec2(each.at), toVec2(nearestIn(each.plate, each.at)),
-                      toU32(labels[each.index].color.withAlpha(kLeaderAlpha)),
-                      std::max(1.0F, kLeaderEms * em));
-    }
-    for (const DrawnLabel& each : drawn) drawPlate(context, each);
+    drawLabels(painter, drawn, context.drawList);
 }
 
 }  // namespace se::view

@@ -1,9 +1,8 @@
 // Points that take no part in the run, by reason, in the panel Doctor: to show them, and to bring
 // them back.
 #include "document/piece_actions.h"
-#include "panels/panel.h"
-#include "panels/widgets/widgets.h"
-#include "scene/draw_list.h"
+#include "paint/shapes.h"
+#include "panels/widgets/screen_painter.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -15,9 +14,9 @@ void drawAsideGroup(const PanelContext& context, const AsidePoints& group) {
     ImGui::PushID(name.c_str());
     const float em = context.em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    drawShape(ImGui::GetWindowDrawList(),
-              {at.x + 0.5F * em, at.y + 0.5F * ImGui::GetTextLineHeight()}, 0.7F * em, Shape::Plus,
-              toU32(context.palette.unused));
+    ScreenPainter painter(context);
+    drawShape(painter, {at.x + 0.5F * em, at.y + 0.5F * ImGui::GetTextLineHeight()}, 0.7F * em,
+              Shape::Plus, painter.ink(&Palette::unused));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.2F * em);
     wrappedText(withS(group.count, "point") + " " + reasonText(group) + ".");
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.2F * em);

@@ -6,10 +6,10 @@
 
 #include "document/new_points.h"
 #include "document/ui_state.h"
+#include "paint/shapes.h"
 #include "panels/widgets/axis_gizmo.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "run/strings.h"
-#include "scene/draw_list.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"
@@ -292,27 +292,25 @@ void drawKey(const PanelContext& context) {
     if (n.onWalls == 0) return;
     struct Row {
         Shape shape;
-        Color color;
+        Color Palette::*color;
         const char* text;
         bool there;
     };
-    const Palette& c = context.palette;
-    const std::array rows = {Row{Shape::Disc, c.used, "inside", true},
-                             Row{Shape::Square, c.first, "on a wall", true},
-                             Row{Shape::Diamond, c.last, "in a corner", n.corners > 0}};
+    const std::array rows = {Row{Shape::Disc, &Palette::used, "inside", true},
+                             Row{Shape::Square, &Palette::first, "on a wall", true},
+                             Row{Shape::Diamond, &Palette::last, "in a corner", n.corners > 0}};
     const float em = context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter painter(context);
     glm::vec2 at = context.rects.view.min + glm::vec2(1.0F * em, 0.9F * em);
     const float width = ImGui::CalcTextSize(rows[1].text).x + 2.0F * em;
     const float height = (n.corners > 0 ? 4.05F : 2.7F) * em;
-    list->AddRectFilled({at.x - 0.4F * em, at.y - 0.3F * em},
-                        {at.x + width - 0.4F * em, at.y + height},
-                        toU32(c.background.withAlpha(0.78F)), 0.3F * em);
+    painter.box(at - glm::vec2(0.4F, 0.3F) * em, at + glm::vec2(width - 0.4F * em, height),
+                painter.ink(&Palette::background, 0.78F), 0.3F * em);
     for (const Row& row : rows) {
         if (!row.there) continue;
-        drawShape(list, {at.x + 0.4F * em, at.y + 0.6F * em}, 0.7F * em, row.shape,
-                  toU32(row.color));
-        list->AddText({at.x + 1.2F * em, at.y}, toU32(c.textDim), row.text);
+        drawShape(painter, at + glm::vec2(0.4F, 0.6F) * em, 0.7F * em, row.shape,
+                  painter.ink(row.color));
+        painter.text({at.x + 1.2F * em, at.y}, row.text, painter.ink(&Palette::textDim), {em});
         at.y += 1.35F * em;
     }
 }

@@ -1,11 +1,9 @@
 // The Dial panel: the sector of the pivot as a disc, and a second disc at decisions that have one.
-#include "rows/pivot_dial.h"
-
 #include <algorithm>
 
-#include "dial_drawer.h"
+#include "paint/dial_painter.h"
 #include "panel_state/side_panels.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -61,18 +59,6 @@ DialRooms roomsIn(const Rect& room, const PanelContext& context, bool second) {
     return rooms;
 }
 
-/// Room is reserved for the names of all important points, tested or not, so that the disc does not
-/// move during the decisions of a pivot.
-DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial) {
-    std::vector<RimText> texts;
-    for (const DialTick& tick : dial.ticks) {
-        if (tick.role == DialRole::Done) continue;
-        texts.push_back({tick.degrees, labelOf(tick, context.session().names()), {}});
-    }
-    for (const DialMark& mark : dial.marks) texts.push_back({mark.degrees, mark.text, {}});
-    return discWithTexts(context, room, texts);
-}
-
 void explain(const PanelContext& context, const DialTick& tick) {
     ImGui::BeginTooltip();
     ImGui::Text("point %s: %.1f\xC2\xB0", nameOf(tick.point, context.session().names()).c_str(),
@@ -100,8 +86,8 @@ ImVec2 roomOf(const PanelContext& context) {
 void drawDial(const PanelContext& context) {
     Session& session = context.session();
     if (!session.ready()) return;
-    const DecisionState& picture = session.picture();
-    const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
+    const DecisionState& state = session.picture();
+    const Dial dial = makeDial(session.shown(), state, state.event ? &*state.event : nullptr);
     if (dial.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
                                 : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
@@ -116,15 +102,20 @@ void drawDial(const PanelContext& context) {
                                     context, dial.reciprocal.has_value());
     const float height = rooms.height;
     const Rect whole{{corner.x, corner.y}, {room.x, height}};
-    const DialDisc disc = discIn(rooms.main, context, dial);
+    ScreenPainter painter(context);
+    const DialPicture picture{dial, session.names(), session.highlights().hovered(),
+                              session.selected()};
+    const DialCircle disc = discOf(painter, picture, rooms.main);
     if (disc.radius < 2.0F * context.em) return;
     ImGui::InvisibleButton("##dial", {room.x, height});
     const bool second = dial.reciprocal && rooms.second;
-    drawDialDisc(context, dial, disc, whole,
+    drawDialDisc(painter, picture, disc, whole,
                  second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
-    if (second) drawReciprocalDial(context, *dial.reciprocal, *rooms.second);
+    if (second) drawReciprocalDial(painter, picture, *rooms.second);
     if (ImGui::IsItemHovered()) {
-        if (const DialTick* tick = tickUnderPointer(context, dial, disc)) {
+        const DialTick* tick = nearestToPointer(
+            dial.ticks, context.em, [&](const DialTick& each) { return placeOf(each, disc); });
+        if (tick != nullptr) {
             context.state<Navigation>().pointedAt = tick->point;
             explain(context, *tick);
             if (ImGui::IsItemClicked()) session.select(tick->point);

@@ -7,11 +7,9 @@
 
 #include "document/ui_state.h"
 #include "input/tab_order.h"
-#include "panel_state/side_panels.h"
-#include "panels/panel.h"
-#include "panels/widgets/widgets.h"
+#include "paint/shapes.h"
+#include "panels/widgets/screen_painter.h"
 #include "rows/ring_slice.h"
-#include "scene/draw_list.h"
 #include "scene/framing.h"
 #include "session/session.h"
 
@@ -59,9 +57,10 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     const bool first = &ring == &session.picture().rings.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Rings)) takeKeyboard();
     const bool lit = ring.id != kNone && session.highlights().litRing() == ring.id;
-    drawRingSign(ImGui::GetWindowDrawList(), {at.x, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                 context.em, ring.active,
-                 toU32(lit ? context.palette.pivot : context.palette.used));
+    ScreenPainter painter(context);
+    const auto drawSign = ring.active ? drawActiveRing : drawWaitingRing;
+    drawSign(painter, {at.x, at.y + 0.5F * ImGui::GetTextLineHeight()}, context.em,
+             painter.ink(lit ? &Palette::pivot : &Palette::used));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted((ringName(ring.number) + (ring.active ? ", active" : "")).c_str());
     ImGui::TableNextColumn();
@@ -83,46 +82,42 @@ struct RingStrip {
     RingSlice slice;
     ImVec2 at;  ///< Left end of the line.
     float pitch = 1.0F;
+    ScreenPainter p{context};
 
     float xOf(std::size_t i) const { return at.x + (static_cast<float>(i) + 0.5F) * pitch; }
 };
 
-void drawStep(const RingStrip& strip, std::size_t i) {
+void drawStep(RingStrip& strip, std::size_t i) {
     const float em = strip.context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = toU32(strip.context.palette.used);
+    const float y = strip.at.y;
+    const Ink ink = strip.p.ink(&Palette::used);
     const float from = strip.xOf(i) + 0.4F * em;
     const float to = strip.xOf(i) + strip.pitch - 0.4F * em;
     if (to <= from) return;
     if (strip.ring.open[strip.slice.at(i)]) {
         // No edge of the mesh: dotted, as in the view.
-        for (float x = from; x < to; x += 0.3F * em) {
-            list->AddCircleFilled({x + 0.06F * em, strip.at.y}, 0.07F * em, color);
-        }
+        for (float x = from; x < to; x += 0.3F * em)
+            strip.p.circle({x + 0.06F * em, y}, 0.07F * em, ink);
         return;
     }
-    list->AddLine({from, strip.at.y}, {to, strip.at.y}, color, std::max(1.5F, 0.14F * em));
-    const float x = 0.5F * (from + to);
-    list->AddTriangleFilled({x - 0.14F * em, strip.at.y - 0.22F * em}, {x + 0.2F * em, strip.at.y},
-                            {x - 0.14F * em, strip.at.y + 0.22F * em}, color);
+    strip.p.line({from, y}, {to, y}, ink.line(std::max(1.5F, 0.14F * em)));
+    drawShape(strip.p, {0.5F * (from + to), y}, 0.46F * em, Shape::Forward, ink);
 }
 
 struct PointLook {
     Shape shape = Shape::Disc;
     float size = 0.5F;
-    Color color;
+    Color Palette::*color;
 };
 
-PointLook lookOf(const PanelContext& context, Index point) {
-    const DecisionState& picture = context.session().picture();
-    const Palette& palette = context.palette;
-    if (point == picture.pivot) return {Shape::RingedDisc, 1.0F, palette.pivot};
-    if (point == picture.nextPivot) return {Shape::RingedDisc, 0.85F, palette.text};
-    if (point == picture.start) return {Shape::Forward, 0.75F, palette.first};
-    if (point == picture.end) return {Shape::Back, 0.75F, palette.last};
-    if (point == picture.first) return {Shape::Forward, 0.55F, palette.first};
-    if (point == picture.last) return {Shape::Back, 0.55F, palette.last};
-    return {Shape::Disc, 0.45F, palette.used};
+PointLook lookOf(const DecisionState& picture, Index point) {
+    if (point == picture.pivot) return {Shape::RingedDisc, 1.0F, &Palette::pivot};
+    if (point == picture.nextPivot) return {Shape::RingedDisc, 0.85F, &Palette::text};
+    if (point == picture.start) return {Shape::Forward, 0.75F, &Palette::first};
+    if (point == picture.end) return {Shape::Back, 0.75F, &Palette::last};
+    if (point == picture.first) return {Shape::Forward, 0.55F, &Palette::first};
+    if (point == picture.last) return {Shape::Back, 0.55F, &Palette::last};
+    return {Shape::Disc, 0.45F, &Palette::used};
 }
 
 /// Role of a point for the pivot, for the line above the strip.
@@ -138,25 +133,21 @@ std::string roleOf(const DecisionState& picture, Index point) {
     return text;
 }
 
-void drawPoint(const RingStrip& strip, std::size_t i) {
+void drawPoint(RingStrip& strip, std::size_t i) {
     const PanelContext& context = strip.context;
     Session& session = context.session();
     const float em = context.em;
     const Index point = strip.ring.points[strip.slice.at(i)];
-    const PointLook look = lookOf(context, point);
+    const PointLook look = lookOf(session.picture(), point);
     const float x = strip.xOf(i);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    drawShape(list, {x, strip.at.y}, look.size * em, look.shape, toU32(look.color));
-    if (point == session.selected() || point == session.highlights().hovered()) {
-        list->AddCircle({x, strip.at.y}, 0.62F * em, toU32(context.palette.text), 0,
-                        std::max(1.0F, 0.1F * em));
-    }
+    ScreenPainter& p = strip.p;
+    drawShape(p, {x, strip.at.y}, look.size * em, look.shape, p.ink(look.color));
+    if (point == session.selected() || point == session.highlights().hovered())
+        p.circle({x, strip.at.y}, 0.62F * em, p.ink(&Palette::text).line(p.px(0.1F)));
     const std::string number = nameOf(point, session.names());
-    const float size = 0.8F * em;
-    const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, number.c_str()).x;
-    const bool plain = look.shape == Shape::Disc;
-    list->AddText(context.fonts.text, size, {x - 0.5F * width, strip.at.y + 0.65F * em},
-                  toU32(plain ? context.palette.textDim : context.palette.text), number.c_str());
+    p.text({x, strip.at.y + 0.65F * em}, number,
+           p.ink(look.shape == Shape::Disc ? &Palette::textDim : &Palette::text),
+           {0.8F * em, Typeface::Text, Align::Middle});
     ImGui::SetCursorScreenPos({x - 0.5F * strip.pitch, strip.at.y - 0.7F * em});
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("##point", {strip.pitch, 2.3F * em})) session.select(point);
@@ -176,27 +167,25 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
 }
 
 /// The whole ring as a thin bar: the part in the strip, and the position of current work.
-void drawWhole(const RingStrip& strip, float width, std::optional<std::size_t> work) {
+void drawWhole(RingStrip& strip, float width, std::optional<std::size_t> work) {
     const float em = strip.context.em;
-    const Palette& palette = strip.context.palette;
-    const ImVec2 low(strip.at.x, strip.at.y + 1.85F * em);
-    const ImVec2 high(low.x + width, low.y + 0.35F * em);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(low, high, toU32(palette.panelRaised), 0.1F * em);
+    const glm::vec2 low(strip.at.x, strip.at.y + 1.85F * em);
+    const glm::vec2 high(low.x + width, low.y + 0.35F * em);
+    strip.p.box(low, high, strip.p.ink(&Palette::panelRaised), 0.1F * em);
     const auto xOf = [&](std::size_t place) {
         return low.x + width * static_cast<float>(place) / static_cast<float>(strip.slice.size);
     };
     const auto part = [&](std::size_t from, std::size_t to) {
-        list->AddRectFilled({xOf(from), low.y}, {std::max(xOf(to), xOf(from) + 2.0F), high.y},
-                            toU32(palette.used), 0.1F * em);
+        strip.p.box({xOf(from), low.y}, {std::max(xOf(to), xOf(from) + 2.0F), high.y},
+                    strip.p.ink(&Palette::used), 0.1F * em);
     };
     const std::size_t end = strip.slice.first + strip.slice.count;
     part(strip.slice.first, std::min(end, strip.slice.size));
     if (end > strip.slice.size) part(0, end - strip.slice.size);
     if (work) {
         const float x = xOf(*work);
-        list->AddRectFilled({x - 1.0F, low.y - 0.15F * em}, {x + 1.0F, high.y + 0.15F * em},
-                            toU32(palette.pivot));
+        strip.p.box({x - 1.0F, low.y - 0.15F * em}, {x + 1.0F, high.y + 0.15F * em},
+                    strip.p.ink(&Palette::pivot));
     }
 }
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "paint/shapes.h"
 #include "panel_state/side_panels.h"
-#include "panels/widgets/widgets.h"
-#include "scene/draw_list.h"
-#include "scene/palette.h"
+#include "panels/widgets/screen_painter.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/reading.h"
@@ -29,29 +28,21 @@ std::string trianglesText(std::size_t number) { return "+" + grouped(number); }
 class RowPen {
   public:
     RowPen(const PanelContext& context, ImVec2 at, const StepColumns& columns, float alpha)
-        : context_(context),
-          list_(ImGui::GetWindowDrawList()),
-          at_(at),
-          x_(at.x),
-          alpha_(alpha),
-          columns_(columns) {}
+        : context_(context), p_(context), at_(at), x_(at.x), alpha_(alpha), columns_(columns) {}
 
     void indent(float em) { x_ += em * context_.em; }
     void arrow(bool open) {
-        const ImVec2 c(x_ + 0.4F * context_.em, middle());
-        const float r = 0.27F * context_.em;
-        const ImU32 color = ink(context_.palette.textDim);
-        if (open) {
-            list_->AddTriangleFilled({c.x - r, c.y - 0.6F * r}, {c.x + r, c.y - 0.6F * r},
-                                     {c.x, c.y + 0.8F * r}, color);
-        } else {
-            list_->AddTriangleFilled({c.x - 0.6F * r, c.y - r}, {c.x + 0.8F * r, c.y},
-                                     {c.x - 0.6F * r, c.y + r}, color);
-        }
+        const float r = 0.27F * em();
+        // From the middle to the tip, and to a corner of the other side.
+        const glm::vec2 way = open ? glm::vec2(0.0F, r) : glm::vec2(r, 0.0F);
+        const glm::vec2 across(-way.y, way.x);
+        const glm::vec2 c(x_ + 0.4F * em(), middle());
+        p_.polygon({c + 0.8F * way, c - 0.6F * way + across, c - 0.6F * way - across},
+                   ink(context_.palette.textDim));
     }
     void text(const std::string& words, const Color& color, float end) {
         const std::string cut = fitted(words, end - x_);
-        list_->AddText({x_, at_.y}, textInk(color), cut.c_str());
+        p_.text({x_, at_.y}, cut, textInk(color), {em()});
         x_ += textWidth(cut) + 0.5F * context_.em;
     }
     /// In a row with counts at its end.
@@ -68,7 +59,7 @@ class RowPen {
         x_ += width + 0.5F * context_.em;
     }
     void shape(Shape shape, float size, const Color& color) {
-        drawShape(list_, {x_ + 0.35F * context_.em, middle()}, size, shape, ink(color));
+        drawShape(p_, {x_ + 0.35F * context_.em, middle()}, size, shape, ink(color));
         x_ += 0.95F * context_.em;
     }
     void counts(std::size_t tests, std::size_t refused) {
@@ -76,7 +67,7 @@ class RowPen {
             const std::string number = grouped(refused);
             endingAt(columns_.refused, number, context_.palette.rejected);
             const float left = columns_.refused - textWidth(number);
-            drawShape(list_, {left - 0.42F * em(), middle()}, 0.48F * em(), Shape::Cross,
+            drawShape(p_, {left - 0.42F * em(), middle()}, 0.48F * em(), Shape::Cross,
                       ink(context_.palette.rejected));
         }
         if (tests > 0) endingAt(columns_.tests, grouped(tests), context_.palette.textDim);
@@ -90,17 +81,17 @@ class RowPen {
   private:
     float em() const { return context_.em; }
     float middle() const { return at_.y + 0.5F * ImGui::GetTextLineHeight(); }
-    ImU32 ink(const Color& color) const { return toU32(color.withAlpha(alpha_ * color.a)); }
+    Ink ink(const Color& color) const { return Ink(color.withAlpha(alpha_ * color.a)); }
     /// Text of a later row is dimmed, but readable; its marks are faint.
-    ImU32 textInk(const Color& color) const {
-        return toU32(alpha_ < 1.0F ? context_.palette.textDim : color);
+    Ink textInk(const Color& color) const {
+        return Ink(alpha_ < 1.0F ? context_.palette.textDim : color);
     }
     void endingAt(float right, const std::string& words, const Color& color) {
-        list_->AddText({right - textWidth(words), at_.y}, textInk(color), words.c_str());
+        p_.text({right, at_.y}, words, textInk(color), {em(), Typeface::Text, Align::Right});
     }
 
     const PanelContext& context_;
-    ImDrawList* list_;
+    ScreenPainter p_;
     ImVec2 at_;
     float x_;
     float alpha_;

@@ -9,10 +9,11 @@
 #include <cmath>
 #include <utility>
 
+#include "paint/shapes.h"
 #include "rows/evidence_rows.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
-#include "scene/draw_list.h"
+#include "screen_painter.h"
 #include "session/line_position.h"
 #include "session/playback.h"
 #include "session/session.h"
@@ -83,47 +84,46 @@ class RowDrawer {
 
     /// Mark, address, role; the section at the right end.
     void drawTop(const LedgerLine& line, ImVec2 at, float room, bool cause, bool here) const {
-        ImDrawList* list = ImGui::GetWindowDrawList();
-        const Palette& palette = context_.palette;
+        ScreenPainter p(context_);
         const RoleLook& look = kRoleLooks[static_cast<std::size_t>(line.role)];
         const float middle = at.y + 0.5F * ImGui::GetTextLineHeight();
-        drawShape(list, {at.x + 0.85F * em(), middle}, look.size * em(), look.shape,
-                  toU32(palette.*look.color));
-        if (here) {
-            drawShape(list, {at.x + 0.2F * em(), middle}, 0.6F * em(), Shape::Forward,
-                      toU32(palette.pivot));
-        }
+        drawShape(p, {at.x + 0.85F * em(), middle}, look.size * em(), look.shape,
+                  p.ink(look.color));
+        if (here)
+            drawShape(p, {at.x + 0.2F * em(), middle}, 0.6F * em(), Shape::Forward,
+                      p.ink(&Palette::pivot));
         const std::string section = sectionOf(line.event);
         const float right = at.x + room - 0.2F * em() - textWidth(section);
-        list->AddText({right, at.y}, toU32(palette.textDim), section.c_str());
+        p.text({right, at.y}, section, p.ink(&Palette::textDim), {em()});
         float x = at.x + left();
-        ImFont* font = cause ? context_.fonts.strong : context_.fonts.text;
-        const auto put = [&](const std::string& text, const Color& color) {
-            const float width = font->CalcTextSizeA(em(), 1e9F, 0.0F, text.c_str()).x;
+        const Type type{em(), cause ? Typeface::Strong : Typeface::Text};
+        const auto put = [&](const std::string& text, Color Palette::*color) {
+            const float width = p.textSize(text, type).x;
             if (x + width > right - 0.3F * em()) return;
-            list->AddText(font, em(), {x, at.y}, toU32(color), text.c_str());
+            p.text({x, at.y}, text, p.ink(color), type);
             x += width + 0.6F * em();
         };
-        put(toString(line.event.address), palette.text);
-        if (line.role != LineRole::Fact) put(std::string(roleName(line.role)), palette.*look.color);
-        if (cause) put("\xE2\x97\x80 cause", palette.text);
+        put(toString(line.event.address), &Palette::text);
+        if (line.role != LineRole::Fact) put(std::string(roleName(line.role)), look.color);
+        if (cause) put("\xE2\x97\x80 cause", &Palette::text);
     }
 
     /// The pivot, and the numbers; the margin, which rows are compared by, at the right
     /// end.
     void drawBelow(const LedgerLine& line, ImVec2 at, float room, const std::string& note) const {
-        ImDrawList* list = ImGui::GetWindowDrawList();
-        const ImU32 color = toU32(context_.palette.textDim);
+        ScreenPainter p(context_);
+        const Ink ink = p.ink(&Palette::textDim);
         ImGui::PushFont(context_.fonts.small);
+        const float size = ImGui::GetFontSize();
         float rest = room - left() - 0.2F * em();
         if (line.reading) {
             const std::string margin = marginText(line.reading->margin);
-            const float width = textWidth(margin);
-            list->AddText({at.x + room - 0.2F * em() - width, at.y}, color, margin.c_str());
-            rest -= width + 0.6F * em();
+            p.text({at.x + room - 0.2F * em(), at.y}, margin, ink,
+                   {size, Typeface::Small, Align::Right});
+            rest -= textWidth(margin) + 0.6F * em();
         }
         const std::string text = note.empty() ? numbersOf(line, rest) : note;
-        list->AddText({at.x + left(), at.y}, color, fitted(text, rest).c_str());
+        p.text({at.x + left(), at.y}, fitted(text, rest), ink, {size, Typeface::Small});
         ImGui::PopFont();
     }
 
@@ -140,9 +140,8 @@ class RowDrawer {
     void drawCursorLine(std::size_t i, ImVec2 at, float room) const {
         if (!rows_.inOrder || place_.here || place_.before != i) return;
         const float y = std::round(at.y - 0.12F * em());
-        ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + room, y},
-                                            toU32(context_.palette.pivot),
-                                            std::max(1.0F, 0.1F * em()));
+        ScreenPainter p(context_);
+        p.line({at.x, y}, {at.x + room, y}, p.ink(&Palette::pivot).line(p.px(0.1F)));
     }
 
     const PanelContext& context_;

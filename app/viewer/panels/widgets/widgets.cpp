@@ -7,13 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "paint/text_cut.h"
 #include "panel_state/settings.h"
 #include "rows/evidence_rows.h"
 #include "rows/paper_words.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
-#include "text_cut.h"
 
 namespace se::view {
 
@@ -249,67 +249,6 @@ void showTooltip(const std::string& text) {
 
 void define(std::string_view word) {
     if (const std::string text = definitionOf(word); !text.empty()) tooltip(text);
-}
-
-void drawRingSign(ImDrawList* list, ImVec2 left, float em, bool active, ImU32 color) {
-    if (active) return list->AddLine(left, {left.x + 1.6F * em, left.y}, color, 0.2F * em);
-    for (int i = 0; i < 3; ++i) {
-        const float x = left.x + static_cast<float>(i) * 0.6F * em;
-        list->AddLine({x, left.y}, {x + 0.4F * em, left.y}, color, 0.12F * em);
-    }
-}
-
-void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color) {
-    const float r = 0.5F * size;
-    const float stroke = std::max(1.0F, 0.3F * r);
-    const float s = 0.8F * r;
-    const std::array<ImVec2, 4> square = {
-        {{c.x - s, c.y - s}, {c.x + s, c.y - s}, {c.x + s, c.y + s}, {c.x - s, c.y + s}}};
-    const std::array<ImVec2, 4> diamond = {
-        {{c.x - r, c.y}, {c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}}};
-    switch (shape) {
-        case Shape::Hidden:
-            break;
-        case Shape::Dot:
-        case Shape::Disc:
-            list->AddCircleFilled(c, r, color);
-            break;
-        case Shape::Circle:
-            list->AddCircle(c, r - 0.5F * stroke, color, 0, stroke);
-            break;
-        case Shape::Square:
-            list->AddConvexPolyFilled(square.data(), 4, color);
-            break;
-        case Shape::OpenSquare:
-            list->AddPolyline(square.data(), 4, color, ImDrawFlags_Closed, stroke);
-            break;
-        case Shape::Diamond:
-            list->AddConvexPolyFilled(diamond.data(), 4, color);
-            break;
-        case Shape::OpenDiamond:
-            list->AddPolyline(diamond.data(), 4, color, ImDrawFlags_Closed, stroke);
-            break;
-        case Shape::RingedDisc:
-            list->AddCircle(c, 0.9F * r, color, 0, 0.2F * r);
-            list->AddCircleFilled(c, 0.55F * r, color);
-            break;
-        case Shape::Forward:
-            list->AddTriangleFilled({c.x - 0.5F * r, c.y - 0.87F * r}, {c.x + r, c.y},
-                                    {c.x - 0.5F * r, c.y + 0.87F * r}, color);
-            break;
-        case Shape::Back:
-            list->AddTriangleFilled({c.x + 0.5F * r, c.y - 0.87F * r}, {c.x - r, c.y},
-                                    {c.x + 0.5F * r, c.y + 0.87F * r}, color);
-            break;
-        case Shape::Cross:
-            list->AddLine({c.x - s, c.y - s}, {c.x + s, c.y + s}, color, 1.3F * stroke);
-            list->AddLine({c.x - s, c.y + s}, {c.x + s, c.y - s}, color, 1.3F * stroke);
-            break;
-        case Shape::Plus:
-            list->AddLine({c.x - r, c.y}, {c.x + r, c.y}, color, 1.1F * stroke);
-            list->AddLine({c.x, c.y - r}, {c.x, c.y + r}, color, 1.1F * stroke);
-            break;
-    }
 }
 
 bool beginValues(const char* id, const PanelContext& context) {

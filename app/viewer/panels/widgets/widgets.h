@@ -17,13 +17,13 @@
 namespace se::view {
 
 enum class KeyStop : std::uint8_t;
-enum class Shape : std::uint8_t;
 
 enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd, Bookmark };
 
 ImU32 toU32(const Color& color);
 inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
 inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
+inline glm::vec2 toGlm(ImVec2 v) { return {v.x, v.y}; }
 
 /// Rectangle of the item drawn last.
 inline Rect lastItem() {
@@ -82,7 +82,7 @@ auto nearestToPointer(const Items& items, float reach, const PlaceOf& placeOf) {
     const ImVec2 mouse = ImGui::GetMousePos();
     decltype(&*items.begin()) best = nullptr;
     for (const auto& item : items) {
-        const ImVec2 place = placeOf(item);
+        const glm::vec2 place = placeOf(item);
         const float distance = std::hypot(mouse.x - place.x, mouse.y - place.y);
         if (distance >= reach) continue;
         reach = distance;
@@ -121,13 +121,8 @@ void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
 /// Tooltip of the item drawn last with the definition of a word of the paper, if it is one.
 void define(std::string_view word);
-/// The sign of a ring: the active one thick, those that wait dashed. `left`: in the middle of its
-/// height.
-void drawRingSign(ImDrawList* list, ImVec2 left, float em, bool active, ImU32 color);
 /// A chevron in a square, that points up (unfolds) or down (folds).
 void drawChevron(const PanelContext& context, const Rect& square, bool up, bool hovered);
-/// Draws the shape of a point, as the view does.
-void drawShape(ImDrawList* list, ImVec2 center, float size, Shape shape, ImU32 color);
 /// Two columns: a dim name and a value.
 void valueRow(const PanelContext& context, const char* name, const std::string& value);
 void valueRow(const PanelContext& context, const char* name, const std::string& value,

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/palette.h"
+#include "painter.h"
 
 namespace se::view {
 
@@ -24,12 +24,6 @@ std::string nameOfTitle(std::string_view title);
 /// "#56b4e9"
 std::string hexColor(const Color& color);
 
-/// A color of one theme, and of the other where both are needed.
-struct ColorPair {
-    Color color;
-    Color other;
-};
-
 /// What a class of a color sets.
 enum class SvgPaint : std::uint8_t { Fill, Line, Current };
 
@@ -41,19 +35,19 @@ class SvgClasses {
     SvgClasses(Theme theme, bool both) : theme_(theme), both_(both) {}
 
     /// The class that fills with a color, draws lines in it, or makes it the current color.
-    const std::string& fill(const ColorPair& color) { return classOf(color, SvgPaint::Fill); }
-    const std::string& line(const ColorPair& color) { return classOf(color, SvgPaint::Line); }
-    const std::string& current(const ColorPair& color) { return classOf(color, SvgPaint::Current); }
+    const std::string& fill(const Ink& color) { return classOf(color, SvgPaint::Fill); }
+    const std::string& line(const Ink& color) { return classOf(color, SvgPaint::Line); }
+    const std::string& current(const Ink& color) { return classOf(color, SvgPaint::Current); }
     /// The rules of all classes: of the theme, or of the other.
     std::string sheet(bool other = false) const;
 
   private:
     struct Rule {
         std::string name;
-        ColorPair color;
+        Ink color;
         SvgPaint paint = SvgPaint::Fill;
     };
-    const std::string& classOf(const ColorPair& color, SvgPaint paint);
+    const std::string& classOf(const Ink& color, SvgPaint paint);
     std::string meaningOf(const Color& color) const;
 
     Theme theme_;

@@ -1,4 +1,4 @@
-#include "panels/widgets/text_cut.h"
+#include "paint/text_cut.h"
 
 #include <doctest/doctest.h>
 

@@ -108,7 +108,7 @@ std::string SvgClasses::meaningOf(const Color& color) const {
     return {};
 }
 
-const std::string& SvgClasses::classOf(const ColorPair& color, SvgPaint paint) {
+const std::string& SvgClasses::classOf(const Ink& color, SvgPaint paint) {
     const PaintRow& row = kPaints[static_cast<std::size_t>(paint)];
     std::string key = std::string(row.property) + hexColor(color.color);
     if (both_) key += hexColor(color.other);
