@@ -3,7 +3,7 @@
 #include <string>
 
 #include "document/alert_actions.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "run/model.h"
 #include "session/session.h"
 #include "view_parts.h"
@@ -15,10 +15,8 @@ namespace {
 /// On a head of this strength a text in the color of the background can be read.
 constexpr float kReadableFrom = 0.6F;
 
-float textWidthOf(const PanelContext& context, const Pin& pin) {
-    if (pin.count == 1) return 0.0F;
-    const std::string text = std::to_string(pin.count);
-    return context.fonts.strong->CalcTextSizeA(0.9F * context.em, 1e9F, 0.0F, text.c_str()).x;
+Type pinType(const PanelContext& context) {
+    return {0.9F * context.em, Typeface::Strong, Align::Middle};
 }
 
 /// "3 places, first place 4: 1 hole of 3 edges."
@@ -30,31 +28,26 @@ std::string tipOf(const Pin& pin, const RunFailureSearch& found) {
 
 void drawHead(const PanelContext& context, const FaultPin& each) {
     const float em = context.em;
-    const Palette& colors = context.palette;
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter p(context);
     const float alpha = each.hovered ? 1.0F : each.pin.strength;
     const Rect& head = each.head;
     const glm::vec2 foot(each.pin.tip.x, std::clamp(each.pin.tip.y, head.min.y, head.max().y));
     const float line = std::max(1.5F, 0.12F * em);
+    const Ink ink = p.ink(&Palette::rejected, alpha);
     // With a rim of the background, so that it stands out from loops of the same color.
-    const ImU32 rim = toU32(colors.background.withAlpha(alpha));
-    list->AddLine(toVec2(each.pin.tip), toVec2(foot), rim, 3.0F * line);
-    list->AddLine(toVec2(each.pin.tip), toVec2(foot), toU32(colors.rejected.withAlpha(alpha)),
-                  line);
+    const Ink rim = p.ink(&Palette::background, alpha);
+    p.line(each.pin.tip, foot, rim.line(3.0F * line));
+    p.line(each.pin.tip, foot, ink.line(line));
     const float round = 0.5F * head.size.y;
-    list->AddRectFilled(toVec2(head.min - line), toVec2(head.max() + line), rim, round + line);
-    list->AddRectFilled(toVec2(head.min), toVec2(head.max()),
-                        toU32(colors.rejected.withAlpha(alpha)), round);
-    if (each.hovered)
-        list->AddRect(toVec2(head.min), toVec2(head.max()), toU32(colors.text), round, 0, line);
+    p.box(head.min - line, head.max() + line, rim, round + line);
+    p.box(head, ink, round);
+    if (each.hovered) p.box(head, p.ink(&Palette::text).line(line), round);
     if (each.pin.count == 1) return;
-    const std::string text = std::to_string(each.pin.count);
-    const float size = 0.9F * em;
-    const ImVec2 extent = context.fonts.strong->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
-    const glm::vec2 middle = head.min + 0.5F * head.size;
-    list->AddText(context.fonts.strong, size,
-                  {std::round(middle.x - 0.5F * extent.x), std::round(middle.y - 0.5F * extent.y)},
-                  toU32(alpha > kReadableFrom ? colors.background : colors.rejected), text.c_str());
+    const Type type = pinType(context);
+    p.text({head.min.x + 0.5F * head.size.x,
+            std::round(head.min.y + 0.5F * (head.size.y - type.size))},
+           std::to_string(each.pin.count),
+           p.ink(alpha > kReadableFrom ? &Palette::background : &Palette::rejected), type);
 }
 
 }  // namespace
@@ -73,7 +66,11 @@ std::vector<FaultPin> offerFaultPins(const PanelContext& context) {
         places.push_back({at, projection.pixels(center, sizeOnMesh(model, each))});
     }
     for (const Pin& pin : pinsOf(places, context.rects.view, context.em)) {
-        FaultPin each{pin, headOf(pin, textWidthOf(context, pin), context.rects.view, context.em)};
+        const float width =
+            pin.count == 1
+                ? 0.0F
+                : ScreenPainter(context).textSize(std::to_string(pin.count), pinType(context)).x;
+        FaultPin each{pin, headOf(pin, width, context.rects.view, context.em)};
         const std::string name = "pin " + std::to_string(pin.place + 1);
         ImGui::SetCursorScreenPos(toVec2(each.head.min));
         if (ImGui::InvisibleButton(("##" + name).c_str(), toVec2(each.head.size)))

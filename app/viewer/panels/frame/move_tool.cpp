@@ -9,7 +9,7 @@
 #include "input/view_drag.h"
 #include "panel_state/move_tool.h"
 #include "panel_state/what_if_offers.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "scene/picking.h"
 #include "scene/point_move.h"
 #include "session/playback.h"
@@ -137,33 +137,29 @@ void drawMoveWay(const PanelContext& context) {
     const auto to = screen.at(model.toView(drag.to()));
     if (!from || !to) return;
     const float em = context.em;
+    ScreenPainter p(context);
     const float width = std::max(1.5F, 0.12F * em);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 ink = toU32(context.palette.text);
-    list->AddLine(toVec2(*from), toVec2(*to), ink, width);
-    list->AddCircle(toVec2(*from), 0.35F * em, ink, 0, width);
-    std::string text = moveText(drag);
+    const Ink ink = p.ink(&Palette::text);
+    p.line(*from, *to, ink.line(width));
+    p.circle(*from, 0.35F * em, ink.line(width));
     if (const auto turn = drag.turn() ? screen.at(model.toView(*drag.turn())) : std::nullopt) {
         const glm::vec2 way = *turn - *from;
         const float length = glm::length(way);
         const glm::vec2 along = length > 0.0F ? way / length : glm::vec2(1.0F, 0.0F);
         const glm::vec2 across = 0.7F * em * glm::vec2(-along.y, along.x);
-        list->AddLine(toVec2(*to), toVec2(*turn), toU32(context.palette.text.withAlpha(0.4F)),
-                      width);
-        const ImVec2 left = toVec2(*turn - across);
-        const ImVec2 right = toVec2(*turn + across);
-        list->AddLine(left, right, toU32(context.palette.background), 4.0F * width);
-        list->AddLine(left, right, ink, 2.0F * width);
+        p.line(*to, *turn, ink.withAlpha(0.4F).line(width));
+        p.line(*turn - across, *turn + across, p.ink(&Palette::background).line(4.0F * width));
+        p.line(*turn - across, *turn + across, ink.line(2.0F * width));
         context.where()["move turn"] = {*turn, glm::vec2(1.0F)};
     }
     context.where()["move way"] = {glm::min(*from, *to), glm::abs(*to - *from)};
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const std::string text = moveText(drag);
     const Rect& view = context.rects.view;
-    const glm::vec2 size(extent.x + 0.8F * em, extent.y + 0.3F * em);
+    const glm::vec2 size = p.textSize(text, {em}) + glm::vec2(0.8F, 0.3F) * em;
     const glm::vec2 corner =
         glm::clamp(*to + glm::vec2(1.2F, 1.2F) * em, view.min, view.max() - size);
-    fill(list, {corner, size}, context.palette.panel.withAlpha(0.92F), 0.3F * em);
-    list->AddText({corner.x + 0.4F * em, corner.y + 0.15F * em}, ink, text.c_str());
+    p.box({corner, size}, p.ink(&Palette::panel, 0.92F), 0.3F * em);
+    p.text(corner + glm::vec2(0.4F, 0.15F) * em, text, ink, {em});
 }
 
 }  // namespace se::view

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "panel_state/side_panels.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "session/session.h"
 #include "view_parts.h"
 
@@ -17,14 +17,12 @@ namespace {
 constexpr double kNormalShare = 0.5;
 constexpr float kPlaneDash = 0.5F;
 
-void dashedLine(ImDrawList* list, glm::vec2 from, glm::vec2 to, ImU32 color, float dash,
-                float width) {
+void dashedLine(ScreenPainter& painter, glm::vec2 from, glm::vec2 to, const Ink& ink, float dash) {
     const float length = glm::distance(from, to);
     if (length <= 0.0F) return;
     const glm::vec2 way = (to - from) / length;
     for (float done = 0.0F; done < length; done += 2.0F * dash)
-        list->AddLine(toVec2(from + done * way), toVec2(from + std::min(done + dash, length) * way),
-                      color, width);
+        painter.line(from + done * way, from + std::min(done + dash, length) * way, ink);
 }
 
 }  // namespace
@@ -44,23 +42,21 @@ void drawSectionPlane(const PanelContext& context) {
     const auto tip = at(kNormalShare * section.reach * section.normal);
     if (!left || !right || !foot || !tip) return;
     const float em = context.em;
-    const float width = std::max(1.0F, 0.1F * em);
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 rim = toU32(context.palette.background.withAlpha(0.7F));
-    const ImU32 ink = toU32(context.palette.text);
+    ScreenPainter painter(context);
+    const float width = painter.px(0.1F);
+    const Ink rim = painter.ink(&Palette::background, 0.7F).line(3.0F * width);
+    const Ink ink = painter.ink(&Palette::text);
     for (const auto& [from, to] : {std::pair{*left, *right}, {*foot, *tip}}) {
-        dashedLine(list, from, to, rim, kPlaneDash * em, 3.0F * width);
-        dashedLine(list, from, to, ink, kPlaneDash * em, width);
+        dashedLine(painter, from, to, rim, kPlaneDash * em);
+        dashedLine(painter, from, to, ink.line(width), kPlaneDash * em);
     }
-    const char* name = "section";
-    const float size = 0.84F * em;
-    const ImVec2 extent = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name);
+    const Type type{0.84F * em};
     const Rect& view = context.rects.view;
-    const glm::vec2 room(extent.x + 0.4F * em, extent.y);
+    const glm::vec2 room = painter.textSize("section", type) + glm::vec2(0.4F * em, 0.0F);
     const glm::vec2 corner =
         glm::clamp(*left - glm::vec2(0.2F * em + room.x, 0.4F * em), view.min, view.max() - room);
-    fill(list, {corner, room}, context.palette.background.withAlpha(0.75F), 0.15F * em);
-    list->AddText(context.fonts.text, size, {corner.x + 0.2F * em, corner.y}, ink, name);
+    painter.box({corner, room}, painter.ink(&Palette::background, 0.75F), 0.15F * em);
+    painter.text({corner.x + 0.2F * em, corner.y}, "section", ink, type);
 }
 
 }  // namespace se::view

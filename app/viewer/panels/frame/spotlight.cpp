@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "document/ui_state.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "scene/palette.h"
 #include "view_parts.h"
 
@@ -48,20 +48,19 @@ void drawSpotlight(const PanelContext& context) {
     // A ring that is wide enough to cover the rest of the view.
     const glm::vec2& size = context.rects.view.size;
     const float width = 2.0F * (size.x + size.y) + radius;
-    const Color shade = context.palette.background.withAlpha(1.0F - kStrengthBeyond);
-    ImGui::GetWindowDrawList()->AddCircle(toVec2(spot.center), radius + 0.5F * width, toU32(shade),
-                                          128, width);
+    ScreenPainter painter(context);
+    painter.circle(spot.center, radius + 0.5F * width,
+                   painter.ink(&Palette::background, 1.0F - kStrengthBeyond).line(width));
 }
 
 void drawHalo(const PanelContext& context) {
     const glm::vec2 pointer = pointerInWindow();
     if (!context.rects.view.contains(pointer)) return;
     const float radius = kHalo * context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const Color& color = context.palette.pivot;
-    list->AddCircleFilled(toVec2(pointer), radius, toU32(color.withAlpha(0.15F)), 48);
-    list->AddCircle(toVec2(pointer), radius, toU32(color.withAlpha(0.8F)), 48,
-                    std::max(1.5F, 0.12F * context.em));
+    ScreenPainter painter(context);
+    painter.circle(pointer, radius, painter.ink(&Palette::pivot, 0.15F));
+    painter.circle(pointer, radius,
+                   painter.ink(&Palette::pivot, 0.8F).line(std::max(1.5F, 0.12F * context.em)));
 }
 
 }  // namespace

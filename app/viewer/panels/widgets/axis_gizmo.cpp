@@ -8,7 +8,7 @@
 
 #include "layout/overlays.h"
 #include "scene/camera.h"
-#include "widgets.h"
+#include "screen_painter.h"
 
 namespace se::view {
 
@@ -49,24 +49,20 @@ std::array<AxisEnd, 6> endsOf(const PanelContext& context, const Rect& plate) {
 
 void drawEnd(const PanelContext& context, const AxisEnd& end, const glm::vec2& origin) {
     const float em = context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ScreenPainter p(context);
     // What points away from the eye steps back.
     const float share = 0.55F + 0.45F * std::clamp(end.near + 0.6F, 0.0F, 1.0F);
     const Color color = mix(context.palette.panel, kColors[end.axis], share);
     const float radius = (end.positive ? kEnd : kFarEnd) * em;
-    if (end.positive)
-        list->AddLine(toVec2(origin), toVec2(end.at), toU32(color), std::max(1.5F, 0.14F * em));
-    const Color inner =
-        end.positive || end.hovered ? color : mix(context.palette.panel, color, 0.25F);
-    list->AddCircleFilled(toVec2(end.at), radius, toU32(inner), 24);
-    const Color rim = end.hovered ? context.palette.text : color;
-    list->AddCircle(toVec2(end.at), radius, toU32(rim), 24, std::max(1.2F, 0.09F * em));
+    if (end.positive) p.line(origin, end.at, Ink(color).line(std::max(1.5F, 0.14F * em)));
+    const bool full = end.positive || end.hovered;
+    p.circle(end.at, radius, Ink(full ? color : mix(context.palette.panel, color, 0.25F)));
+    p.circle(end.at, radius,
+             Ink(end.hovered ? context.palette.text : color).line(std::max(1.2F, 0.09F * em)));
     if (!end.positive) return;
-    ImFont* font = context.fonts.strong;
-    const float size = 0.85F * em;
-    const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, 0.0F, kNames[end.axis]);
-    list->AddText(font, size, {end.at.x - 0.5F * extent.x, end.at.y - 0.54F * extent.y},
-                  toU32(context.palette.accentText), kNames[end.axis]);
+    const Type type{0.85F * em, Typeface::Strong, Align::Middle};
+    p.text(end.at - glm::vec2(0.0F, 0.54F * type.size), kNames[end.axis],
+           p.ink(&Palette::accentText), type);
 }
 
 }  // namespace
@@ -99,8 +95,8 @@ std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const 
 
 void drawAxes(const PanelContext& context, const AxisGizmo& gizmo) {
     const glm::vec2 origin = gizmo.plate.min + 0.5F * gizmo.plate.size;
-    ImGui::GetWindowDrawList()->AddCircleFilled(toVec2(origin), 0.5F * gizmo.plate.size.x,
-                                                toU32(context.palette.panel.withAlpha(0.82F)), 48);
+    ScreenPainter painter(context);
+    painter.circle(origin, 0.5F * gizmo.plate.size.x, painter.ink(&Palette::panel, 0.82F));
     for (auto end = gizmo.ends.rbegin(); end != gizmo.ends.rend(); ++end)
         drawEnd(context, *end, origin);
 }
