@@ -193,9 +193,10 @@ ExitCode reduceVerb(const Arguments& words) {
     if (!run.params.whatIf.empty())
         throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
     requireNoStart(run.params.start, "reduce");
+    const State whole = reconstruct(run.points, run.params).state;
     const MeshFailure failure =
-        pickFailure(inspectWithTotals(run.points, reconstruct(run.points, run.params).state.mesh()),
-                    wanted, arguments.input.input());
+        pickFailure(inspectWithTotals(run.points, whole.mesh()), wanted, arguments.input.input());
+    const bool backToBack = isBackToBack(failure, whole.mesh());
     const std::vector<Vec3> places = placesOf(run.points, failure);
     // Removed points leave a border: a loop counts only if it is the original one.
     const auto fails = [&](const PointFile& file) -> ReduceTry {
@@ -206,7 +207,7 @@ ExitCode reduceVerb(const Arguments& words) {
         const MeshInspection found = inspectWithTotals(points, end.mesh());
         const std::vector<MeshFailure>& all = found.failures;
         const bool still = std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
-            return each.kind == wanted.kind &&
+            return each.kind == wanted.kind && backToBack == isBackToBack(each, end.mesh()) &&
                    (!isLoop(failure) || placesOf(points, each) == places);
         });
         return {still, workOf(points, end, found)};

@@ -5,6 +5,7 @@
 #include "spiraling_edge/why/reduce.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -129,6 +130,27 @@ Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress) {
     return Reducer(file, fails, effort, progress).run(place);
+}
+
+bool isBackToBack(const MeshFailure& failure, std::span<const Triangle> mesh) {
+    if (failure.triangles.empty()) return false;
+    const auto cornersOf = [](const Triangle& t) {
+        std::array<Index, 3> corners{t.a, t.b, t.c};
+        std::sort(corners.begin(), corners.end());
+        return corners;
+    };
+    const auto corners = cornersOf(mesh[failure.triangles.front()]);
+    std::size_t same = 0;
+    for (const Triangle& each : mesh) {
+        const auto other = cornersOf(each);
+        if (other == corners) {
+            ++same;
+        } else if (std::find_first_of(other.begin(), other.end(), corners.begin(), corners.end()) !=
+                   other.end()) {
+            return false;
+        }
+    }
+    return same > 1;
 }
 
 }  // namespace se

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/points/point_file.h"
 
 namespace se {
@@ -34,5 +36,9 @@ struct ReduceTry {
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress = {});
+
+/// True if the triangles of a failure are two with the same three points, apart from the rest of
+/// the mesh: any three points alone give these, whatever failed before.
+bool isBackToBack(const MeshFailure& failure, std::span<const Triangle> mesh);
 
 }  // namespace se

@@ -56,6 +56,19 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     }
 }
 
+TEST_CASE("reduce: three points back to back are told from a failure within a surface") {
+    MeshFailure pair;
+    pair.triangles = {0, 1};
+    const std::vector<Triangle> alone{{0, 1, 2}, {2, 1, 0}};
+    CHECK(isBackToBack(pair, alone));
+    const std::vector<Triangle> apart{{0, 1, 2}, {2, 1, 0}, {3, 4, 5}};
+    CHECK(isBackToBack(pair, apart));
+    const std::vector<Triangle> within{{0, 1, 2}, {2, 1, 0}, {2, 1, 3}};
+    CHECK_FALSE(isBackToBack(pair, within));
+    CHECK_FALSE(isBackToBack(pair, std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+    CHECK_FALSE(isBackToBack(MeshFailure{}, alone));
+}
+
 TEST_CASE("reduce: an input that does not fail, and a cancelled one") {
     const PointFile file = closedFamilies()[0].sample(1);
     CHECK_FALSE(reduceFully(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
