@@ -18,27 +18,35 @@ Json sceneJson(const Scene& scene) {
             {"points", scene.build().position.size()}};
 }
 
-Answer scenesAnswer() {
+std::string scenesText() {
     std::size_t width = 0;
     for (const Scene& scene : scenes()) width = std::max(width, scene.id.size());
     for (const FailureScene& each : failureScenes()) width = std::max(width, each.scene.id.size());
-    Answer answer{"", Json::array()};
+    std::string text;
+    for (const Scene& scene : scenes())
+        text += fmt::format("scene:{:<{}}  {}\n", scene.id, width, scene.title);
+    for (const FailureScene& each : failureScenes())
+        text += fmt::format("scene:{:<{}}  {}: {}, at {}\n", each.scene.id, width, each.scene.title,
+                            each.failure, each.address);
+    return text;
+}
+
+/// Builds every scene for the number of its points.
+Json scenesJson() {
+    Json json = Json::array();
     for (const Scene& scene : scenes()) {
-        answer.text += fmt::format("scene:{:<{}}  {}\n", scene.id, width, scene.title);
-        answer.json.push_back(sceneJson(scene));
-        if (!scene.address.empty()) answer.json.back()["address"] = scene.address;
+        json.push_back(sceneJson(scene));
+        if (!scene.address.empty()) json.back()["address"] = scene.address;
     }
     for (const FailureScene& each : failureScenes()) {
-        answer.text += fmt::format("scene:{:<{}}  {}: {}, at {}\n", each.scene.id, width,
-                                   each.scene.title, each.failure, each.address);
-        answer.json.push_back(sceneJson(each.scene));
-        answer.json.back().update({{"failure", each.failure},
-                                   {"address", each.address},
-                                   {"section", each.section},
-                                   {"sentence", each.sentence},
-                                   {"helps", each.helps}});
+        json.push_back(sceneJson(each.scene));
+        json.back().update({{"failure", each.failure},
+                            {"address", each.address},
+                            {"section", each.section},
+                            {"sentence", each.sentence},
+                            {"helps", each.helps}});
     }
-    return answer;
+    return json;
 }
 
 }  // namespace
@@ -52,7 +60,7 @@ ExitCode scenesVerb(const Arguments& words) {
     bool json = false;
     app.add_flag("--json", json, "As JSON, with the number of points and what to look at");
     if (const auto code = parseArguments(app, words)) return *code;
-    print(scenesAnswer(), json);
+    print(json ? Answer{"", scenesJson()} : Answer{scenesText(), {}}, json);
     return ExitCode::Good;
 }
 
