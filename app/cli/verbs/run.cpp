@@ -347,8 +347,7 @@ ChosenRun chooseRun(const RunArguments& arguments, const RunSpec& named, const P
 /// Prints the summary and determines the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
-    if (arguments.report.empty() && !arguments.quiet) printNote(summaryText(outcome));
-    if (!arguments.quiet) printNote(shiftText(outcome));
+    if (!arguments.quiet) printNote(summaryText(outcome) + shiftText(outcome));
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       "{}: stopped at {}, more than a surface can have; the mesh so far is not a "
