@@ -39,15 +39,9 @@ const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment) {
 Selection subjectOf(const RunFailure& alert) {
     const MeshFailure& failure = alert.failure;
     if (failure.points.size() == 1) return Selection::ofPoint(failure.points[0]);
-    const bool border = isLoop(failure) || failure.triangles.empty();
-    if (border) {
-        const LedgerLine& line = alert.moments.unavoidable;
-        const Index tested = testedPoint(line.event);
-        return Selection::ofPoint(tested != kNone       ? tested
-                                  : line.pivot != kNone ? line.pivot
-                                                        : failure.points[0]);
-    }
+    if (isLoop(failure)) return {};
     if (failure.points.size() == 2) return Selection::ofEdge(failure.points[0], failure.points[1]);
+    if (failure.triangles.empty()) return {};
     const auto* made = std::get_if<EmitEvidence>(&alert.moments.created.event.evidence);
     return Selection::ofTriangle(made != nullptr ? made->corners : alert.corners.back());
 }
@@ -87,7 +81,10 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     const Selection subject = subjectOf(chosen);
     session.select(subject);
     // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
-    if (session.questions().subject() != subject) session.questions().askWhy(subject);
+    if (subject.kind == SelectionKind::None)
+        session.questions().askWhy(chosen);
+    else if (session.questions().subject() != subject)
+        session.questions().askWhy(subject);
     if (moment) session.moves().goTo(momentOf(chosen, *moment).event.address);
     context.ui.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;

@@ -19,8 +19,7 @@ inline constexpr std::array<AlertMoment, 3> kAlertMoments{
 std::string_view momentName(AlertMoment moment);
 const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment);
 
-/// Subject of a "why?" query: the faulty triangle, edge or point; for a hole the point whose
-/// refusal left it.
+/// The faulty triangle, edge or point; empty for a hole or a ring, which is asked about as a whole.
 Selection subjectOf(const RunFailure& alert);
 /// "intersecting triangles"
 std::string titleOf(const FailureClass& kind);

@@ -1,6 +1,7 @@
 #include "ask_actions.h"
 
 #include "actions.h"
+#include "alert_actions.h"
 #include "compare/compared_runs.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
@@ -17,6 +18,13 @@ std::string behindTheList(const FoundDecisions& found, const Session& session) {
     const std::string to = std::to_string(session.overview().lastPivot);
     return "The list ends here, with " + grouped(found.lines.size()) + " of " +
            grouped(found.total) + ": add at=" + from + ".." + to + " to the line for the rest.";
+}
+
+/// Shows the panel Ledger for a query about something else than the selection.
+void showLedger(CommandContext& c) {
+    c.ui.ledger.seen = c.session.selection();
+    c.ui.ledger.complaint.clear();
+    actions::showPart(c, kLedgerPart);
 }
 
 }  // namespace
@@ -42,10 +50,15 @@ void askWhy(CommandContext& c, const Selection& what) {
 
 void askWhy(CommandContext& c, const RingAddress& ring) {
     if (!c.session.ready()) return;
-    c.ui.ledger.seen = c.session.selection();
-    c.ui.ledger.complaint.clear();
-    showPart(c, kLedgerPart);
+    showLedger(c);
     c.session.questions().askWhy(ring);
+}
+
+void askWhy(CommandContext& c, const RunFailure& failure) {
+    const Selection subject = subjectOf(failure);
+    if (subject.kind != SelectionKind::None) return askWhy(c, subject);
+    showLedger(c);
+    c.session.questions().askWhy(failure);
 }
 
 void askTyped(CommandContext& c) {
@@ -89,6 +102,7 @@ void askWhySelected(CommandContext& c) {
     if (c.ui.layoutPreset == LayoutPreset::Compare)
         return c.session.messages().say(
             "Select a point, an edge or a triangle to ask both runs about.");
+    if (const RunFailure* alert = c.session.alerts().shown()) return askWhy(c, *alert);
     showPart(c, kLedgerPart);
     c.ui.ledger.wantsKeyboard = true;
 }

@@ -1,10 +1,13 @@
 #include "questions.h"
-#include "spiraling_edge/base/outside_text.h"
 
 #include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <utility>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/run/event_text.h"
 
 namespace se::view {
 
@@ -61,6 +64,33 @@ void Questions::askWhy(const RingAddress& ring) {
         return WhyAnswer{nameOf(ring), true, std::move(history.lines), history.cause,
                          std::move(history.answer)};
     });
+}
+
+void Questions::askWhy(const RunFailure& failure) {
+    assert(model_);
+    const MeshFailure& what = failure.failure;
+    const LedgerLine& cause = failure.moments.unavoidable;
+    const auto address = [](const LedgerLine& line) { return line.event.address; };
+    WhyAnswer answer{
+        std::string(what.kind->singular) + " of " + counted(what.points.size(), "point"),
+        true,
+        {failure.moments.touched, cause, failure.moments.created}};
+    auto& lines = answer.lines;
+    std::stable_sort(lines.begin(), lines.end(), [&](const LedgerLine& a, const LedgerLine& b) {
+        return isBefore(address(a), address(b));
+    });
+    const auto same = [&](const LedgerLine& a, const LedgerLine& b) {
+        return address(a) == address(b);
+    };
+    lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
+    while (!same(lines[answer.cause], cause)) ++answer.cause;
+    answer.answer = std::string(what.kind->meaning) +
+                    " Unavoidable after: " + describe(cause.event) + " (" +
+                    toString(address(cause)) + ")";
+    subject_ = {};
+    subjectName_ = answer.name;
+    ledger_.start(
+        [answer = std::move(answer)](const Progress&) -> Result<WhyAnswer> { return answer; });
 }
 
 void Questions::askAgain() {

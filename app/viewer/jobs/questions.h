@@ -11,16 +11,17 @@
 #include "run/selection.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/run_charts.h"
+#include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/ledger.h"
 #include "spiraling_edge/why/nearest_decisions.h"
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
 
-/// A ledger: of a point, an edge, a triangle, or a ring.
+/// A ledger: of a point, an edge, a triangle, a ring, or a hole.
 struct WhyAnswer {
-    std::string name;                    ///< "point 812", "ring #2 at 137".
-    bool present = false;                ///< In the mesh at the end of the run; of a ring: true.
+    std::string name;      ///< "point 812", "ring #2 at 137", "hole of 4 points".
+    bool present = false;  ///< In the mesh at the end of the run; of a ring, a hole: true.
     std::vector<LedgerLine> lines = {};  ///< In the order of the run; never empty.
     std::size_t cause = 0;               ///< The decisive line.
     std::string answer = {};             ///< Ends with the address of the cause.
@@ -50,9 +51,11 @@ class Questions {
     /// not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
+    /// Answers why a failure is there, from its moments; for a hole, which is no selection.
+    void askWhy(const RunFailure& failure);
     /// Repeats the last query of askWhy().
     void askAgain();
-    /// Selection of the last query of askWhy(); empty if that was a ring.
+    /// Selection of the last query of askWhy(); empty if that was a ring or a hole.
     const Selection& subject() const { return subject_; }
     /// The last query of askWhy() in words; empty if there was none.
     const std::string& subjectName() const { return subjectName_; }

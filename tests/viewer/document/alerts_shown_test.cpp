@@ -555,6 +555,28 @@ TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
     }
 }
 
+TEST_CASE("Why of a hole is answered by its moments, not by a point near it") {
+    AlertApp app("scene:four-edge-hole");
+    const auto& failures = app.session.alerts().search().failures();
+    const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
+        return isLoop(each.failure) && each.failure.kind->fault;
+    });
+    REQUIRE(hole != failures.end());
+    showAlert(app.context, static_cast<std::size_t>(hole - failures.begin()), {});
+    actions::askWhySelected(app.context);
+    app.session.waitUntilDone();
+    CHECK(app.session.selection().kind == SelectionKind::None);
+    CHECK(app.ui.column.part == kLedgerPart);
+    const WhyAnswer* answer = app.session.questions().ledger().answer();
+    REQUIRE(answer != nullptr);
+    CHECK(answer->name == "hole of 4 points");
+    const Address unavoidable = hole->moments.unavoidable.event.address;
+    CHECK(answer->lines[answer->cause].event.address == unavoidable);
+    CHECK(answer->answer.find("(" + toString(unavoidable) + ")") != std::string::npos);
+    CHECK(answer->lines.front().event.address == hole->moments.touched.event.address);
+    CHECK(answer->lines.back().event.address == hole->moments.created.event.address);
+}
+
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
     AlertApp app("scene:four-edge-hole");
     REQUIRE(app.session.alerts().chosen());

@@ -191,11 +191,15 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
 void drawWhy(const PanelContext& context, const RunFailure& alert) {
     Session& session = context.session();
     const Selection subject = subjectOf(alert);
+    const bool whole = subject.kind == SelectionKind::None;
     const Questions& questions = session.questions();
-    if (smallButton(context, "Why? " + selectionText(subject), "alert why",
-                    "Every decision about it, in the panel Ledger"))
-        askWhy(context.commands, subject);
-    const bool mine = questions.subject() == subject;
+    const std::string name =
+        whole ? std::string(alert.failure.kind->singular) : selectionText(subject);
+    if (smallButton(context, "Why? " + name, "alert why",
+                    whole ? "Its moments, in the panel Ledger"
+                          : "Every decision about it, in the panel Ledger"))
+        askWhy(context.commands, alert);
+    const bool mine = !whole && questions.subject() == subject;
     const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
     if (answer != nullptr) dimText(withShortNumbers(answer->answer));
     ImGui::Spacing();
