@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compare/comparison.h"
+#include "document/edit_history.h"
 #include "document/ui_state.h"
 #include "session/session.h"
 
@@ -22,6 +23,9 @@ bool isOpen(const CommandContext& c) { return c.session.ready(); }
 bool isBeforeEnd(const CommandContext& c) { return !c.session.atEnd(); }
 bool isAfterStart(const CommandContext& c) { return !c.session.atStart(); }
 bool hasWhatIfs(const CommandContext& c) { return !c.session.input().spec().whatIf.empty(); }
+bool hasChangedRules(const CommandContext& c) { return !c.session.input().spec().choices.empty(); }
+bool canUndo(const CommandContext& c) { return c.history.undoDepth() > 0; }
+bool canRedo(const CommandContext& c) { return c.history.redoDepth() > 0; }
 bool isChecked(const CommandContext& c) { return c.session.alerts().search().done(); }
 bool hasPlaces(const CommandContext& c) { return !c.session.alerts().search().places().empty(); }
 bool compares(const CommandContext& c) {
@@ -51,6 +55,9 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"run.start", isAfterStart, "This is the start of the run."},
     {"step.alert.", isChecked, "The mesh is not checked yet."},
     {"step.alert.", hasPlaces, "The mesh has no faults."},
+    {"edit.undo", canUndo, "There is nothing to undo."},
+    {"edit.redo", canRedo, "There is nothing to redo."},
+    {"edit.rules.reset", hasChangedRules, "All rules have the values of their set."},
     {"edit.whatif.clear", hasWhatIfs, "There are no what-ifs."},
     {"run.compare.stop", compares, "Nothing is compared."},
     {"run.compare.swap", compares, "Nothing is compared."},

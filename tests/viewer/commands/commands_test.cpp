@@ -249,6 +249,9 @@ TEST_CASE("What cannot act says why") {
     CHECK(why("help.keys").empty());
     CHECK(why("run.play").empty());
     CHECK(why("run.start") == "This is the start of the run.");
+    CHECK(why("edit.undo") == "There is nothing to undo.");
+    CHECK(why("edit.redo") == "There is nothing to redo.");
+    CHECK(why("edit.rules.reset") == "All rules have the values of their set.");
     CHECK(why("edit.whatif.clear") == "There are no what-ifs.");
     CHECK(why("run.compare.stop") == "Nothing is compared.");
     app.open.session.moves().toEnd();
