@@ -64,11 +64,11 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ImGui::ActivateItem(ImGui::GetFocusID());
         return true;
     }
+    if (endsBlankScreen(chord)) return true;
     const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
     if (!over && !repeated && runOnPieceTool(chord, commands_)) return true;
     if (!over && !repeated && answerByKey(chord, commands_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
-    if (endsBlankScreen(chord)) return true;
     const Command* command = commandFor(chord);
     // A question comes first.
     if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
@@ -101,6 +101,9 @@ const Command* Application::commandFor(const KeyChord& chord) const {
     if (usual != nullptr && isOfLesson(*usual)) return usual;
     const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.growth.open;
     const Command* first = present ? presenterCommandFor(chord) : nullptr;
+    // Where a question is open, the start of what is shown is its position.
+    if (first != nullptr && first == findCommand("run.start") && ui_.lesson.hides())
+        return findCommand("lesson.return");
     return first != nullptr ? first : usual;
 }
 

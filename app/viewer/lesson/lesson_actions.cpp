@@ -25,17 +25,35 @@ bool isAllowedDuringQuestion(const Command& command) {
     return among(kGroups, command.group) || among(kOthers, command.id);
 }
 
+namespace {
+
+/// Adds a sign to the number that is the answer. One that was wrong is replaced by the next.
+bool typeNumber(int key, LessonWalk& walk) {
+    const bool sign = (key >= '0' && key <= '9') || key == '.' || key == '-';
+    if (!sign && key != key::kBackspace) return false;
+    std::string typed = walk.state().grade ? std::string{} : walk.state().typed;
+    if (sign)
+        typed += static_cast<char>(key);
+    else if (!typed.empty())
+        typed.pop_back();
+    walk.type(std::move(typed));
+    return true;
+}
+
+}  // namespace
+
 bool answerByKey(const KeyChord& chord, CommandContext& context) {
     LessonPanel& panel = context.ui.lesson;
-    if (chord.mods != kNoMods || !panel.hides() || panel.countsHands ||
-        context.ui.layoutPreset == LayoutPreset::Present)
-        return false;
+    if (chord.mods != kNoMods || !panel.hides() || panel.countsHands) return false;
     LessonWalk& walk = panel.walk;
     if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
-        if (walk.state().given == teach::Answer{}) return false;
-        context.lesson.answer();
+        if (walk.state().given == teach::Answer{})
+            context.session.messages().say("Give an answer first, or show it.");
+        else
+            context.lesson.answer();
         return true;
     }
+    if (walk.question()->kind == "number") return typeNumber(chord.key, walk);
     const std::size_t count = walk.question()->options.size();
     const auto option = static_cast<std::size_t>(chord.key - 'A');
     if (chord.key < 'A' || option >= count) return false;

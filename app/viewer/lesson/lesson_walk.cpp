@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "rows/evidence_rows.h"
+#include "run/number_format.h"
 #include "run/strings.h"
 
 namespace se::view {
@@ -127,16 +129,35 @@ const Event* LessonWalk::decisionAgainstTry() const {
     const std::vector<teach::PlayMove>& given = state().given.moves;
     const std::vector<teach::RunMove> moves = teach::movesOfRun(shown);
     const std::size_t alike = teach::movesAlike(given, right().answer.moves);
+    if (alike == given.size()) return nullptr;
     const teach::RunMove* expected = alike < moves.size() ? &moves[alike] : nullptr;
-    const Event* against = alike < given.size()
-                               ? teach::decisionAgainst(shown, given[alike], expected)
-                           : expected != nullptr ? &expected->event
-                                                 : nullptr;
+    const Event* against = teach::decisionAgainst(shown, given[alike], expected);
+    // Of the next pivot only the rule is told.
+    const bool tells = expected != nullptr && against == &expected->event &&
+                       expected->move.kind != teach::MoveKind::NextPivot &&
+                       expected->move.points != given[alike].points;
+    if (tells || (against != nullptr && isA<EmitEvidence>(*against))) return nullptr;
     // Not that of `moves`, which end with this function.
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const Event& each) {
         return against != nullptr && each.address == against->address;
     });
     return same != shown.end() ? &*same : nullptr;
+}
+
+std::string LessonWalk::tryText() const {
+    if (!state().complaint.empty()) return "! " + state().complaint;
+    const auto& grade = state().grade;
+    if (!grade || grade->right) return {};
+    if (question()->kind != "play") return "Not right yet. Try again, or show the answer.";
+    const std::vector<teach::PlayMove>& given = state().given.moves;
+    const std::size_t alike = teach::movesAlike(given, right().answer.moves);
+    const std::string upTo =
+        alike == 0 ? "Not so. " : "Right up to move " + std::to_string(alike) + ". ";
+    if (alike == given.size()) return upTo + "More follows.";
+    const Event* against = decisionAgainstTry();
+    if (against == nullptr) return upTo + "Another move follows.";
+    return upTo + "Section " + sectionOf(*against) + ": " +
+           withShortNumbers(teach::moveReasonText(*against, names()));
 }
 
 void LessonWalk::type(std::string text) {

@@ -70,8 +70,11 @@ class LessonWalk {
     void chooseMove(teach::MoveKind move) { states_[step_].move = move; }
     void removeMove(std::size_t move);
     /// Of a pivot to play, after a wrong try: the decision of the run against the first wrong move;
-    /// null if there is none.
+    /// null if there is none, or if it would tell a move that is still to find.
     const Event* decisionAgainstTry() const;
+    /// What is wrong with the answer given, without the right one: why it cannot be read, or that
+    /// the last try was wrong. Empty if nothing is.
+    std::string tryText() const;
     /// Points that the answer given names.
     std::vector<Index> givenPoints() const;
     void setHands(std::vector<int> hands) { states_[step_].hands = std::move(hands); }

@@ -190,6 +190,29 @@ TEST_CASE("A wrong move of a played pivot is answered by the decision of the run
     }
 }
 
+TEST_CASE("A wrong try of a played pivot is never told the move that is still to find") {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        CAPTURE(seed);
+        const teach::PracticeTask task = teach::practiceTask(seed);
+        std::string right;
+        for (std::size_t i = 0; i < task.solution.size(); ++i) {
+            // The first moves, and those with one left out.
+            const auto& next = task.solution[i];
+            LessonWalk walk = practiceOf(seed);
+            for (const std::string& last : {std::string(), std::string("; fan none; next none")}) {
+                if (right.empty() && last.empty()) continue;
+                walk.type(right + last);
+                walk.answer();
+                if (!walk.asks()) continue;
+                const Event* against = walk.decisionAgainstTry();
+                if (against != nullptr && !isA<AdvanceEvidence>(*against))
+                    CHECK(toString(against->address) != toString(next.event.address));
+            }
+            right += (right.empty() ? "" : "; ") + teach::moveText(next.move);
+        }
+    }
+}
+
 TEST_CASE("A point that the input does not have is no answer") {
     LessonWalk walk = spiralAt(1);
     walk.setPointCount(76);

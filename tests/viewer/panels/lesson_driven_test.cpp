@@ -107,6 +107,21 @@ TEST_CASE("Present shows the address, blanks the screen by its keys, and dims by
     CHECK(app["pivot_arrow"] == "false");
 }
 
+TEST_CASE("In Present an open question has the keys of its answers, and F5 returns to it") {
+    DrivenApp app({"lesson:removal", "--step", "6", "--layout", "present"});
+    if (!app) return;
+    const std::string asked = app.address();
+    app.press("Left F5");
+    CHECK(app.address() == asked);
+    app.press("B");
+    CHECK(app["blank"] == "false");
+    CHECK(app["given"] == "B");
+    app.press("Enter");
+    CHECK(app["answered_right"] == "true");
+    app.press("B");
+    CHECK(app["blank"] == "true");
+}
+
 TEST_CASE(
     "An arrow leads to a pivot outside of the view, in every layout, and stays while stepping") {
     DrivenApp app({"scene:sphere", "--goto", "40.sphere.1", "--layout", "present"});

@@ -41,9 +41,18 @@ std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWal
     const auto right =
         walk.asks() ? std::nullopt
                     : teach::rightOption({*question, walk.setting().names}, walk.right().answer);
-    for (std::size_t i = 0; i < question->options.size(); ++i)
-        all.push_back({teach::optionLetter(i) + "   " + question->options[i],
-                       right == i ? palette.used : palette.text});
+    const auto& given = walk.state().given.choice;
+    for (std::size_t i = 0; i < question->options.size(); ++i) {
+        const bool chosen = walk.asks() && given == i;
+        all.push_back({(chosen ? "> " : "") + teach::optionLetter(i) + "   " + question->options[i],
+                       chosen       ? palette.accent
+                       : right == i ? palette.used
+                                    : palette.text});
+    }
+    if (walk.asks() && question->options.empty() && !walk.state().typed.empty())
+        all.push_back({"Your answer: " + walk.state().typed, palette.accent});
+    if (const std::string wrong = walk.asks() ? walk.tryText() : ""; !wrong.empty())
+        all.push_back({wrong, palette.last});
     if (!walk.asks() && !right) all.push_back({"Answer: " + walk.right().text, palette.used});
     return all;
 }

@@ -9,12 +9,10 @@
 #include "lesson/lesson_player.h"
 #include "lesson_parts.h"
 #include "panels/widgets/widgets.h"
-#include "rows/evidence_rows.h"
 #include "run/number_format.h"
 #include "scene/palette.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
-#include "spiraling_edge/run/reading.h"
 #include "teach/play_moves.h"
 
 namespace se::view {
@@ -128,24 +126,6 @@ void drawField(const PanelContext& context, LessonWalk& walk) {
     if (entered) context.commands.lesson.answer();
 }
 
-/// Below the buttons, which keep their place: why the answer cannot be read; or, after a wrong try,
-/// that it is wrong, without saying what.
-void drawTry(const PanelContext& context, const LessonWalk& walk) {
-    if (!walk.state().complaint.empty())
-        return wrappedText("! " + walk.state().complaint, context.palette.rejected);
-    const auto& grade = walk.state().grade;
-    if (!grade || grade->right) return;
-    const Event* against = walk.decisionAgainstTry();
-    if (against == nullptr)
-        return wrappedText("Not right yet. Try again, or show the answer.", context.palette.last);
-    const std::size_t alike =
-        teach::movesAlike(walk.state().given.moves, walk.right().answer.moves);
-    wrappedText((alike == 0 ? "Not so" : "Right up to move " + std::to_string(alike)) +
-                    ". Section " + sectionOf(*against) + ": " +
-                    withShortNumbers(teach::moveReasonText(*against, walk.names())),
-                context.palette.last);
-}
-
 void drawOpen(const PanelContext& context, LessonWalk& walk) {
     LessonPanel& panel = context.state<LessonPanel>();
     const bool room = panel.countsRoom();
@@ -173,7 +153,10 @@ void drawOpen(const PanelContext& context, LessonWalk& walk) {
         ImGui::Checkbox("Count hands of a room", &panel.countsHands);
         nameItem(context, "lesson hands");
     }
-    drawTry(context, walk);
+    // Below the buttons, which keep their place.
+    if (const std::string wrong = walk.tryText(); !wrong.empty())
+        wrappedText(wrong, walk.state().complaint.empty() ? context.palette.last
+                                                          : context.palette.rejected);
     if (walk.question()->kind == "play") drawMoves(context, walk);
 }
 
