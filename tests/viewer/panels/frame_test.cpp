@@ -1,5 +1,7 @@
 /// Areas, column, strips, the start page and keys that lead through all of them.
 #include <doctest/doctest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "driven_app.h"
 #include "open_session.h"
@@ -55,6 +57,84 @@ TEST_CASE("Every part opens from the rail, in every size of the window") {
     checkRoom(app, {390, 844}, 0.25F);
     checkParts(app);
     CHECK(app.address() == "137.sphere.1");
+}
+
+TEST_CASE("The sheet of the keys fits a window of 1280x800 without scrolling") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    app.press("F1");
+    const ImGuiWindow* sheet = ImGui::FindWindowByName("Keys and mouse");
+    REQUIRE(sheet != nullptr);
+    CHECK(sheet->ScrollMax.y == 0.0F);
+}
+
+TEST_CASE("The decisions of a stage fill their strip, and the strips say where nothing is") {
+    DrivenApp app({"scene:torus", "--goto", "137.pivot"});
+    if (!app) return;
+    app.press("Ctrl+J Ctrl+J");
+    const auto ink = [&] {
+        const Picture picture = app.picture();
+        const Rect strip = app.ui.where.at("strip stage");
+        const auto at = [&](float x, float y) {
+            const auto pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.x) +
+                static_cast<std::size_t>(x);
+            return picture.rgba[4 * pixel];
+        };
+        std::size_t marked = 0;
+        for (float x = strip.min.x; x < strip.max().x; x += 1.0F)
+            marked += at(x, strip.min.y + 0.5F * strip.size.y) != at(x, strip.max().y + 3.0F);
+        return static_cast<float>(marked) / strip.size.x;
+    };
+    for (const char* place : {"137.pivot", "137.emit.1", "137.sort.2"}) {
+        app.goTo(place);
+        CAPTURE(place);
+        CHECK(ink() > 0.8F);
+    }
+    app.press("Home");
+    CHECK(ink() > 0.0F);
+}
+
+TEST_CASE("On a phone the menu has address, layers, legend and bookmarks, and the sentence stays") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"}, {390, 844});
+    if (!app) return;
+    const auto choose = [&](const std::string& item) {
+        app.clickOn("menu");
+        app.clickOn("item " + item);
+    };
+    app.clickOn("rail Step");
+    CHECK(app.app.areas().column.size.y > 300.0F);
+    CHECK(app.app.areas().narration.size.y > 60.0F);
+    app.clickOn("rail Step");
+    CHECK_FALSE(app.shows("legend"));
+    choose("view.legend");
+    CHECK(app.shows("legend"));
+    choose("view.legend");
+    CHECK_FALSE(app.shows("legend"));
+    choose("step.goto");
+    app.type("140.sphere.1");
+    app.press("Enter");
+    CHECK(app.address() == "140.sphere.1");
+    for (const char* item : {"view.layers", "notes.show"}) {
+        choose(item);
+        CHECK(app.ui.popupOpen);
+        app.press("Esc");
+        CHECK_FALSE(app.ui.popupOpen);
+    }
+}
+
+TEST_CASE("The offer of the tour lies in the column, not over the model") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    app.ui.offersTour = true;
+    app.settle();
+    app.frames(2);
+    const Rect offer = app.ui.where.at("tour take");
+    const Rect column = app.app.areas().column;
+    CHECK(column.contains(offer.min));
+    CHECK(column.contains(offer.max()));
+    app.clickOn("tour later");
+    CHECK_FALSE(app.shows("tour take"));
 }
 
 TEST_CASE("At twice the scale the view keeps its share") {
