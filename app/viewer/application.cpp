@@ -225,6 +225,7 @@ void Application::settleCamera() {
 void Application::frameNow(FrameRequest request) {
     frameRequested(commands_, request);
     framed_ = Framed{request, ui_.viewPart(), camera_.revision()};
+    if (request == FrameRequest::Decision) closeUp_ = camera_.revision();
 }
 
 /// Smooth moves of the camera. While the decision is followed, one begins where the cursor comes to
@@ -254,7 +255,19 @@ void Application::moveCamera() {
             followPivot(commands_);
         }
     }
+    if (placed && session_.atEnd() && !std::exchange(ended_, true)) showFinishedMesh();
+    ended_ = ended_ && (!placed || session_.atEnd());
+    const bool follows = ui_.cameraMove.kind() == CameraMove::Kind::Followed;
     ui_.cameraMove.apply(camera_, ui_.clock);
+    if (follows) closeUp_ = camera_.revision();
+}
+
+/// The end of a run whose decisions were seen from near, where the camera followed them there and
+/// nothing else has moved it since: all of the mesh.
+void Application::showFinishedMesh() {
+    const bool near =
+        closeUp_ == camera_.revision() && followed_.generation == session_.generation();
+    if (near && ui_.follow != Follow::Never) moveToAll(commands_, CameraMove::Kind::Followed);
 }
 
 void Application::drawUserInterface(const PanelRects& rects) {

@@ -141,6 +141,7 @@ class Application {
     void settleCamera();
     void frameNow(FrameRequest request);
     void moveCamera();
+    void showFinishedMesh();
     void saveWindowPicture(glm::ivec2 size);
     void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }
@@ -169,8 +170,10 @@ class Application {
     bool working_ = false;           ///< Without threads: there is work left.
     const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
     FollowedDecision followed_;      ///< Last decision at the cursor.
-    bool dragged_ = false;           ///< A point was being dragged in the last frame.
-    std::string homeOf_;             ///< Name of the input that the camera was reset for.
+    std::optional<unsigned> closeUp_;  ///< Revision of the camera as it was led to a decision.
+    bool ended_ = false;               ///< The cursor was at the end of the run.
+    bool dragged_ = false;             ///< A point was being dragged in the last frame.
+    std::string homeOf_;               ///< Name of the input that the camera was reset for.
     std::string writtenState_;
     std::string narrated_;          ///< Address of the last sentence on stdout.
     std::optional<Framed> framed_;  ///< Framed while the layout was settling.

@@ -87,6 +87,10 @@ void moveToDecision(CommandContext& context, CameraMove::Kind kind) {
     moveTo(context, kind, [](CommandContext& c) { frameDecision(c); });
 }
 
+void moveToAll(CommandContext& context, CameraMove::Kind kind) {
+    moveTo(context, kind, actions::frameAll);
+}
+
 void followPivot(CommandContext& context) {
     const Model& model = context.session.shown();
     const Index pivot = context.session.picture().pivot;

@@ -38,6 +38,8 @@ void frameStep(CommandContext& context, bool all, const std::optional<Vec3>& dir
 void frameRequested(CommandContext& context, FrameRequest request);
 /// A smooth move to the view of the decision at the cursor. No effect without a pivot.
 void moveToDecision(CommandContext& context, CameraMove::Kind kind);
+/// A smooth move to all of the mesh; the direction stays. No effect before an input is open.
+void moveToAll(CommandContext& context, CameraMove::Kind kind);
 /// A smooth move that brings the pivot back into the view, as close as before. Requires a pivot.
 void followPivot(CommandContext& context);
 

@@ -176,6 +176,24 @@ TEST_CASE("Playing leads the camera to a pivot that leaves the view, not against
     CHECK(app.pose() == opened);
 }
 
+TEST_CASE("End shows all of the mesh where the camera was led to a decision, not by the user") {
+    DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
+    if (!app) return;
+    const CameraPose opened = app.pose();
+    const std::string undo = app["undo"];
+    app.press("End");
+    const CameraPose all = app.pose();
+    CHECK(all.distance > 2.0F * opened.distance);
+    CHECK(app["undo"] == undo);
+    app.press("Shift+F");
+    CHECK(std::abs(app.pose().distance / all.distance - 1.0F) < 0.15F);
+    app.press("Alt+Left F");
+    app.drag(app.in("region view", 0.2F, 0.8F), {60, 20});
+    const CameraPose own = app.pose();
+    app.press("End");
+    CHECK(app.pose() == own);
+}
+
 TEST_CASE("The section opens by its key, and is turned by keys and by a drag") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;
