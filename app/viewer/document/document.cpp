@@ -39,7 +39,13 @@ SessionFile captureSession(const CommandContext& context) {
 }
 
 void Document::begin(const Options& options) {
-    if (options.session) takeLooks(*options.session, options.sessionPath);
+    if (options.session) {
+        takeLooks(*options.session, options.sessionPath);
+        const std::string difference = differenceText(options.session->input, options.input);
+        if (!difference.empty())
+            warnLater("Opened with other options than the session has (" + difference +
+                      "): addresses and bookmarks may refer to other decisions.");
+    }
     if (options.with) with_ = options.with;
     if (options.layout) c_.ui.layoutPreset = *options.layout;
     if (options.lessons) c_.ui.column.choose(Task::Lesson);

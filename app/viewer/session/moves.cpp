@@ -109,21 +109,28 @@ void Moves::land() {
             cursor = static_cast<std::size_t>(found - record().events.begin());
         }
     }
-    if (landing_ == Landing::AtAddress) {
-        if (const auto found = record().find(target_)) {
-            cursor = *found;
-        } else {
-            session_.messages().miss("There is no event " + toString(target_) +
-                                     ". Shown: the end of pivot " + std::to_string(record().pivot) +
-                                     ".");
-        }
-    }
+    if (landing_ == Landing::AtAddress) cursor = findTarget();
     if (landing_ == Landing::Last && target_.pivot > record().pivot && target_.pivot != kEnd) {
         session_.messages().miss("There is no pivot " + std::to_string(target_.pivot) +
                                  ": the run ends with pivot " + std::to_string(record().pivot) +
                                  ".");
     }
     session_.setCursor(cursor);
+}
+
+/// The event at the target address; without one the last event before it.
+std::size_t Moves::findTarget() {
+    if (const auto found = record().find(target_)) return *found;
+    const std::vector<Event>& events = record().events;
+    const auto after = std::find_if(events.begin(), events.end(), [this](const Event& event) {
+        return isBefore(target_, event.address);
+    });
+    const auto before =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - events.begin() - 1));
+    const std::string shown = events.empty() ? "the start" : toString(events[before].address);
+    session_.messages().miss("This run has no event " + toString(target_) + ". Shown: " + shown +
+                             ".");
+    return before;
 }
 
 void Moves::stepEvent(int delta) { push({Move::Kind::Events, delta, {}}); }

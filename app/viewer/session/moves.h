@@ -122,6 +122,7 @@ class Moves {
     void request(std::uint32_t pivot, Landing landing, const Address& target = {});
     bool takeAnswer();
     void land();
+    std::size_t findTarget();
     void jump(const Address& address);
     void jump(const std::optional<std::string>& place);
     std::string hereText() const;

@@ -162,6 +162,21 @@ TEST_CASE(
     CHECK(open.place() != expected.back());
 }
 
+TEST_CASE("An event that the run does not have leads to the last one before it") {
+    OpenSession open;
+    REQUIRE(open.session.moves().goToText("40.sphere.99").ok());
+    open.session.waitUntilDone();
+    CHECK(open.session.messages().missed());
+    CHECK(open.session.messages().last() ==
+          "This run has no event 40.sphere.99. Shown: " + open.place() + ".");
+    const Address here = open.session.address();
+    CHECK(here.pivot == 40);
+    CHECK(isBefore(here, {40, Stage::Sphere, 99}));
+    open.session.moves().stepEvent(1);
+    open.session.waitUntilDone();
+    CHECK(isBefore({40, Stage::Sphere, 99}, open.session.address()));
+}
+
 TEST_CASE("A position beyond the end of the run is missed, with a sentence") {
     OpenSession open;
     CHECK_FALSE(open.session.messages().missed());
