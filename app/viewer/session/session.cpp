@@ -277,9 +277,11 @@ std::span<const LiveFailure> Session::noticedHere() const {
 }
 
 std::string Session::noticedText() const {
-    std::string text;
-    for (const LiveFailure& each : noticedHere()) text += " Alert: " + describe(each);
-    return text;
+    const auto noticed = noticedHere();
+    if (noticed.empty()) return {};
+    const std::size_t others = noticed.size() - 1;
+    return " Alert: " + describe(noticed.front()) +
+           (others > 0 ? " +" + std::to_string(others) + " more." : "");
 }
 
 }  // namespace se::view

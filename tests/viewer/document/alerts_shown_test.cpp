@@ -1,8 +1,10 @@
 #include "document/alerts_shown.h"
 #include "document/alert_actions.h"
+#include "document/ask_actions.h"
 #include "document/camera_actions.h"
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
+#include "jobs/questions.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
 #include "point_files.h"
@@ -10,6 +12,7 @@
 #include "run/strings.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 #include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -534,6 +537,26 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
 }
 
 TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
+TEST_CASE("Of several alerts at a decision one is said, and the number of the others") {
+    std::size_t most = 0;
+    for (const FailureScene& scene : failureScenes()) {
+        if (most > 1) break;
+        const std::string source = "scene:" + std::string(scene.scene.id);
+        OpenSession open(source.c_str());
+        for (const RunFailure& each : open.session.alerts().search().failures()) {
+            open.session.moves().goTo(each.moments.created.event.address);
+            open.session.waitUntilDone();
+            const std::size_t count = open.session.noticedHere().size();
+            const std::string text = open.session.noticedText();
+            const std::string others = " +" + std::to_string(count - 1) + " more.";
+            if (count > 1) CHECK(text.ends_with(others));
+            CHECK(text.find("Alert", 3) == std::string::npos);
+            most = std::max(most, count);
+        }
+    }
+    CHECK(most > 1);
+}
+
     AlertApp app("scene:four-edge-hole");
     const auto& failures = app.session.alerts().search().failures();
     const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
@@ -569,12 +592,13 @@ TEST_CASE("Why of a hole is answered by its moments, not by a point near it") {
     CHECK(app.ui.column.part == kLedgerPart);
     const WhyAnswer* answer = app.session.questions().ledger().answer();
     REQUIRE(answer != nullptr);
-    CHECK(answer->name == "hole of 4 points");
-    const Address unavoidable = hole->moments.unavoidable.event.address;
-    CHECK(answer->lines[answer->cause].event.address == unavoidable);
-    CHECK(answer->answer.find("(" + toString(unavoidable) + ")") != std::string::npos);
-    CHECK(answer->lines.front().event.address == hole->moments.touched.event.address);
-    CHECK(answer->lines.back().event.address == hole->moments.created.event.address);
+    CHECK(answer->name == "hole of 3 points");
+    const auto placeOf = [](const LedgerLine& line) { return toString(line.event.address); };
+    const std::string unavoidable = placeOf(hole->moments.unavoidable);
+    CHECK(placeOf(answer->lines[answer->cause]) == unavoidable);
+    CHECK(answer->answer.find("(" + unavoidable + ")") != std::string::npos);
+    CHECK(placeOf(answer->lines.front()) == placeOf(hole->moments.touched));
+    CHECK(placeOf(answer->lines.back()) == placeOf(hole->moments.created));
 }
 
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
