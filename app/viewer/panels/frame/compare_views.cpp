@@ -67,16 +67,9 @@ void drawStillSentence(const PanelContext& context) {
         trace ? found->trace->replay.sentence(now->tracePosition(*context.otherRun))
               : std::string("A finished mesh: no decisions of its own.");
     const Rect& view = context.rects.view;
-    const float em = context.em;
-    const float width = std::min(30.0F * em, view.size.x - 3.0F * em);
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-    const glm::vec2 pad(0.7F * em, 0.35F * em);
-    const glm::vec2 size = glm::vec2(extent.x, extent.y) + 2.0F * pad;
-    const Rect plate{{view.min.x + 0.8F * em, view.max().y - 0.8F * em - size.y}, size};
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, plate, context.palette.panel.withAlpha(0.94F), 0.3F * em);
-    list->AddText(context.fonts.text, em, toVec2(plate.min + pad), toU32(context.palette.textDim),
-                  text.c_str(), nullptr, width);
+    const float width = std::min(30.0F * context.em, view.size.x - 3.0F * context.em);
+    drawPlate(context, {context.fonts.text, wrapped(text, width), "", context.palette.border,
+                        context.palette.textDim});
 }
 
 /// A mesh from a file, or a trace: it can be viewed, but has no decisions.

@@ -116,6 +116,8 @@ std::string besideOf(const PanelContext& context) {
 
 /// The plate: its margins and its text's, and how wide and high the text is at most.
 constexpr float kPlateMargin = 0.8F;
+/// The address below the text is small.
+constexpr float kSmall = 0.84F;
 constexpr float kPlatePad = 0.7F;
 constexpr float kPlateWidest = 46.0F;
 constexpr float kPlateLines = 3.4F;
@@ -155,6 +157,34 @@ void drawNarration(const PanelContext& context) {
             showTooltip(said.whole);
     }
     ImGui::End();
+Rect drawPlate(const PanelContext& context, const PlateText& text) {
+    const Rect& view = context.rects.view;
+    const float em = context.em;
+    ImGui::PushFont(text.font);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    float widest = text.place.empty() ? 0.0F : 10.0F * em;
+    for (const std::string& each : text.lines) widest = std::max(widest, textWidth(each));
+    ImGui::PopFont();
+    const float below = text.place.empty() ? 0.0F : 1.2F * kSmall * em;
+    const glm::vec2 size(widest + 2.0F * kPlatePad * em,
+                         line * static_cast<float>(text.lines.size()) + below + 0.7F * em);
+    const Rect plate{{view.min.x + kPlateMargin * em, view.max().y - kPlateMargin * em - size.y},
+                     size};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    fill(list, plate, context.palette.panel.withAlpha(0.94F), 0.3F * em);
+    list->AddRectFilled(toVec2(plate.min), {plate.min.x + 0.25F * em, plate.max().y},
+                        toU32(text.bar), 0.3F * em, ImDrawFlags_RoundCornersLeft);
+    glm::vec2 at = plate.min + glm::vec2(kPlatePad, 0.35F) * em;
+    for (const std::string& each : text.lines) {
+        list->AddText(text.font, text.font->FontSize, toVec2(at), toU32(text.ink), each.c_str());
+        at.y += line;
+    }
+    if (!text.place.empty())
+        list->AddText(context.fonts.small, context.fonts.small->FontSize, toVec2(at),
+                      toU32(context.palette.textDim), text.place.c_str());
+    return plate;
+}
+
 }
 
 std::optional<Rect> drawCaption(const PanelContext& context) {
@@ -169,34 +199,11 @@ std::optional<Rect> drawCaption(const PanelContext& context) {
     if (said.text.empty() || width < 8.0F * em || view.size.y < 8.0F * em) return std::nullopt;
     const Caption caption =
         fittingCaption(context, said.text, besideOf(context), {width, kPlateLines * em});
-    ImGui::PushFont(caption.font);
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    float widest = 0.0F;
-    for (const std::string& each : caption.lines) widest = std::max(widest, textWidth(each));
-    ImGui::PopFont();
     // The address is a line of its own, in small type.
     const std::string place =
         context.session().event() != nullptr ? addressAndSection(context.session()) : std::string{};
-    const float small = 0.84F * em;
-    const float below = place.empty() ? 0.0F : 1.2F * small;
-    widest = std::max(widest, place.empty() ? 0.0F : 10.0F * em);
-    const glm::vec2 size(widest + 2.0F * kPlatePad * em,
-                         line * static_cast<float>(caption.lines.size()) + below + 0.7F * em);
-    const Rect plate{{view.min.x + kPlateMargin * em, view.max().y - kPlateMargin * em - size.y},
-                     size};
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    fill(list, plate, context.palette.panel.withAlpha(0.94F), 0.3F * em);
-    list->AddRectFilled(toVec2(plate.min), {plate.min.x + 0.25F * em, plate.max().y},
-                        toU32(said.color), 0.3F * em, ImDrawFlags_RoundCornersLeft);
-    glm::vec2 at = plate.min + glm::vec2(kPlatePad, 0.35F) * em;
-    for (const std::string& each : caption.lines) {
-        list->AddText(caption.font, caption.font->FontSize, toVec2(at), toU32(context.palette.text),
-                      each.c_str());
-        at.y += line;
-    }
-    if (!place.empty())
-        list->AddText(context.fonts.small, context.fonts.small->FontSize, toVec2(at),
-                      toU32(context.palette.textDim), place.c_str());
+    const Rect plate =
+        drawPlate(context, {caption.font, caption.lines, place, said.color, context.palette.text});
     context.where()[context.beside ? "other caption" : "caption"] = plate;
     if ((caption.cut || said.text != said.whole) && ImGui::IsWindowHovered() &&
         ImGui::IsMouseHoveringRect(toVec2(plate.min), toVec2(plate.max())))

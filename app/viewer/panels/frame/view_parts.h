@@ -43,6 +43,17 @@ void drawSectionPlane(const PanelContext& context);
 /// The way of the point that is being dragged, and where its verdict turns.
 void drawMoveWay(const PanelContext& context);
 
+/// A sentence that lies in a view.
+struct PlateText {
+    ImFont* font = nullptr;
+    std::vector<std::string> lines;
+    std::string place;  ///< A small line below the others; empty: none.
+    Color bar;          ///< At the left side.
+    Color ink;
+};
+/// The plate of a sentence, in the lower left corner of the view.
+Rect drawPlate(const PanelContext& context, const PlateText& text);
+
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
 
