@@ -3,6 +3,7 @@
 
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
+#include "run/number_format.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
@@ -14,11 +15,11 @@ namespace {
 
 /// Narrower cells are not drawn one by one.
 constexpr float kLeastTick = 2.0F;
-/// Cells of the STAGE strip, in em.
-constexpr float kWidestCell = 10.0F;
+/// Width of a cell of the STAGE strip, in em: the least, and from which it has a sentence.
 constexpr float kLeastCell = 2.4F;
 /// Size of the name of a stage, in em.
 constexpr float kStageName = 0.85F;
+constexpr float kSentenceFrom = 14.0F;
 
 Color cellColor(const PanelContext& context, const Event& event) {
     if (event.address.stage == Stage::Emit) return context.palette.test;
@@ -30,6 +31,12 @@ void frameHere(const PanelContext& context, const Rect& cell) {
     painter.box(cell.min - 1.0F, cell.max() + 1.0F,
                 painter.ink(&Palette::pivot).line(std::max(1.5F, 0.13F * context.em)),
                 0.2F * context.em);
+}
+
+/// Instead of cells, at the start of the run.
+void drawNone(const PanelContext& context, const Rect& bars, const char* text) {
+    const float y = bars.min.y + 0.5F * (bars.size.y - context.em);
+    ImGui::GetWindowDrawList()->AddText({bars.min.x, y}, toU32(context.palette.textDim), text);
 }
 
 /// An item over a picture: a click goes to the event.
@@ -165,7 +172,11 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
         x += 0.8F * em;
     }
     const float room = cell.max().x - x - 0.1F * em;
-    painter.text({x, middle - 0.5F * em}, fitted(cellText(event, session.names(), room), room),
+    const std::string text =
+        fitted(room < kSentenceFrom * em ? cellText(event, session.names(), room)
+                                         : withShortNumbers(describe(event, session.names())),
+               room);
+    painter.text({x, middle - 0.5F * em}, text,
                  painter.ink(later ? &Palette::textDim : &Palette::text), {em});
     if (index == session.cursor()) frameHere(context, cell);
     offerEvent(context, "##cell", cell, index);
@@ -194,6 +205,7 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     stepByWheel(context, area, "step.pivot.");
     keepSteps(context);
     const auto& runs = context.state<Navigation>().steps.runs();
+    if (runs.empty()) drawNone(context, bars, "No pivot yet.");
     const float gap = 0.5F * em;
     const std::vector<float> widths = widthsOf(context, runs, bars.size.x, gap);
     float x = bars.min.x;
@@ -212,7 +224,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
     stepByWheel(context, area, "step.event.");
     keepSteps(context);
     const StageRun* run = runAtCursor(context);
-    if (run == nullptr) return;
+    if (run == nullptr) return drawNone(context, bars, "No decision yet.");
     // If there are too many: those around the cursor.
     const auto fits = static_cast<std::size_t>(std::max(1.0F, bars.size.x / (kLeastCell * em)));
     const std::size_t count = std::min(run->size(), fits);
@@ -221,7 +233,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
         const std::size_t before = session.cursor() - run->begin;
         first += std::min(before - std::min(before, count / 2), run->size() - count);
     }
-    const float pitch = std::min(kWidestCell * em, bars.size.x / static_cast<float>(count));
+    const float pitch = bars.size.x / static_cast<float>(count);
     const float gap = std::min(0.3F * em, 0.1F * pitch);
     for (std::size_t i = 0; i < count; ++i) {
         const float x = bars.min.x + pitch * static_cast<float>(i);
