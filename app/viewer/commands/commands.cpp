@@ -291,7 +291,11 @@ const auto kCommands = std::to_array<Command>({
      "In a figure of the paper: its letters, or the numbers of points.",
      [](C& c) { c.ui.settings.names = !c.ui.settings.names; }, "names numbers points"},
     {"view.legend", "View", "Legend", "", "Show or hide the legend.",
-     [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }, "symbols key meaning"},
+     [](C& c) {
+         bool& legend = c.ui.phone ? c.ui.navigation.phoneLegend : c.ui.settings.legend;
+         legend = !legend;
+     },
+     "symbols key meaning"},
     {"view.doctor", "View", "Doctor", "", "Open the panel with the problems of the input.",
      [](C& c) { openPart(c, kDoctorPart); }, "check repair problems input holes"},
     {"view.breakpoints", "View", "Breakpoints", "", "Open the panel with the breakpoints.",

@@ -167,17 +167,16 @@ void layOutColumn(PanelRects& l, Cutter& cut, const WindowState& state, float em
     l.splitter = {{l.column.min.x - half, l.column.min.y}, {2.0F * half, l.column.size.y}};
 }
 
-/// One column: view, sentence, large buttons, tasks; the sheet takes half of it.
+/// One column: view, sentence, large buttons, tasks; the sheet, above the buttons, takes half of
+/// it.
 void layOutPhone(PanelRects& l, Cutter& cut, const WindowState& state) {
     l.phone = true;
     l.stripFolded = true;
     l.rail = cut.bottom(cut.px(kPhoneRail));
     l.strip = l.transport = cut.bottom(cut.px(kPhoneButtons));
-    if (state.sheet) {
-        l.column = cut.bottom(std::round(kSheet * cut.rest().size.y));
-    } else {
-        l.narration = cut.bottom(cut.px(kPhoneCaption));
-    }
+    const float caption = cut.px(kPhoneCaption);
+    if (state.sheet) l.column = cut.bottom(std::round(kSheet * (cut.rest().size.y - caption)));
+    l.narration = cut.bottom(caption);
 }
 
 /// View, caption and lanes; with a lesson, its text is the caption.

@@ -69,6 +69,7 @@ struct Navigation {
     CursorWatch ringWatch;
     bool opensLayers = false;  ///< The menu of the layers is to be opened in this frame.
     bool opensNotes = false;   ///< The menu of the bookmarks and notes, too.
+    bool phoneLegend = false;  ///< On a phone, where it covers much of the view.
     long ringShift = 0;        ///< Offset of the ring strip, in points.
 
     /// Folds the strip below the view to its first row if it is open, otherwise opens all of it.

@@ -269,8 +269,10 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     const std::vector<Entry> entries = entriesOf(context);
     if (entries.empty()) return std::nullopt;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(entries.size()) + 0.7F * em);
-    // Omitted where it would cover too much of the picture; F1 shows it as well.
-    if (view.size.y < size.y + 8.0F * em || view.size.x < 3.8F * size.x) return std::nullopt;
+    // Omitted where it would cover too much of the picture; on a phone it is there on request.
+    const bool phone = context.rects.phone;
+    const float least = phone ? size.y : size.y + 8.0F * em;
+    if (view.size.y < least || (!phone && view.size.x < 3.8F * size.x)) return std::nullopt;
     const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
     const std::optional<Rect> place =
         freeCorner({view, 0.7F * em, taken, marks}, size, kLegendCorners);

@@ -210,23 +210,30 @@ constexpr std::array kHelp = {
     MenuRow{"help.guide"},   MenuRow{"help.tour"}, MenuRow{"help.practice"}, kLine,
     MenuRow{"help.palette"}, MenuRow{"help.keys"}, MenuRow{"help.editkeys"}, kLine,
     MenuRow{"help.about"}};
+/// On a phone, above the others: what other windows have beside the menus.
+constexpr std::array kPhone = {MenuRow{"step.goto"}, MenuRow{"view.layers"}, MenuRow{"view.legend"},
+                               MenuRow{"notes.show"}, kLine};
 constexpr std::array kMenus = {Menu{"File", kFile}, Menu{"Edit", kEdit}, Menu{"Run", kRun},
                                Menu{"View", kView}, Menu{"Help", kHelp}};
+
+void drawMenuRows(const PanelContext& context, std::span<const MenuRow> rows) {
+    for (const MenuRow& row : rows) {
+        if (row.submenu != nullptr) {
+            row.submenu(context);
+        } else if (row.id.empty()) {
+            ImGui::Separator();
+        } else {
+            drawItem(context, row.id);
+        }
+    }
+}
 
 void drawMenus(const PanelContext& context) {
     for (const Menu& menu : kMenus) {
         const bool open = ImGui::BeginMenu(menu.title);
         nameItem(context, std::string("menu ") + menu.title);
         if (!open) continue;
-        for (const MenuRow& row : menu.rows) {
-            if (row.submenu != nullptr) {
-                row.submenu(context);
-            } else if (row.id.empty()) {
-                ImGui::Separator();
-            } else {
-                drawItem(context, row.id);
-            }
-        }
+        drawMenuRows(context, menu.rows);
         ImGui::EndMenu();
     }
 }
@@ -263,16 +270,19 @@ void drawMenuBar(const PanelContext& context) {
     if (!rects.phone) {
         drawMenus(context);
     } else if (const bool menu = ImGui::BeginMenu("Menu"); nameItem(context, "menu"), menu) {
+        drawMenuRows(context, kPhone);
         drawMenus(context);
         ImGui::EndMenu();
     }
     float from = ImGui::GetCursorScreenPos().x;
     const bool runs = context.session().ready() && !context.state<GrowthPage>().open;
-    if (runs && rects.window.x > kGoToFrom * em) {
+    // In a narrow window only while something is typed there.
+    if (runs && (rects.window.x > kGoToFrom * em || context.state<GoToBox>().active())) {
         const float left = std::max(from + em, 0.5F * (rects.window.x - kGoTo * em));
+        const float width = std::min(kGoTo * em, rects.window.x - left - em);
         ImGui::SetCursorScreenPos({left, rects.menu.min.y + 0.15F * em});
-        drawGoTo(context, kGoTo * em);
-        from = left + kGoTo * em;
+        drawGoTo(context, width);
+        from = left + width;
     }
     // Aligned to the right end of the rail.
     const float end = rects.window.x - 0.7F * em;

@@ -54,15 +54,18 @@ void drawNotesMenu(const PanelContext& context, const Rect& area) {
     const float em = context.em;
     ImGui::SetCursorScreenPos({area.max().x - (kMargin + kFold + kNotes) * em,
                                area.min.y + 0.5F * (area.size.y - ImGui::GetFrameHeight())});
-    const bool clicked = iconButton("##notesButton", Icon::Bookmark, "Bookmarks and your own text",
-                                    context.session().ready(), false, context);
-    nameItem(context, "notes menu");
-    const Rect place = lastItem();
+    // On a phone the menu has it.
+    const bool phone = context.rects.phone;
+    const bool clicked =
+        !phone && iconButton("##notesButton", Icon::Bookmark, "Bookmarks and your own text",
+                             context.session().ready(), false, context);
+    if (!phone) nameItem(context, "notes menu");
+    const Rect place = phone ? Rect{{area.max().x, area.min.y}, {}} : lastItem();
     if (std::exchange(context.state<Navigation>().opensNotes, false) || clicked)
         ImGui::OpenPopup("##notes");
     ImGui::SetNextWindowPos({place.max().x, place.min.y - 0.3F * em}, ImGuiCond_Always,
                             {1.0F, 1.0F});
-    ImGui::SetNextWindowSize({26.0F * em, 20.0F * em});
+    ImGui::SetNextWindowSize({std::min(26.0F * em, context.rects.window.x), 20.0F * em});
     if (!ImGui::BeginPopup("##notes")) return;
     drawNotes(context);
     ImGui::EndPopup();
@@ -114,7 +117,8 @@ void drawStrip(const PanelContext& context) {
         if (isThere(rects.stageStrip)) drawStageStrip(context, rects.stageStrip);
         drawFigures(context, rects.figures);
         if (isThere(rects.figures)) drawFold(context, rects.figures);
-        if (isThere(rects.figures)) drawNotesMenu(context, rects.figures);
+        if (isThere(rects.figures) || rects.phone)
+            drawNotesMenu(context, rects.phone ? rects.strip : rects.figures);
     }
     ImGui::End();
 }

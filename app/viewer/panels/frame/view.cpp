@@ -257,8 +257,7 @@ std::optional<Rect> drawOwnCaption(const PanelContext& context) {
     if (!context.beside) context.ui().coveredBelow = 0.0F;
     const PictureLook& look = context.ui().picture;
     const bool wanted = !look.viewAlone || look.caption;
-    // The sheet of a phone has the room.
-    if (!wanted || !context.rects.captionInView() || context.rects.phone) return std::nullopt;
+    if (!wanted || !context.rects.captionInView()) return std::nullopt;
     const std::optional<Rect> plate = drawCaption(context);
     const Rect& view = context.rects.view;
     if (plate && !context.beside)
@@ -276,7 +275,7 @@ struct OverButton {
 
 /// The menu of the layers, in a corner of the view.
 std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
-    const bool none = context.beside || context.ui().picture.viewAlone || context.rects.phone ||
+    const bool none = context.beside || context.ui().picture.viewAlone ||
                       context.rects.layoutPreset == LayoutPreset::Present;
     if (none || !context.session().ready()) return std::nullopt;
     const float em = context.em;
@@ -284,9 +283,11 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
     const Rect place{view.min + glm::vec2(0.7F, 0.6F) * em,
                      {textWidth(kLayersTitle) + 1.2F * em, 1.6F * em}};
     ImGui::SetCursorScreenPos(toVec2(place.min));
-    const bool clicked = ImGui::InvisibleButton("##layersButton", toVec2(place.size));
-    nameItem(context, "layers menu", "What the view draws, and when");
-    const OverButton button{place, ImGui::IsItemHovered()};
+    // On a phone the menu has it.
+    const bool phone = context.rects.phone;
+    const bool clicked = !phone && ImGui::InvisibleButton("##layersButton", toVec2(place.size));
+    if (!phone) nameItem(context, "layers menu", "What the view draws, and when");
+    const OverButton button{place, !phone && ImGui::IsItemHovered()};
     if (std::exchange(context.state<Navigation>().opensLayers, false) || clicked)
         ImGui::OpenPopup("##layers");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.7F * em, 0.55F * em));
@@ -296,7 +297,7 @@ std::optional<OverButton> offerLayersMenu(const PanelContext& context) {
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar();
-    return button;
+    return phone ? std::nullopt : std::optional(button);
 }
 
 void drawLayersButton(const PanelContext& context, const OverButton& button) {
@@ -326,7 +327,9 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.beside || context.rects.otherView.size.x > 0.0F;
-    if (context.settings().legend && !compared) note(drawLegend(context, taken));
+    const bool legend =
+        context.rects.phone ? context.state<Navigation>().phoneLegend : context.settings().legend;
+    if (legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }
