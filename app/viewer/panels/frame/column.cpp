@@ -161,6 +161,17 @@ void drawParts(const PanelContext& context) {
     }
 }
 
+/// After the first run, above the parts, beside the model.
+void drawTourOffer(const PanelContext& context) {
+    textIn(context.fonts.strong, "That was the Spiraling Edge");
+    wrappedText("The tour explains what you saw, in ninety seconds.");
+    if (textButton(context, "Take the tour", "tour take")) context.run("help.tour");
+    ImGui::SameLine();
+    if (textButton(context, "Not now", "tour later", "Help, Tour opens it later"))
+        context.ui().offersTour = false;
+    separator();
+}
+
 /// A task in the rail: its sign above its name, and a mark if something there is new.
 void drawEntry(const PanelContext& context, const TaskRow& row, const Rect& area) {
     const float em = context.em;
@@ -201,6 +212,8 @@ void drawColumn(const PanelContext& context) {
     const Rect& area = context.rects.column;
     if (area.size.x <= 0.0F) return;
     if (beginRegion("##column", area)) {
+        const bool lesson = context.state<LessonPanel>().walk.isOpen();
+        if (context.ui().offersTour && !lesson) drawTourOffer(context);
         ImGui::PushID(static_cast<int>(context.state<Column>().task));
         drawParts(context);
         ImGui::PopID();

@@ -98,19 +98,6 @@ void drawMove(const PanelContext& context) {
     ImGui::End();
 }
 
-/// After the first run.
-void drawTourOffer(const PanelContext& context) {
-    if (beginOverView(context, "##tour", 1.0F, 24.0F)) {
-        heading(context, "That was the Spiraling Edge");
-        wrappedText("The tour explains what you saw, in ninety seconds.");
-        if (textButton(context, "Take the tour", "tour take")) context.run("help.tour");
-        ImGui::SameLine();
-        if (textButton(context, "Not now", "tour later", "Help, Tour opens it later"))
-            context.ui().offersTour = false;
-    }
-    ImGui::End();
-}
-
 /// The latest message, above the sentence of the decision and never instead of it.
 void drawSaid(const PanelContext& context) {
     const std::string text = context.session().messages().notice();
@@ -142,9 +129,6 @@ void drawNotices(const PanelContext& context) {
     if (session.input().phase() == SessionPhase::Failed) drawError(context);
     if (session.input().phase() == SessionPhase::Ready && session.moves().busySeconds() > kLongMove)
         drawMove(context);
-    const bool lesson = context.state<LessonPanel>().walk.isOpen();
-    context.ui().offersTour &= !lesson;
-    if (context.ui().offersTour && !context.ui().coversView()) drawTourOffer(context);
     // At the start the caption shows the message permanently: there is no decision.
     // A dialog covers the view.
     const bool narrated = showsFinishedMesh(context.commands) && session.alerts().search().done() &&
