@@ -154,9 +154,8 @@ void queryHelp(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 
-/// How a part of the column is drawn: the row of partRows() with that title.
+/// How a part of the column is drawn.
 struct PartPanel {
-    const char* title;
     void (*draw)(const PanelContext& context);
     /// False: the part is not there now. Null: it always is.
     bool (*isThere)(const PanelContext& context) = nullptr;

@@ -31,26 +31,32 @@ bool compares(const PanelContext& context) {
     return context.rects.layoutPreset == LayoutPreset::Compare;
 }
 
+/// In the order of partRows().
 constexpr auto kPanels = std::to_array<PartPanel>({
-    {"Dial", drawDial, hasPivot},
-    {"Inspect", drawInspect},
-    {"Paper", drawPaper, hasPivot},
-    {kSectionPart, drawSection, hasPivot},
-    {"Steps", drawSteps},
-    {"Rings", drawRings, hasPivot},
-    {kLedgerPart, drawLedger},
-    {"Verdict", drawVerdict},
-    {kAlertsPart, drawAlerts},
-    {kQueryPart, drawQuery},
-    {kBreakpointsPart, drawBreakpoints},
-    {kWatchPart, drawWatch},
-    {kChartsPart, drawCharts},
-    {kComparePart, drawCompare, compares},
-    {kRulesPart, drawRules},
-    {kWhatIfPart, drawWhatIf},
-    {kDoctorPart, drawDoctor},
-    {kPreparePart, drawPrepare},
-    {kLessonPart, drawLesson},
+    // Step
+    {drawDial, hasPivot},
+    {drawInspect},
+    {drawPaper, hasPivot},
+    {drawSection, hasPivot},
+    {drawSteps},
+    {drawRings, hasPivot},
+    // Why, Faults
+    {drawLedger},
+    {drawVerdict},
+    {drawAlerts},
+    // Find
+    {drawQuery},
+    {drawBreakpoints},
+    {drawWatch},
+    {drawCharts},
+    // Change
+    {drawCompare, compares},
+    {drawRules},
+    {drawWhatIf},
+    // Input, Lesson
+    {drawDoctor},
+    {drawPrepare},
+    {drawLesson},
 });
 
 /// A part of the open task, and where its row is.
@@ -60,19 +66,13 @@ struct Shown {
     std::size_t number;
 };
 
-const PartPanel& panelOf(const PartRow& row) {
-    const auto found = std::find_if(kPanels.begin(), kPanels.end(),
-                                    [&](const PartPanel& each) { return each.title == row.title; });
-    assert(found != kPanels.end());
-    return *found;
-}
-
 std::vector<Shown> partsOf(const PanelContext& context) {
     std::vector<Shown> parts;
     const auto rows = partRows();
+    assert(rows.size() == kPanels.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].task != context.state<Column>().task) continue;
-        const PartPanel& panel = panelOf(rows[i]);
+        const PartPanel& panel = kPanels[i];
         if (panel.isThere == nullptr || panel.isThere(context))
             parts.push_back({&rows[i], &panel, i});
     }
@@ -149,7 +149,7 @@ void drawParts(const PanelContext& context) {
     const std::vector<Shown> parts = partsOf(context);
     if (parts.empty()) return;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        ImGui::PushID(parts[i].panel->title);
+        ImGui::PushID(static_cast<int>(parts[i].number));
         const bool open = drawTitle(context, parts[i], parts.size() == 1);
         if (i == 0 && context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboard();
         if (column.reveal == parts[i].row->title) {
