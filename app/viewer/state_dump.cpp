@@ -9,6 +9,7 @@
 #include "application.h"
 #include "document/alert_actions.h"
 #include "jobs/questions.h"
+#include "panels/widgets/widgets.h"
 #include "session/selection_facts.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
@@ -340,7 +341,8 @@ std::string Application::stateDump(const InputProgress& input) const {
              {"click_waits", ui_.click.waiting()},
              {"task", std::string(rowOf(ui_.column.task).title)},
              {"part", ui_.column.part},
-             {"address_line", ui_.addressLine},
+             {"address_line",
+              ui_.where.contains("address line") ? addressAndSection(session_) : std::string()},
              {"pivot_arrow", ui_.where.count("pivot arrow") > 0},
              {"layers", json::array()},
              {"pins", json::object()},

@@ -155,13 +155,11 @@ struct UiState {
     /// Step", "part Dial", "strip run" ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
     Column& column = states.of<Column>();
-    std::string addressLine;                 ///< Line above the caption; empty: none.
     LookBack& look = states.of<LookBack>();  ///< Whether the state before the decision is shown.
     double clock = 0.0;                      ///< Seconds, summed over the frames.
     FactsCache& facts = states.of<FactsCache>();  ///< Of the selection.
-    DoubleClickFilter& click =
-        states
-            .of<DoubleClickFilter>();  ///< In the view; it may be the first half of a double click.
+    /// In the view; it may be the first half of a double click.
+    DoubleClickFilter& click = states.of<DoubleClickFilter>();
 };
 
 }  // namespace se::view

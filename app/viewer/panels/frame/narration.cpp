@@ -79,7 +79,6 @@ void drawAddressLine(const PanelContext& context) {
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.em, toVec2(at),
                                         toU32(context.palette.textDim), text.c_str());
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + rects.addressLine);
-    context.ui().addressLine = text;
     context.where()["address line"] = {at, {extent.x, extent.y}};
 }
 
@@ -116,9 +115,9 @@ std::string besideOf(const PanelContext& context) {
 
 /// The plate: its margins and its text's, and how wide and high the text is at most.
 constexpr float kPlateMargin = 0.8F;
+constexpr float kPlatePad = 0.7F;
 /// The address below the text is small.
 constexpr float kSmall = 0.84F;
-constexpr float kPlatePad = 0.7F;
 constexpr float kPlateWidest = 46.0F;
 constexpr float kPlateLines = 3.4F;
 constexpr float kAxes = 6.0F;
@@ -127,7 +126,6 @@ constexpr float kWithAxes = 18.0F;
 }  // namespace
 
 void drawNarration(const PanelContext& context) {
-    context.ui().addressLine.clear();
     const Rect& area = context.rects.narration;
     if (area.size.y <= 0.0F) return;
     if (beginRegion("##narration", area)) {
@@ -157,6 +155,8 @@ void drawNarration(const PanelContext& context) {
             showTooltip(said.whole);
     }
     ImGui::End();
+}
+
 Rect drawPlate(const PanelContext& context, const PlateText& text) {
     const Rect& view = context.rects.view;
     const float em = context.em;
@@ -183,8 +183,6 @@ Rect drawPlate(const PanelContext& context, const PlateText& text) {
         list->AddText(context.fonts.small, context.fonts.small->FontSize, toVec2(at),
                       toU32(context.palette.textDim), text.place.c_str());
     return plate;
-}
-
 }
 
 std::optional<Rect> drawCaption(const PanelContext& context) {

@@ -17,9 +17,9 @@ namespace {
 constexpr float kLeastTick = 2.0F;
 /// Width of a cell of the STAGE strip, in em: the least, and from which it has a sentence.
 constexpr float kLeastCell = 2.4F;
+constexpr float kSentenceFrom = 14.0F;
 /// Size of the name of a stage, in em.
 constexpr float kStageName = 0.85F;
-constexpr float kSentenceFrom = 14.0F;
 
 Color cellColor(const PanelContext& context, const Event& event) {
     if (event.address.stage == Stage::Emit) return context.palette.test;
