@@ -260,7 +260,19 @@ TEST_CASE("Fix and Save mesh write what run --best writes") {
     CHECK(saved > 0);
 }
 
-TEST_CASE("Holes closed on the card are those that holewidth closes") {
+TEST_CASE("The buttons of the verdict stay in place while trials of other settings arrive") {
+    DrivenApp app({"scene:noise", "--goto", "100%"});
+    if (!app) return;
+    const glm::vec2 save = app.in("verdict save");
+    const glm::vec2 worst = app.in("verdict worst");
+    if (app.shows("verdict try")) app.clickOn("verdict try");
+    app.settle();
+    REQUIRE(app.session.trials().ended());
+    CHECK(app.in("verdict save").y == save.y);
+    CHECK(app.in("verdict worst").y == worst.y);
+}
+
+TEST_CASE("Holes closed in the part Verdict are those that holewidth closes") {
     const OwnFolder folder;
     const std::string input = writePoints(folder / "sheet.xyz", test::holedSheet(20, 20));
     DrivenApp app({input}, {1600, 980});

@@ -183,10 +183,11 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
     dimText(meshText(*alerts.found(), context.session().model()));
     if (const std::string& by = context.session().model().judged; !by.empty())
         dimText("Judged " + by + ".");
+    // Above the table, which grows while results arrive: buttons do not move under the pointer.
+    drawActions(context, alerts);
+    ImGui::Spacing();
     if (faulty) drawTrials(context, verdict);
     drawOpen(context, alerts.openLoops());
-    ImGui::Spacing();
-    drawActions(context, alerts);
 }
 
 }  // namespace
