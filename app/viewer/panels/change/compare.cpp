@@ -78,7 +78,8 @@ void drawWhatIfs(const PanelContext& context, CompareForm& form) {
         const bool gone =
             smallButton(context, "x", "compare what if " + std::to_string(i + 1), "Remove from B");
         ImGui::SameLine();
-        ImGui::TextUnformatted(fitted(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::TextUnformatted(
+            fittedName(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
         tooltip(describe(all[i]));
         ImGui::PopID();
         if (gone) {

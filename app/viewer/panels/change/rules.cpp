@@ -154,9 +154,9 @@ std::optional<RunSpec> drawRuleList(const PanelContext& context, const RunSpec& 
                                     const RuleListFields& place) {
     RuleList list{context, rules, place};
     ImGui::SetNextItemWidth(-1.0F);
-    ImGui::InputTextWithHint("##rulefilter", "filter: name, section, word, differs",
-                             place.filter.data(), place.filter.size());
+    ImGui::InputTextWithHint("##rulefilter", "filter", place.filter.data(), place.filter.size());
     list.name("rules filter");
+    tooltip("A name, a section or a word; differs: those that differ from the set");
     const auto groups = ruleGroups(rules, place.filter.data());
     if (groups.empty()) ImGui::TextDisabled("No rule matches.");
     const ImVec2 usual = ImGui::GetStyle().FramePadding;
@@ -177,12 +177,9 @@ void drawRules(const PanelContext& context) {
     const std::size_t count = differingCount(rules);
     const RuleListFields place{context.state<RuleFilter>().typed, ""};
     std::optional<RunSpec> chosen = drawRuleSets(context, rules, place);
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", fitted(session.input().isRerunning() ? "re-running ..."
-                                     : count == 0                  ? "values of the set"
-                                                  : counted(count, "differs", "differ"),
-                                     ImGui::GetContentRegionAvail().x)
-                                  .c_str());
+    dimText(session.input().isRerunning() ? "Re-running ..."
+            : count == 0                  ? "All have the values of the set."
+                                          : counted(count, "differs", "differ") + " from the set.");
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
     if (chosen) context.document().rerun(*chosen);
 }

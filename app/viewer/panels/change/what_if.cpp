@@ -37,7 +37,7 @@ void drawPresent(const PanelContext& context, const RunSpec& rules) {
         if (smallButton(context, "x", "what if remove " + number, "Remove this what-if"))
             context.document().rerun(withoutWhatIf(rules, i));
         ImGui::SameLine();
-        if (selectable(context, fitted(lineOf(what), ImGui::GetContentRegionAvail().x), false,
+        if (selectable(context, fittedName(lineOf(what), ImGui::GetContentRegionAvail().x), false,
                        "what if " + number, describe(what) + "\nClick to go there."))
             session.moves().goTo(placeOf(what));
         const std::string& problem = session.input().whatIfProblem(i);

@@ -104,7 +104,7 @@ bool drawHead(const PanelContext& context, const std::string& name, const std::s
     ImGui::SameLine(left + 1.3F * context.em);
     const float room =
         ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - textWidth(note) - context.em;
-    ImGui::TextUnformatted(fitted(title, room).c_str());
+    ImGui::TextUnformatted(fittedName(title, room).c_str());
     ImGui::PopFont();
     dimAtRight(note);
     ImGui::PopID();
@@ -152,7 +152,7 @@ void drawRow(const PanelContext& context, std::size_t index) {
     ImGui::SameLine(at);
     const std::string points =
         std::string(alert.failure.kind->singular) + " " + pointsText(alert.failure, 6);
-    ImGui::TextDisabled("%s", fitted(points, ImGui::GetContentRegionMax().x - at).c_str());
+    dimShortText(points, ImGui::GetContentRegionMax().x - at);
     ImGui::PopID();
 }
 
@@ -205,46 +205,54 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     ImGui::Spacing();
 }
 
-/// A rule with its effect, and a button that turns it on.
+/// A rule that prevents the alert, with the alerts that it leaves, and buttons for it.
 void drawRemedy(const PanelContext& context, const Remedy& remedy) {
     const std::string name(nameOf(remedy));
     ImGui::PushID(name.c_str());
+    ImGui::TableNextColumn();
     if (smallButton(context, "Switch on", "remedy " + name,
                     remedy.rule != nullptr ? std::string(remedy.rule->summary)
                                            : "All rules of the set; see docs/robust.md."))
         switchOn(context.commands, remedy);
-    ImGui::SameLine();
+    ImGui::TableNextColumn();
     if (smallButton(context, "Compare", "beside " + name,
                     "This run and the one with it side by side, at this position"))
         showBeside(context.commands, remedy);
-    ImGui::SameLine();
-    textIn(context.fonts.mono, name);
-    ImGui::SameLine();
-    const std::string left = "leaves " + grouped(remedy.all);
-    const float at = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(left.c_str()).x;
-    ImGui::SameLine(std::max(at, ImGui::GetCursorPosX()));
-    ImGui::TextDisabled("%s", left.c_str());
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    shortText(name, ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", grouped(remedy.all).c_str());
     ImGui::PopID();
+}
+
+/// The rules that prevent the alert. True if there is one.
+bool drawPreventing(const PanelContext& context, const Remedies& remedies) {
+    const auto prevents = [](const Remedy& each) { return each.prevents; };
+    if (std::none_of(remedies.tried.begin(), remedies.tried.end(), prevents)) return false;
+    dimText("Prevented by each of these alone. The run has " + grouped(remedies.all) +
+            " alerts now; the number with each rule is shown at the right.");
+    if (!ImGui::BeginTable("##remedies", 4)) return true;
+    for (const char* column : {"switch", "compare"})
+        ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("rule", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("leaves", ImGuiTableColumnFlags_WidthFixed);
+    for (const Remedy& each : remedies.tried)
+        if (each.prevents) drawRemedy(context, each);
+    ImGui::EndTable();
+    return true;
 }
 
 void drawTried(const PanelContext& context, const Remedies& remedies) {
     std::string others;
     std::string unknown;
-    bool any = false;
     for (const Remedy& each : remedies.tried) {
-        if (each.prevents) {
-            if (!any)
-                dimText("Prevented by each of these alone. The run has " + grouped(remedies.all) +
-                        " alerts now; the number with each rule "
-                        "is shown at the right.");
-            any = true;
-            drawRemedy(context, each);
-        } else {
-            std::string& list = each.unknown ? unknown : others;
-            list += (list.empty() ? "" : ", ") + std::string(nameOf(each));
-        }
+        if (each.prevents) continue;
+        std::string& list = each.unknown ? unknown : others;
+        list += (list.empty() ? "" : ", ") + std::string(nameOf(each));
     }
-    if (!any) wrappedText("No rule beyond the paper prevents this.");
+    if (!drawPreventing(context, remedies)) wrappedText("No rule beyond the paper prevents this.");
     if (!others.empty()) dimText("It stays with: " + others + ".");
     if (!unknown.empty())
         dimText("Unknown, since too many alerts are left, with: " + unknown + ".");

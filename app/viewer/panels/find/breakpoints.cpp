@@ -96,7 +96,7 @@ void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const 
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() +
                          ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushFont(context.fonts.small);
-    ImGui::TextDisabled("%s", fitted(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextDisabled("%s", fittedName(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopFont();
     tooltip(text);
 }

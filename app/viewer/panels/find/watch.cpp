@@ -126,7 +126,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     const float button = 1.7F * em;
     const float room = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     ImGui::PushFont(context.fonts.strong);
-    ImGui::TextUnformatted(fitted(value, room).c_str());
+    ImGui::TextUnformatted(fittedName(value, room).c_str());
     ImGui::PopFont();
     tooltip("At the end of pivot " + grouped(pivot));
     ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);

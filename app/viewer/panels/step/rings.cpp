@@ -209,7 +209,7 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
     strip.pitch = width / static_cast<float>(std::max<std::size_t>(1, strip.slice.count));
     strip.pitch = std::min(strip.pitch, 1.6F * least);
     const std::string title = "ring " + ringName(ring.number) + ", in its direction";
-    ImGui::TextDisabled("%s", fitted(title, width).c_str());
+    dimShortText(title, width);
     for (std::size_t i = 0; i < strip.slice.count; ++i) {
         if (i + 1 < strip.slice.count) drawStep(strip, i);
         drawPoint(strip, i);

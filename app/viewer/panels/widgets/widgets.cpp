@@ -214,6 +214,18 @@ void takeKeyboardHere() {
     g.NavDisableHighlight = false;
 }
 
+void shortText(const std::string& text, float width) {
+    const std::string shown = fittedName(text, width);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != text) tooltip(text);
+}
+
+void dimShortText(const std::string& text, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    shortText(text, width);
+    ImGui::PopStyleColor();
+}
+
 void wrappedText(const std::string& text, float width) {
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});

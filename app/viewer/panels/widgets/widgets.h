@@ -137,6 +137,10 @@ void endValues();
 std::string fitted(const std::string& text, float width);
 /// The name of a file or a run, cut in the middle if it does not fit `width`.
 std::string fittedName(const std::string& name, float width);
+/// A line of text, shortened in its middle to `width`; where it is, the tooltip has all of it.
+void shortText(const std::string& text, float width);
+/// The same in the color of less important text.
+void dimShortText(const std::string& text, float width);
 /// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
 /// linesAtBlanks() in the current type.
