@@ -375,18 +375,19 @@ TEST_CASE("A mesh without a triangle is not called sound, and other settings are
 
 namespace {
 
-void requireEqual(const MeshVerdict& card, const MeshVerdict& check) {
-    CHECK(headlineOf(card) == headlineOf(check));
+void requireEqual(const MeshVerdict& verdict, const MeshVerdict& check) {
+    CHECK(headlineOf(verdict) == headlineOf(check));
     for (const VerdictCount& count : verdictCounts()) {
         CAPTURE(count.name);
-        CHECK(count.of(card) == count.of(check));
+        CHECK(count.of(verdict) == count.of(check));
     }
 }
 
 }  // namespace
 
-TEST_CASE("The card counts what check counts of the saved mesh beside the points, also after Fix") {
-    const HeadlessApp other("card-and-check");
+TEST_CASE(
+    "The verdict counts what check counts of the saved mesh beside the points, also after Fix") {
+    const HeadlessApp other("verdict-and-check");
     const std::filesystem::path path = other.folder / "points.xyz";
     // A patch that contradicts the rest, and others that are right.
     PointFile sphere = findScene("sphere")->build();
@@ -405,15 +406,15 @@ TEST_CASE("The card counts what check counts of the saved mesh beside the points
         points.judge = judge;
         return judgeMesh(points, saved.faces).verdict;
     };
-    const auto onCard = [&] { return app.session.alerts().search().found()->verdict; };
-    requireEqual(onCard(), counted());
+    const auto judged = [&] { return app.session.alerts().search().found()->verdict; };
+    requireEqual(judged(), counted());
     app.session.moves().toEnd();
     app.session.trials().start();
     app.session.waitUntilDone();
     REQUIRE(app.session.trials().best() != nullptr);
     fixByTrials(app.context);
     app.arrive();
-    requireEqual(onCard(), counted());
+    requireEqual(judged(), counted());
 }
 
 TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 walks them") {
@@ -536,7 +537,6 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
     CHECK(app.session.noticedHere().empty());
 }
 
-TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
 TEST_CASE("Of several alerts at a decision one is said, and the number of the others") {
     std::size_t most = 0;
     for (const FailureScene& scene : failureScenes()) {
@@ -557,6 +557,7 @@ TEST_CASE("Of several alerts at a decision one is said, and the number of the ot
     CHECK(most > 1);
 }
 
+TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
     AlertApp app("scene:four-edge-hole");
     const auto& failures = app.session.alerts().search().failures();
     const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {

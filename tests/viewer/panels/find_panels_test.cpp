@@ -1,4 +1,4 @@
-/// The panels of the group Find, the card with the verdict and the pins, as the mouse reaches them.
+/// The panels of the group Find, the part with the verdict and the pins, as the mouse reaches them.
 #include <doctest/doctest.h>
 
 #include <cstdlib>

@@ -183,10 +183,10 @@ denies() {
     return 0
 }
 # inside NAME PERCENT_X PERCENT_Y: "X Y", that position within an item that the program has drawn,
-# e.g. "tab Dial"; center NAME: its middle.
+# e.g. "part Dial"; center NAME: its middle.
 inside() {
     local x y w h place before=
-    # In the first frames tabs have no size yet, and tabs and lists move to their positions.
+    # In the first frames parts have no size yet, and parts and lists move to their positions.
     for _ in $(seq 200); do
         poll settled_after 0
         place=$(field "$1" | tr -d '[],')
