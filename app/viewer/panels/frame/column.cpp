@@ -212,8 +212,8 @@ void drawColumn(const PanelContext& context) {
     const Rect& area = context.rects.column;
     if (area.size.x <= 0.0F) return;
     if (beginRegion("##column", area)) {
-        const bool lesson = context.state<LessonPanel>().walk.isOpen();
-        if (context.ui().offersTour && !lesson) drawTourOffer(context);
+        context.ui().offersTour &= !context.state<LessonPanel>().walk.isOpen();
+        if (context.ui().offersTour) drawTourOffer(context);
         ImGui::PushID(static_cast<int>(context.state<Column>().task));
         drawParts(context);
         ImGui::PopID();
