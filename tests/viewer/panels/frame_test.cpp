@@ -226,7 +226,7 @@ TEST_CASE("The strips are clicked, dragged, zoomed and folded, the tree of steps
     CHECK(strip().whole());
     // STAGE and PIVOT: cells go to their tests.
     app.goTo("137.sphere.1");
-    app.click(app.in("strip stage", 0.18F, 0.5F));
+    app.click(app.in("strip stage", 0.35F, 0.5F));
     CHECK(app.address() == "137.sphere.2");
     const glm::vec2 pivot = app.in("strip pivot", 0.01F, 0.5F);
     app.click(pivot);
