@@ -108,7 +108,7 @@ TEST_CASE("The go-to box refuses nonsense with a sentence") {
 TEST_CASE("An address that the run lacks is reported") {
     OpenSession open;
     open.session.moves().goTo({3, Stage::Join, 7});
-    CHECK(open.place() == "3.advance.1");
+    CHECK(open.place() == "3.ring.3");
     CHECK(open.session.messages().last().find("3.join.7") != std::string::npos);
     open.session.moves().stepPivot(1);
     CHECK(open.session.messages().last().empty());
