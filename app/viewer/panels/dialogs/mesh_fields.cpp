@@ -113,7 +113,7 @@ void drawCopy(const PanelContext& context, const std::string& path) {
     dimText(form.note);
 }
 
-void drawQuestion(const PanelContext& context) {
+void drawReplaceQuestion(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
     wrappedText(replaceText(form.question, context.session().input().spec().source));
     const bool replace = textButton(context, "Replace", "mesh replace");
@@ -153,7 +153,7 @@ void drawMeshFields(const PanelContext& context, std::string& name, const std::s
     const MeshForm& form = context.state<MeshForm>();
     if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
     if (form.saving) return drawWork(context);
-    if (!form.question.empty()) return drawQuestion(context);
+    if (!form.question.empty()) return drawReplaceQuestion(context);
     drawFormats(context, name);
     drawPoints(context);
     drawFields(context);
