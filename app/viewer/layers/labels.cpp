@@ -9,6 +9,16 @@ namespace se::view {
 
 namespace {
 
+/// Whether `name` is a word of `text`: "7" of "start point 7".
+bool isWordOf(const std::string& name, const std::string& text) {
+    const auto ends = [&](std::size_t at) { return text.find_first_of(" ,", at) == at; };
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const std::size_t after = at + name.size();
+        if ((at == 0 || text[at - 1] == ' ') && (after == text.size() || ends(after))) return true;
+    }
+    return false;
+}
+
 /// The color of a point's sign.
 const Color& roleColor(const DecisionState& p, const Palette& c, Index point) {
     if (point == p.pivot || point == p.nextPivot) return c.pivot;
@@ -37,11 +47,17 @@ void addLabels(const LayerInput& in, DrawList& out) {
     // Those of the decision come first: a view has room for a few.
     const auto add = [&](Index point, const Color& color, bool strong) {
         if (point == kNone || !seen.insert(point).second) return;
+        const std::string name = nameOf(point, in.names);
+        // Another layer may have named it already, with what it is.
+        const bool elsewhere =
+            std::any_of(out.labels.begin(), out.labels.end(), [&](const Label& each) {
+                return each.position == in.at(point) && isWordOf(name, each.text);
+            });
+        if (elsewhere) return;
         const bool asked =
             point == in.hovered || point == in.selected ||
             std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
-        out.labels.push_back(
-            {in.at(point), nameOf(point, in.names), color, strong, strong, 0.0F, asked});
+        out.labels.push_back({in.at(point), name, color, strong, strong, 0.0F, asked});
     };
     add(p.pivot, c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;

@@ -1,5 +1,5 @@
 /// The open lesson: the step that is shown, and the answers to its questions. Independent of the
-/// run; controllers/lesson.h shows the steps in it.
+/// run; lesson_player.h shows the steps in it.
 #pragma once
 
 #include <memory>

@@ -177,6 +177,20 @@ TEST_CASE("A point of a decision is labeled with its name alone, in a figure tha
     }
 }
 
+TEST_CASE("A point that its stage names has no second label") {
+    OpenSession open;
+    const Address seed{1, Stage::Seed, 1};
+    (void)drawn(open, seed, {});
+    const auto* made = open.session.picture().evidence<SeedEvidence>(Stage::Seed);
+    REQUIRE(made != nullptr);
+    const std::vector<PointName> names{{made->first, "1"}, {made->second, "2"}};
+    open.session.giveNames(names);
+    const DrawList list = drawn(open, seed, {LayerId::Seed, LayerId::Labels});
+    CHECK(list.labels.size() == 3);
+    CHECK(says(list, "start point 1"));
+    open.session.giveNames({});
+}
+
 TEST_CASE("The measures of a sphere are written out where a point has one of their letters") {
     OpenSession open;
     const Address at{30, Stage::Sphere, 1};
