@@ -38,15 +38,21 @@ inline constexpr const char* kPreparePart = "Prepare";
 inline constexpr const char* kSectionPart = "Section";
 inline constexpr const char* kLessonPart = "Lesson";
 
+struct PanelContext;
+
 /// One part: a panel within the column, which can be folded to its title.
 struct PartRow {
     std::string_view title;
     Task task;
+    void (*draw)(const PanelContext& context);
     bool open = true;  ///< Unless the user has folded or unfolded it.
     /// The least height in em, if it scrolls by itself and takes the room that is left; 0: it is as
     /// high as its content.
     float least = 0.0F;
+    /// Null: the part is always there.
+    bool (*isThere)(const PanelContext& context) = nullptr;
 };
+/// The table of the parts, in their order; it is in panels/parts.cpp.
 std::span<const PartRow> partRows();
 /// The part of that title; null if there is none.
 const PartRow* partNamed(std::string_view title);

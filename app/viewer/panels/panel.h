@@ -154,12 +154,6 @@ void queryHelp(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 
-/// How a part of the column is drawn.
-struct PartPanel {
-    void (*draw)(const PanelContext& context);
-    /// False: the part is not there now. Null: it always is.
-    bool (*isThere)(const PanelContext& context) = nullptr;
-};
 /// The rail of tasks, and the parts of the open one.
 void drawColumn(const PanelContext& context);
 void drawRail(const PanelContext& context);

@@ -1,8 +1,6 @@
 // The rail of tasks, and the column with the parts of the open task: one below the other, each of
 // which can be folded to its title.
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
 #include <span>
 #include <string>
@@ -24,57 +22,18 @@ constexpr float kEntryHigh = 3.6F;
 constexpr float kSignSize = 1.15F;
 constexpr float kTaskNameSize = 0.72F;
 
-bool hasPivot(const PanelContext& context) {
-    return !context.session().ready() || !context.session().atEnd();
-}
-bool compares(const PanelContext& context) {
-    return context.rects.layoutPreset == LayoutPreset::Compare;
-}
-
-/// In the order of partRows().
-constexpr auto kPanels = std::to_array<PartPanel>({
-    // Step
-    {drawDial, hasPivot},
-    {drawInspect},
-    {drawPaper, hasPivot},
-    {drawSection, hasPivot},
-    {drawSteps},
-    {drawRings, hasPivot},
-    // Why, Faults
-    {drawLedger},
-    {drawVerdict},
-    {drawAlerts},
-    // Find
-    {drawQuery},
-    {drawBreakpoints},
-    {drawWatch},
-    {drawCharts},
-    // Change
-    {drawCompare, compares},
-    {drawRules},
-    {drawWhatIf},
-    // Input, Lesson
-    {drawDoctor},
-    {drawPrepare},
-    {drawLesson},
-});
-
 /// A part of the open task, and where its row is.
 struct Shown {
     const PartRow* row;
-    const PartPanel* panel;
     std::size_t number;
 };
 
 std::vector<Shown> partsOf(const PanelContext& context) {
     std::vector<Shown> parts;
     const auto rows = partRows();
-    assert(rows.size() == kPanels.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].task != context.state<Column>().task) continue;
-        const PartPanel& panel = kPanels[i];
-        if (panel.isThere == nullptr || panel.isThere(context))
-            parts.push_back({&rows[i], &panel, i});
+        if (rows[i].isThere == nullptr || rows[i].isThere(context)) parts.push_back({&rows[i], i});
     }
     return parts;
 }
@@ -135,10 +94,10 @@ void drawContent(const PanelContext& context, std::span<const Shown> parts, std:
             ImGui::GetContentRegionAvail().y - heightBelow(context, parts, number + 1);
         const float height = std::max(part.row->least * context.em, rest);
         if (ImGui::BeginChild("##content", {0.0F, height}, false, ImGuiWindowFlags_NavFlattened))
-            part.panel->draw(context);
+            part.row->draw(context);
         ImGui::EndChild();
     } else {
-        part.panel->draw(context);
+        part.row->draw(context);
         ImGui::Spacing();
     }
     context.state<Column>().heights[part.number] = ImGui::GetCursorPosY() - from;
