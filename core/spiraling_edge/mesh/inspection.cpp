@@ -432,7 +432,9 @@ bool contains(const Box& outer, const Box& inner) {
 
 void inwardPieces(const InspectedMesh& mesh, Failures& failures) {
     const std::map<Index, ClosedPiece> pieces = closedPieces(mesh);
-    for (const auto& [name, piece] : pieces) {
+    for (const auto& named : pieces) {
+        const Index name = named.first;
+        const ClosedPiece& piece = named.second;
         if (!(piece.volume < 0.0)) continue;
         const Vec3& x = mesh.points.position[name];
         const bool nested = std::any_of(pieces.begin(), pieces.end(), [&](const auto& other) {

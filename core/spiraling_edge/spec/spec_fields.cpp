@@ -392,7 +392,9 @@ Status setField(const SpecField& field, RunSpec& spec, std::string_view text) {
 
 SpecChange specChange(std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
     SpecChange change;
-    for (const auto& [key, text] : values) {
+    for (const auto& value : values) {
+        const std::string_view key = value.first;
+        const std::string_view text = value.second;
         const auto field = std::find_if(kFields.begin(), kFields.end(), [&](const SpecField& each) {
             // Of several options of a key the one that stands for the text.
             return each.key == key &&

@@ -52,11 +52,11 @@ bool isInMesh(std::span<const Triangle> mesh, const Subject& subject) {
 /// O(triangles) at a pinched one.
 bool isInMesh(const RepairState& repair, const Subject& subject) {
     const Index p = subject[0];
-    if (repair.pinched[p]) return isInMesh(repair.triangles, subject);
+    const std::vector<Triangle>& triangles = repair.triangles;
+    if (repair.pinched[p]) return isInMesh(triangles, subject);
     bool found = false;
-    forEachSideOf(repair, p, [&](HalfEdge side) {
-        found = found || holds(repair.triangles[side / 3], subject);
-    });
+    forEachSideOf(repair, p,
+                  [&](HalfEdge side) { found = found || holds(triangles[side / 3], subject); });
     return found;
 }
 

@@ -67,12 +67,13 @@ void listPinched(RepairState& m);
 
 /// The sides that leave a pinched point, after listPinched().
 inline std::span<const PinchedSide> sidesOfPinched(const RepairState& m, Index point) {
+    const std::vector<PinchedSide>& all = m.pinchedSides;
     const auto first =
-        std::lower_bound(m.pinchedSides.begin(), m.pinchedSides.end(), point,
+        std::lower_bound(all.begin(), all.end(), point,
                          [](const PinchedSide& side, Index p) { return side.point < p; });
     auto end = first;
-    while (end != m.pinchedSides.end() && end->point == point) ++end;
-    return std::span<const PinchedSide>(first, end);
+    while (end != all.end() && end->point == point) ++end;
+    return {all.data() + (first - all.begin()), static_cast<std::size_t>(end - first)};
 }
 
 /// The corners of these triangles, ascending.
