@@ -9,6 +9,7 @@
 
 #include "font_paths.h"
 #include "panels/widgets/widgets.h"
+#include "render/context.h"
 
 namespace se::view {
 
@@ -181,7 +182,7 @@ Ui::Ui() {
     // No layout file: the layout is fixed, and nothing may be left in the working directory.
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_Init(shaderVersion());
 }
 
 Ui::~Ui() {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gl_dialect.h"
 #include "spiraling_edge/base/atomic_file.h"
 
 namespace se::view {
@@ -16,6 +17,8 @@ Status loadGl(GlFunctionLoader loader) {
     if (version < GLAD_MAKE_VERSION(3, 3)) return Error{"OpenGL 3.3 is not available."};
     return success();
 }
+
+const char* shaderVersion() { return kShaderVersion; }
 
 int greatestPicture() {
     GLint texture = 0;

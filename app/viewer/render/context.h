@@ -15,6 +15,8 @@ using GlFunctionLoader = GlFunction (*)(const char* name);
 
 /// Loads the functions of the current context. Fails if it is older than 3.3.
 Status loadGl(GlFunctionLoader loader);
+/// The line "#version ..." of its shaders.
+const char* shaderVersion();
 /// Pixels that a picture of the current context can have in each direction.
 int greatestPicture();
 /// Fills the bound framebuffer of `size` pixels with a color.

@@ -6,14 +6,13 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "gl_dialect.h"
 #include "run/embedded_files.h"
 #include "run/strings.h"
 
 namespace se::view {
 
 namespace {
-
-constexpr std::string_view kVersion = "#version 330 core\n";
 
 Result<std::string> sourceOf(const std::string& name, const std::filesystem::path& folder) {
     if (!folder.empty()) {
@@ -30,7 +29,7 @@ Result<unsigned> compile(GLenum kind, const std::string& name, const std::filesy
                          const std::string& defines) {
     const Result<std::string> source = sourceOf(name, folder);
     if (!source) return source.error();
-    const std::string text = std::string(kVersion) + defines + "#line 1\n" + source.value();
+    const std::string text = std::string(kShaderHeader) + defines + "#line 1\n" + source.value();
     const char* pointer = text.c_str();
     const GLuint shader = glCreateShader(kind);
     glShaderSource(shader, 1, &pointer, nullptr);

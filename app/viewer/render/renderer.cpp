@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "gl_dialect.h"
 #include "scene/detail.h"
 
 namespace se::view {
@@ -97,7 +98,7 @@ void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    glEnable(GL_PROGRAM_POINT_SIZE);
+    enablePointSize();
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     keep(list, view, finish);
@@ -114,7 +115,7 @@ void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
     drawSprites(list, view.camera, view.background);
 
     glDepthMask(GL_TRUE);
-    glDisable(GL_PROGRAM_POINT_SIZE);
+    disablePointSize();
     glBindVertexArray(0);
     picture_.end();
 }
