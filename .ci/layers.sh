@@ -91,7 +91,7 @@ for i in "${!steps[@]}"; do
     for room in ${steps[i]//[|+]/ }; do
         own=$(grep -F + <<<"${steps[i]}" | tr + '|')
         above=$(printf '%s\n' "${steps[@]:i}" | tr '|+' '\n\n' | grep -vxE "${own:-$room}" | paste -sd '|')
-        below "$room" "($above)/|(options|application|window|offscreen)\.h"
+        below "$room" "($above)/|(options|application|window|offscreen|start_settings)\.h"
     done
 done
 below render 'imgui\.h'

@@ -14,7 +14,6 @@
 #include "export_run.h"
 #include "offscreen.h"
 #include "options.h"
-#include "panel_state/settings.h"
 #include "picture_frames.h"
 #include "render/context.h"
 #include "run/strings.h"
@@ -23,6 +22,7 @@
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/freed_memory.h"
+#include "start_settings.h"
 #include "window.h"
 
 namespace {
@@ -32,38 +32,6 @@ using namespace se::view;
 int fail(int code, const std::string& message) {
     printLines(stderr, "spiraling-edge-viewer: " + se::printable(message) + "\n");
     return code;
-}
-
-/// Pictures and measurements are equal for everybody.
-ViewSettings keptSettings(const Options& options) {
-    const bool reads = !options.noConfig && !options.onPaper() && options.benchFrames == 0;
-    return reads ? readSettings(settingsPath()) : ViewSettings{};
-}
-
-ViewSettings settingsFor(const Options& options, ViewSettings settings) {
-    if (options.size) {
-        settings.width = options.size->x;
-        settings.height = options.size->y;
-    }
-    if (options.theme) settings.theme = *options.theme;
-    if (options.meshStyle) settings.meshStyle = *options.meshStyle;
-    if (options.pointTint) settings.pointTint = *options.pointTint;
-    if (options.uiScale > 0.0) settings.uiScale = options.uiScale;
-    return settings;
-}
-
-/// Options of the command line apply to this run only, not to the settings.
-ViewSettings settingsToKeep(const Options& options, const Application& application,
-                            const ViewSettings& before) {
-    ViewSettings keep = application.settings();
-    if (options.theme) keep.theme = before.theme;
-    if (options.meshStyle) keep.meshStyle = before.meshStyle;
-    if (options.pointTint) keep.pointTint = before.pointTint;
-    if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
-    if (options.session && options.session->layers) keep.layers = before.layers;
-    if (options.size) keep.width = before.width;
-    if (options.size) keep.height = before.height;
-    return keep;
 }
 
 /// Waits until the requested view can be drawn.
