@@ -1,0 +1,105 @@
+// Files: settings in the store of the browser; what is picked or dropped is opened; what is saved is
+// a download.
+const kHome = '/home/web_user/';
+const kFiles = '/files/';
+const kStored = 'spiraling-edge:';
+/// The store, if this page has one: a sandboxed frame has none.
+const store = (() => { try { return window.localStorage; } catch { return null; } })();
+
+function filesUnder(FS, folder) {
+  return FS.readdir(folder).filter(name => name !== '.' && name !== '..').flatMap(name => {
+    const path = folder + name;
+    return FS.isDir(FS.stat(path).mode) ? filesUnder(FS, path + '/') : [path];
+  });
+}
+
+/// Puts the kept settings where the program reads them, and the program's files into a folder.
+function openStore({FS, ENV}) {
+  ENV.HOME = kHome.slice(0, -1);
+  FS.mkdir(kFiles.slice(0, -1));
+  FS.chdir(kFiles.slice(0, -1));
+  readStore(FS);
+}
+function readStore(FS) {
+  for (let i = 0; store && i < store.length; ++i) {
+    const name = store.key(i);
+    if (!name.startsWith(kStored)) continue;
+    const path = kHome + name.slice(kStored.length);
+    FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+    FS.writeFile(path, store.getItem(name));
+  }
+}
+
+/// Keeps the settings for the next visit. Other tabs may have changed theirs: the program merges.
+function keepSettings() {
+  if (!store || !program || failedWith) return;
+  const FS = program.FS;
+  const before = filesUnder(FS, kHome).map(path => [path, FS.readFile(path, {encoding: 'utf8'})]);
+  readStore(FS);
+  program._webKeep();
+  for (const path of filesUnder(FS, kHome)) {
+    const text = FS.readFile(path, {encoding: 'utf8'});
+    const name = kStored + path.slice(kHome.length);
+    const own = before.find(each => each[0] === path);
+    // A file that only this program has changed since.
+    const written = text === store.getItem(name) && own && own[1] !== text && !path.endsWith('settings.json') ? own[1] : text;
+    if (written !== store.getItem(name)) try { store.setItem(name, written); } catch { return; }
+  }
+}
+addEventListener('pagehide', keepSettings);
+
+/// A file that the program writes outside of its settings goes to the downloads.
+function saveAsDownloads({FS}) {
+  const rename = FS.rename;
+  FS.rename = (from, to) => {
+    rename.call(FS, from, to);
+    const path = FS.lookupPath(to).path;
+    if (path.startsWith(kHome)) return;
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
+    link.download = path.slice(path.lastIndexOf('/') + 1);
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  };
+}
+
+/// Opens files of the reader's machine: the first, as when it is dropped on the window.
+async function openFiles(files) {
+  if (!program || files.length === 0) return;
+  const paths = [];
+  for (const file of files) {
+    const path = kFiles + file.name.replace(/[\n/]/g, '_');
+    program.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+    paths.push(path);
+  }
+  program.ccall('webDropped', null, ['string'], [paths.join('\n')]);
+  wake();
+}
+document.getElementById('picker').addEventListener('change', event => {
+  openFiles([...event.target.files]);
+  event.target.value = '';
+});
+addEventListener('dragover', event => event.preventDefault());
+addEventListener('drop', event => {
+  event.preventDefault();
+  openFiles([...event.dataTransfer.files]);
+});
+
+/// Text that the program copies.
+function copied(text) {
+  if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => copyByHand(text));
+  else copyByHand(text);
+}
+/// Where a page may not write the clipboard by itself: in a frame, or without https.
+function copyByHand(text) {
+  const field = document.createElement('textarea');
+  field.value = text;
+  document.body.append(field);
+  field.select();
+  document.execCommand('copy');
+  field.remove();
+  canvas.focus();
+}
+addEventListener('paste', event => {
+  if (program) program.ccall('webPasted', null, ['string'], [event.clipboardData.getData('text')]);
+});
