@@ -42,6 +42,8 @@ class Application {
     Status start(float contentScale);
 
     // From the window.
+    /// The window is on a monitor of another scale, or the page is zoomed.
+    void setContentScale(float scale) { contentScale_ = scale; }
     /// True if the key was handled: the user interface must not get it.
     bool key(const KeyChord& chord, bool repeated);
     void keyReleased(const KeyChord& chord);

@@ -136,6 +136,11 @@ void Window::listen() {
     glfwSetFramebufferSizeCallback(window_,
                                    [](GLFWwindow* window, int, int) { of(window).redraw(); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).redraw(); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) {
+        if (of(window).application_ == nullptr) return;
+        of(window).application_->setContentScale(of(window).contentScale());
+        of(window).redraw();
+    });
     glfwSetWindowFocusCallback(
         window_, [](GLFWwindow* window, int) { of(window).noteInput(kSettleFrames); });
 }

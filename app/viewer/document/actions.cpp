@@ -135,6 +135,13 @@ void openBrowser(C& c, BrowserTask task) {
     c.ui.fileBrowser = true;
 }
 
+void openFor(C& c, BrowserTask task, const std::string& source) {
+    if (task == BrowserTask::Mesh) return c.compare.begin(CompareWith::otherFile(source));
+    if (task != BrowserTask::Volume) return c.document.open(source);
+    c.ui.growth.form.chooseVolume(source);
+    c.sampling.start();
+}
+
 void saveAs(C& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
     openBrowser(c, BrowserTask::SaveSession);

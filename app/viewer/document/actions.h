@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "context.h"
 #include "scene/camera.h"
@@ -36,6 +37,8 @@ void scaleBy(CommandContext& c, int direction);
 void toggleBookmarkHere(CommandContext& c);
 /// To the bookmark at a position of their list, from 0.
 void toBookmark(CommandContext& c, std::size_t place);
+/// Opens what was chosen in the dialog for a task: an input, a mesh to compare with, or a volume.
+void openFor(CommandContext& c, BrowserTask task, const std::string& source);
 void saveAs(CommandContext& c);
 /// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);

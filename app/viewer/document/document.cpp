@@ -433,6 +433,7 @@ bool Document::hasNewSettings() const {
 
 void Document::note(const std::string& file) {
     if (!kept_.isOpen() || file.empty() || isStandardInput(file)) return;
+    if (c_.ui.hostFiles.apart() && !isScene(file) && !isSample(file)) return;  // gone by then
     keep([&](KeptState& state) {
         remember(state, file);
         c_.ui.recent = state.recent;

@@ -11,7 +11,7 @@
 #include "compare/compare_page.h"
 #include "input/clipboard.h"
 #include "input/go_to_box.h"
-#include "input/key_map.h"
+#include "input/host_files.h"
 #include "input/key_routing.h"
 #include "input/tab_order.h"
 #include "input/view_drag.h"
@@ -95,6 +95,7 @@ struct UiState {
     ViewSettings settings;
     BetweenFrames betweenFrames;
     Clipboard clipboard;
+    HostFiles hostFiles;
     FrameRequest frame = FrameRequest::None;
     bool takesPicture = false;  ///< The next frame is saved as a picture.
     bool fullScreen = false;    ///< The window is to fill the monitor.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compare/compared_runs.h"
+#include "document/actions.h"
 #include "document/document.h"
 #include "document/mesh_saving.h"
 #include "document/new_points.h"
@@ -33,13 +34,8 @@ namespace fs = std::filesystem;
 constexpr int kSettling = 3;
 
 void openSource(const PanelContext& context, const std::string& source) {
-    UiState& ui = context.ui();
-    CommandContext& c = context.commands;
-    ui.fileBrowser = false;
-    if (ui.browser == BrowserTask::Mesh) return c.compare.begin(CompareWith::otherFile(source));
-    if (ui.browser != BrowserTask::Volume) return c.document.open(source);
-    ui.growth.form.chooseVolume(source);
-    c.sampling.start();
+    context.ui().fileBrowser = false;
+    actions::openFor(context.commands, context.ui().browser, source);
 }
 
 /// Saves what is saved in a file of that extension.
@@ -282,7 +278,17 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     if (!state.error.empty()) wrappedText("! " + state.error, context.palette.rejected);
 }
 
+/// Files of the reader's machine: the program does not see them before they are chosen.
+void drawHostFiles(const PanelContext& context) {
+    heading(context, "Files", "");
+    if (ImGui::Button("Choose a file...")) context.ui().hostFiles.pick();
+    dimText("Or drop one anywhere on the window. It stays on this machine.");
+}
+
 void drawFiles(const PanelContext& context, FileBrowsing& state) {
+    if (context.ui().hostFiles.apart() && !saves(context) &&
+        context.ui().browser != BrowserTask::Export)
+        return drawHostFiles(context);
     const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
     heading(context, "Files", fittedName(state.folder.string(), room));
     drawPathLine(context, state);
@@ -292,6 +298,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
                        path.empty() ? path : context.state<MeshForm>().withFormat(path));
     }
     if (context.ui().browser == BrowserTask::Export) drawExportFields(context, state.path);
+    if (context.ui().hostFiles.apart()) return dimText("The file goes to your downloads.");
     ImGui::BeginDisabled(dialogWaits(context));
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
         if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
