@@ -2,6 +2,8 @@
 # The one list of Debian packages that the project needs, and their installation.
 #   packages.sh run     to build and run the programs
 #   packages.sh test    to build and run the tests, too
+#   packages.sh web     to build the page, app/web/build.sh
+#   packages.sh web-test    to test it, app/web/test.sh
 # Installs missing packages, as root or with sudo; returns quickly if there are none.
 set -euo pipefail
 
@@ -23,10 +25,15 @@ test=(
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )
 
+web=(emscripten nodejs dpkg-dev python3 python3-fonttools)
+browsers=(chromium firefox-esr xvfb xauth)
+
 case "${1:-}" in
     run) wanted=("${run[@]}") ;;
     test) wanted=("${run[@]}" "${test[@]}") ;;
-    *) sed -n '2,5p' "$0" >&2; exit 2 ;;
+    web) wanted=("${run[@]}" "${web[@]}") ;;
+    web-test) wanted=("${run[@]}" "${web[@]}" "${browsers[@]}") ;;
+    *) sed -n '2,7p' "$0" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then

@@ -2,6 +2,7 @@
 // calls.
 #include <emscripten/emscripten.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -100,12 +101,18 @@ int main(int, char** argv) {
         program->options = std::move(*parsed.options);
         if (const auto status = adoptInputs(program->options); !status)
             return fail(kExitInput, status.error().message);
+        program->options.narrate = true;  // for those who cannot see the picture
         program->kept = keptSettings(program->options);
+        // Until the reader has chosen a theme, that of the page around.
+        std::error_code error;
+        if (!std::filesystem::exists(settingsPath(), error))
+            program->kept.theme = themeFromName(argv[2]).value_or(Theme::Dark);
         const ViewSettings settings = settingsFor(program->options, program->kept);
         auto window = Window::create({settings.width, settings.height});
         if (!window) return fail(kExitNoDisplay, window.error().message);
         program->window = std::move(window.value());
         program->application = std::make_unique<Application>(program->options, settings);
+        program->application->commands().ui.hostFiles.pick = [] { EM_ASM({ Module.pick(); }); };
         if (!program->options.noConfig) program->application->keepIn(statePath());
         if (const auto status = program->application->start(program->window->contentScale());
             !status)

@@ -93,6 +93,21 @@ function turn() {
 }
 document.addEventListener('visibilitychange', wake);
 
+/// Another link in the same page moves the program there.
+addEventListener('hashchange', () => {
+  if (!program || failedWith) return location.reload();
+  const sentence = program.ccall('webLink', 'string', ['string'], [location.hash]);
+  if (sentence) fail(sentence);
+  wake();
+});
+
+/// An address and the sentence about it: for a screen reader, and for the page around.
+function narrated(line) {
+  const [address, sentence] = line.split('\t');
+  document.getElementById('sentence').textContent = sentence ?? line;
+  if (framed && sentence) window.parent.postMessage({address, sentence}, '*');
+}
+
 /// The program cannot go on.
 function stopped(error) {
   console.error(error);
@@ -114,14 +129,15 @@ async function begin() {
     script.textContent = new TextDecoder().decode(code);
     document.head.append(script);
     await spiralingEdge({
-      arguments: [location.hash],
+      arguments: [location.hash, matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'],
       wasmBinary: wasm,
       getPreloadedPackage: () => data,
       preRun: [module => { program = module; openStore(module); }],
       begin() { saveAsDownloads(program); canvas.focus(); wake(); },
       failed: fail,
       tellSize, setCursor, copied,
-      print(text) { document.getElementById('sentence').textContent = text; },
+      pick() { document.getElementById('picker').click(); },
+      print: narrated,
       printErr(text) { console.warn(text); },
       onAbort: stopped,
     });
@@ -129,3 +145,10 @@ async function begin() {
     failedWith || (error instanceof WebAssembly.RuntimeError || error instanceof RangeError ? stopped(error) : fail(error.message));
   }
 }
+
+/// The page around may move the program: {go: "137.sphere.3"}, or a link.
+addEventListener('message', event => {
+  if (!framed || event.source !== window.parent || typeof event.data?.go !== 'string' || !program || failedWith) return;
+  program.ccall('webGo', null, ['string'], [event.data.go]);
+  wake();
+});

@@ -12,7 +12,7 @@ class Browser {
   /// options: width, height, ratio, mobile, profile (a folder that stays), arguments (of Chromium).
   static async start(options = {}) {
     const made = new Browser();
-    made.options = {width: 1280, height: 800, ratio: 1, mobile: false, arguments: [], ...options};
+    made.options = {width: 1280, height: 800, ratio: 1, arguments: [], ...options, mobile: options.mobile ?? false};
     made.profile = options.profile ?? fs.mkdtempSync(path.join(os.tmpdir(), 'spiraling-edge-'));
     made.downloads = path.join(made.profile, 'downloads');
     made.process = spawn('chromium', ['--headless=new', '--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--ignore-gpu-blocklist',
@@ -28,6 +28,7 @@ class Browser {
     });
     const {targetInfos} = await made.send('Target.getTargets');
     await made.attach(targetInfos.find(each => each.type === 'page').targetId);
+    await made.shape();
     await made.send('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: made.downloads});
     return made;
   }
@@ -35,7 +36,9 @@ class Browser {
   async attach(targetId) {
     const {sessionId} = await this.send('Target.attachToTarget', {targetId, flatten: true});
     this.session = sessionId;
-    for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await this.call(domain + '.enable');
+    for (const domain of ['Page', 'Runtime', 'Log']) await this.call(domain + '.enable');
+  }
+  async shape() {
     const {width, height, ratio, mobile} = this.options;
     await this.call('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: ratio, mobile});
     if (mobile) await this.call('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 2});

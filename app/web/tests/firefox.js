@@ -1,0 +1,105 @@
+// The program in Firefox, on the display that DISPLAY names: without one it has no WebGL.
+// firefox.js SITE ONE_FILE PICTURES. Driven by Marionette, a socket of Firefox.
+'use strict';
+const {spawn} = require('child_process');
+const fs = require('fs');
+const net = require('net');
+const os = require('os');
+const path = require('path');
+const {serve} = require('./server.js');
+
+const sleep = ms => new Promise(done => setTimeout(done, ms));
+
+class Firefox {
+  static async start(width, height) {
+    const made = new Firefox();
+    made.profile = fs.mkdtempSync(path.join(os.tmpdir(), 'firefox-'));
+    const port = 20000 + process.pid % 20000;
+    fs.writeFileSync(path.join(made.profile, 'user.js'), `user_pref('marionette.port', ${port});\nuser_pref('webgl.force-enabled', true);\n`);
+    made.process = spawn('firefox-esr', ['--marionette', '--no-remote', '--profile', made.profile, '--width', String(width), '--height', String(height)], {stdio: 'ignore'});
+    for (let i = 0; !made.socket; ++i) {
+      await sleep(200);
+      made.socket = await new Promise(done => {
+        const socket = net.connect(port, '127.0.0.1', () => done(socket)).on('error', () => done(null));
+      });
+      if (i > 150) throw new Error('Firefox does not answer');
+    }
+    made.waiting = new Map();
+    let bytes = Buffer.alloc(0);
+    made.socket.on('data', data => {
+      bytes = Buffer.concat([bytes, data]);
+      for (let colon; (colon = bytes.indexOf(':')) > 0;) {
+        const length = Number(bytes.subarray(0, colon));
+        if (bytes.length < colon + 1 + length) break;
+        const message = JSON.parse(bytes.subarray(colon + 1, colon + 1 + length));
+        bytes = bytes.subarray(colon + 1 + length);
+        if (!Array.isArray(message)) continue;
+        const [, id, error, result] = message;
+        const [done, failed] = made.waiting.get(id);
+        error ? failed(new Error(error.message)) : done(result);
+      }
+    });
+    await made.call('WebDriver:NewSession', {});
+    return made;
+  }
+  call(name, parameters) {
+    return new Promise((done, failed) => {
+      const id = this.waiting.size + 1;
+      this.waiting.set(id, [done, failed]);
+      const text = JSON.stringify([0, id, name, parameters]);
+      this.socket.write(`${Buffer.byteLength(text)}:${text}`);
+    });
+  }
+  async value(expression) { return (await this.call('WebDriver:ExecuteScript', {script: `return ${expression}`, args: [], sandbox: null})).value; }
+  async until(expression) {
+    for (let i = 0; i < 600; ++i, await sleep(100)) if (await this.value(expression).catch(() => false)) return;
+    throw new Error(`never: ${expression}; the page: ${await this.value('document.title + " | " + document.body.innerText').catch(String)}`);
+  }
+  /// A key by its name, or by WebDriver's number.
+  key(value) {
+    return this.call('WebDriver:PerformActions', {actions: [{type: 'key', id: 'keyboard', actions: [{type: 'keyDown', value}, {type: 'keyUp', value}]}]});
+  }
+  async picture(file) { fs.writeFileSync(file, Buffer.from((await this.call('WebDriver:TakeScreenshot', {full: false})).value, 'base64')); }
+  async end() {
+    this.process.kill();
+    await new Promise(done => this.process.on('exit', done));
+    fs.rmSync(this.profile, {recursive: true, force: true, maxRetries: 5});
+  }
+}
+
+(async () => {
+  const [site, oneFile, pictures] = process.argv.slice(2, 5).map(each => path.resolve(each));
+  fs.mkdirSync(pictures, {recursive: true});
+  const server = await serve(site);
+  const version = fs.readdirSync(site).find(name => fs.statSync(path.join(site, name)).isDirectory());
+  const browser = await Firefox.start(1280, 800);
+  let code = 0;
+  const test = async (name, run) => {
+    try {
+      await run();
+      console.log(`ok    Firefox: ${name}`);
+    } catch (error) {
+      console.log(`FAIL  Firefox: ${name}\n${error.stack}`);
+      code = 1;
+    }
+  };
+  const open = url => browser.call('WebDriver:Navigate', {url});
+  await test('a link lands at its decision, and keys step', async () => {
+    await open(`${server.address}${version}/#scene=torus&goto=137.sphere.3`);
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.key('\uE014');
+    await browser.until(`document.title.startsWith('137.sphere.4')`);
+    await browser.picture(path.join(pictures, 'firefox.png'));
+  });
+  await test('a lesson opens by a link', async () => {
+    await open(`${server.address}${version}/#lesson=removal`);
+    await browser.until(`/scene:figure-8/.test(document.title)`);
+  });
+  await test('one file opens from a disk', async () => {
+    await open(`file://${oneFile}#scene=torus&goto=20.sort.1`);
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+  });
+  await browser.end();
+  await server.stop();
+  process.exit(code);
+})();

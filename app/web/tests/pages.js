@@ -1,0 +1,245 @@
+// The program in Chromium, as a reader has it: pages.js SITE ONE_FILE [PICTURES] [NAME...]
+// Each test opens a browser of its own. PICTURES: a folder for what they show. NAME: these tests alone.
+'use strict';
+const assert = require('assert');
+const crypto = require('crypto');
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+const {Browser, sleep} = require('./chromium.js');
+const {serve} = require('./server.js');
+
+const [site, oneFile] = process.argv.slice(2, 4).map(each => path.resolve(each));
+const pictures = process.argv[4] ?? fs.mkdtempSync(path.join(os.tmpdir(), 'pictures-'));
+const wanted = process.argv.slice(5);
+const assets = path.resolve(__dirname, '../../../assets');
+fs.mkdirSync(pictures, {recursive: true});
+
+const title = browser => browser.value('document.title');
+const sentence = browser => browser.value('document.getElementById("sentence").textContent');
+const why = browser => browser.value('document.getElementById("why").textContent');
+/// What the canvas shows, as a hash.
+const shown = async browser => {
+  await browser.settled();
+  const {data} = await browser.call('Page.captureScreenshot', {format: 'png'});
+  return crypto.createHash('sha256').update(data).digest('hex');
+};
+/// Waits until the page says why there is no program; what it says.
+const refused = async browser => {
+  await browser.until('failedWith');
+  return why(browser);
+};
+
+const tests = {
+  async 'the start page opens'({open}) {
+    const browser = await open('');
+    await browser.settled();
+    assert.equal(await title(browser), 'Spiraling Edge');
+    await browser.picture(path.join(pictures, 'start.png'));
+  },
+  async 'a link lands at its decision'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.settled();
+    await browser.picture(path.join(pictures, 'decision.png'));
+  },
+  async 'the sentence of the decision is read aloud'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.getElementById('sentence').textContent !== ''`);
+    assert.match(await sentence(browser), /Point 242 lies 0.00918747 outside the sphere/);
+  },
+  async 'a lesson opens by a link'({open}) {
+    const browser = await open('#lesson=removal');
+    await browser.until(`/scene:figure-8/.test(document.title)`);
+    await browser.settled();
+    await browser.picture(path.join(pictures, 'lesson.png'));
+  },
+  async 'keys step forward and back'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.key('ArrowRight');
+    await browser.until(`document.title.startsWith('137.sphere.4')`);
+    await browser.key('ArrowLeft');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+  },
+  async 'an address is typed'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    await browser.key('Ctrl+g');
+    await browser.settled();
+    await browser.type('20.sort.1');
+    await browser.key('Enter');
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+  },
+  async 'a modifier that was released elsewhere is not held'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.call('Input.dispatchKeyEvent', {type: 'rawKeyDown', key: 'Control', code: 'ControlLeft', windowsVirtualKeyCode: 17, modifiers: 2});
+    await browser.key('ArrowRight');
+    await browser.until(`document.title.startsWith('137.sphere.4')`);
+  },
+  async 'the mouse turns, the wheel zooms, a finger turns'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3', {mobile: true});
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    const seen = new Set([await shown(browser)]);
+    await browser.drag(450, 500, 520, 460);
+    seen.add(await shown(browser));
+    await browser.wheel(450, 500, -240);
+    seen.add(await shown(browser));
+    await browser.touch([[[450, 500], [520, 560]]]);
+    await sleep(300);
+    seen.add(await shown(browser));
+    await browser.touch([[[400, 450], [360, 430]], [[500, 450], [560, 430]]]);
+    await sleep(300);
+    seen.add(await shown(browser));
+    assert.equal(seen.size, 5);
+  },
+  async 'the loop sleeps while nothing moves'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await sleep(1500);
+    await browser.settled();
+    const before = await browser.value('frames.count');
+    await sleep(1000);
+    assert.equal(await browser.value('frames.count'), before);
+  },
+  async 'a dropped file runs'({open}) {
+    const browser = await open('');
+    await browser.settled();
+    await browser.drop('sheet.ply', fs.readFileSync(path.join(assets, 'points/sheet.ply')));
+    await browser.until(`/sheet\\.ply/.test(document.title)`);
+  },
+  async 'a picked file runs'({open}) {
+    const browser = await open('');
+    await browser.settled();
+    const {root} = await browser.call('DOM.getDocument');
+    const {nodeId} = await browser.call('DOM.querySelector', {nodeId: root.nodeId, selector: '#picker'});
+    await browser.call('DOM.setFileInputFiles', {nodeId, files: [path.join(assets, 'points/corner.ply')]});
+    await browser.until(`/corner\\.ply/.test(document.title)`);
+  },
+  async 'a chosen theme stays for the next visit'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    await browser.key('F8');
+    await browser.settled();
+    await browser.key('t');
+    await browser.until(`Object.keys(localStorage).some(name => /light|"theme"/.test(localStorage[name]))`);
+  },
+  async 'a link whose address is changed moves, and does not load again'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.value(`window.mark = 1, location.hash = '#scene=torus&goto=20.sort.1'`);
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+    assert.equal(await browser.value('window.mark'), 1);
+  },
+  async 'one file opens from a disk'({browser}) {
+    const opened = await browser();
+    await opened.open(`file://${oneFile}#scene=torus&goto=137.sphere.3`);
+    await opened.until(`document.title.startsWith('137.sphere.3')`);
+  },
+  async 'one file runs in a sandboxed frame'({browser, server}) {
+    const {address} = await server({pages: {
+      '/frame': '<iframe sandbox="allow-scripts" src="/one#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>',
+      '/one': fs.readFileSync(oneFile, 'utf8')}});
+    const opened = await browser();
+    await opened.call('Page.navigate', {url: address + 'frame'});
+    let frame;
+    for (let i = 0; i < 300 && !frame; ++i, await sleep(100))
+      frame = (await opened.send('Target.getTargets')).targetInfos.find(each => each.type === 'iframe');
+    const page = opened.session;
+    await opened.attach(frame.targetId);
+    await opened.until(`document.title.startsWith('137.sphere.3')`);
+    opened.session = page;
+    await opened.picture(path.join(pictures, 'sandboxed.png'));
+  },
+  async 'it opens without a network after the first visit'({browser, server}) {
+    const {address, stop} = await server();
+    const opened = await browser();
+    await opened.open(address + version + '/#scene=torus&goto=137.sphere.3');
+    await opened.until(`document.title.startsWith('137.sphere.3')`);
+    await opened.until(`navigator.serviceWorker.ready.then(() => caches.keys()).then(names => names.length === 1)`);
+    await opened.until(`caches.keys().then(([name]) => caches.open(name)).then(cache => cache.keys()).then(all => all.length === 4)`);
+    await stop();
+    await opened.open(address + version + '/?again#scene=torus&goto=20.sort.1');
+    await opened.until(`document.title.startsWith('20.sort.1')`);
+  },
+  async 'without WebGL the page says what to do'({open}) {
+    const browser = await open('#scene=torus', {arguments: ['--disable-3d-apis']});
+    assert.match(await refused(browser), /no WebGL 2.*hardware acceleration/);
+  },
+  async 'without exceptions of WebAssembly the page says so'({open}) {
+    const browser = await open('#scene=torus', {script: 'WebAssembly.validate = () => false;'});
+    assert.match(await refused(browser), /too old/);
+  },
+  async 'a file of the program that is not there is named'({browser, server}) {
+    const {address} = await server({missing: ['viewer.wasm']});
+    const opened = await browser();
+    await opened.open(address + version + '/');
+    assert.match(await refused(opened), /viewer\.wasm of the program is not there \(404\)/);
+  },
+  async 'a name that no link has is said, with the nearest'({open}) {
+    const browser = await open('#scene=torus&gto=137.sphere.3');
+    assert.match(await refused(browser), /gto.*goto/s);
+    await browser.picture(path.join(pictures, 'wrong-link.png'));
+  },
+  async 'a scene that does not exist is said'({open}) {
+    const browser = await open('#scene=tours');
+    await browser.until(`/tours/.test(document.body.innerText + document.getElementById('sentence').textContent)`);
+  },
+  async 'memory that is used up is said'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    await browser.value(`program._webTurn = () => { throw new RangeError('WebAssembly.Memory.grow(): Maximum memory size exceeded'); }, wake()`);
+    assert.match(await refused(browser), /memory that a browser gives is used up/);
+  },
+  async 'the phone, the laptop and the large screen'({open}) {
+    for (const [width, height, ratio, mobile] of [[390, 844, 1, true], [1366, 768, 1], [1920, 1080, 1], [2560, 1440, 2]])
+      for (const [name, link] of [['start', ''], ['decision', '#scene=torus&goto=137.sphere.3'], ['lesson', '#lesson=removal']]) {
+        const browser = await open(link, {width, height, ratio, mobile});
+        await browser.until(`document.title !== 'Spiraling Edge' || ${link === ''}`);
+        await sleep(1000);
+        await browser.settled();
+        await browser.picture(path.join(pictures, `${name}-${width}x${height}.png`));
+        await browser.end();
+      }
+  },
+};
+
+const version = fs.readdirSync(site).find(name => fs.statSync(path.join(site, name)).isDirectory());
+(async () => {
+  let failed = 0;
+  for (const [name, test] of Object.entries(tests)) {
+    if (wanted.length > 0 && !wanted.some(each => name.includes(each))) continue;
+    const ends = [];
+    const server = async options => {
+      const made = await serve(site, options);
+      let runs = true;
+      const stop = async () => { if (runs) { runs = false; await made.stop(); } };
+      ends.push(stop);
+      return {...made, stop};
+    };
+    const browser = async options => {
+      const made = await Browser.start(options);
+      ends.push(() => made.end());
+      if (options?.script) await made.call('Page.addScriptToEvaluateOnNewDocument', {source: options.script});
+      return made;
+    };
+    const open = async (hash, options) => {
+      const {address} = await server();
+      const made = await browser(options);
+      await made.open(address + version + '/' + hash);
+      return made;
+    };
+    const began = Date.now();
+    try {
+      await test({open, browser, server});
+      console.log(`ok    ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAIL  ${name}\n${error.stack}`);
+    }
+    for (const end of ends.reverse()) await end().catch(() => {});
+  }
+  console.log(failed === 0 ? 'all passed' : `${failed} failed`);
+  process.exit(failed === 0 ? 0 : 1);
+})();
