@@ -48,7 +48,7 @@ bool ComparedRuns::poll() {
         start(*std::exchange(waiting_, std::nullopt));
     const bool changed = comparison_.poll(c_.session);
     reportRefusal();
-    if (comparison_.result() != shaded_) makeShades();
+    takeResult();
     shareSelection();
     shareNames();
     return changed;
@@ -86,8 +86,13 @@ void ComparedRuns::shareNames() {
     if (names.data() != theirs.data() || names.size() != theirs.size()) other->giveNames(names);
 }
 
+/// Keys may come before the next poll(): to be called wherever the result may have changed.
+void ComparedRuns::takeResult() {
+    if (comparison_.sharedResult() != shaded_) makeShades();
+}
+
 void ComparedRuns::makeShades() {
-    shaded_ = comparison_.result();
+    shaded_ = comparison_.sharedResult();
     // The triangles of the result before may have had the same address.
     if (painter_) painter_->forgetStill();
     tracedState_.reset();
@@ -146,9 +151,7 @@ void ComparedRuns::fillFile(const DifferenceLook* look) {
     const TracePosition position = comparison_.tracePosition(c_.session);
     const std::span<const Triangle> fan = replay.fanOf(position.pivot);
     const std::size_t laid = position.complete ? fan.size() : std::min(position.laid, fan.size());
-    if (!tracedState_ || tracedOf_ != shaded_ || tracedAt_ != position)
-        tracedState_ = replay.stateAt(position);
-    tracedOf_ = shaded_;
+    if (!tracedState_ || tracedAt_ != position) tracedState_ = replay.stateAt(position);
     tracedAt_ = position;
     painter_->fillTrace(c_, *tracedState_, replay.mesh().triangles, fan.subspan(laid), look);
 }
@@ -175,13 +178,17 @@ void ComparedRuns::beginUsual() {
 }
 
 void ComparedRuns::stop() {
-    c_.ui.betweenFrames([this] { comparison_.cancel(); });
+    c_.ui.betweenFrames([this] {
+        comparison_.cancel();
+        takeResult();
+    });
 }
 
 void ComparedRuns::start(CompareWith with) {
     c_.ui.compare.choosing = false;
     c_.ui.compare.why.reset();
     comparison_.start(c_.session, std::move(with));
+    takeResult();
 }
 
 /// The difference is known; otherwise says why it is not.
@@ -293,6 +300,7 @@ void ComparedRuns::swapNow() {
     waiting_ = CompareWith::otherRun(c_.session.input().spec());
     c_.document.openSpec(other->input().spec());
     comparison_.cancel();
+    takeResult();
 }
 
 }  // namespace se::view

@@ -69,6 +69,7 @@ class ComparedRuns {
     void goToTraced(const std::optional<teach::TraceDifference>& difference);
     void shareSelection();
     void shareNames();
+    void takeResult();
     void makeShades();
     void start(CompareWith with);
     bool isReady();
@@ -87,10 +88,9 @@ class ComparedRuns {
     std::unique_ptr<ScenePainter> painter_;
     bool failed_ = false;  ///< The second view cannot be drawn.
     bool shown_ = false;
-    std::optional<DecisionState> tracedState_;  ///< Of tracedOf_, at tracedAt_.
-    const Compared* tracedOf_ = nullptr;
+    std::optional<DecisionState> tracedState_;  ///< Of the trace in shaded_, at tracedAt_.
     TracePosition tracedAt_;
-    const Compared* shaded_ = nullptr;  ///< Comparison that the colors are of.
+    std::shared_ptr<const Compared> shaded_;  ///< Comparison that the colors are of.
     std::array<DifferenceShade, 2> shades_;
     std::array<std::vector<Triangle>, 2> ghosts_;  ///< For the views of A and B.
     std::array<DifferenceLook, 2> looks_;

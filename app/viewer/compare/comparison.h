@@ -89,6 +89,8 @@ class Comparison {
     TracePosition tracePosition(const Session& run) const;
     /// Null until it is known.
     const Compared* result() const { return result_.get(); }
+    /// The same, for callers that keep it while another comparison may begin.
+    const std::shared_ptr<const Compared>& sharedResult() const { return result_; }
     /// Grows with every new result.
     std::uint32_t revision() const { return revision_; }
     /// The other run; null if there is none (yet), or a mesh.
