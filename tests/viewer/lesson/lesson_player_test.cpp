@@ -34,9 +34,9 @@ struct LessonApp : test::HeadlessApp {
         lesson.toStep(step);
         settle();
     }
-    /// Makes the request and waits.
-    void ask(void (LessonPlayer::*request)()) {
-        (lesson.*request)();
+    /// Calls the player and waits.
+    void call(void (LessonPlayer::*act)()) {
+        (lesson.*act)();
         settle();
     }
     std::string place() { return session.event() ? toString(session.address()) : "0"; }
@@ -86,7 +86,7 @@ TEST_CASE("While a question is open no move passes it, until it is answered") {
     CHECK(app.place() == "1.sort.12");
 
     app.walk().type("3, 4, 5, 6, 7");
-    app.ask(&LessonPlayer::answer);
+    app.call(&LessonPlayer::answer);
     CHECK_FALSE(app.walk().asks());
     CHECK(app.playback.playing());
     REQUIRE(app.playback.until.has_value());
@@ -104,12 +104,12 @@ TEST_CASE("A way off the step is noticed, and leads back to position, rules and 
     app.session.moves().toEnd();
     app.settle();
     CHECK(app.ui.lesson.away);
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK(app.place() == "1.ring.6");
     app.session.rerun(withRule(app.session.input().rules(), "sphere", 0.0));
     app.settle();
     CHECK(app.ui.lesson.away);
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK(app.session.input().rules().choices.empty());
     CHECK_FALSE(app.ui.lesson.away);
 }
@@ -140,7 +140,7 @@ TEST_CASE("Names of the lesson are those of its points, and end with it") {
     LessonApp app;
     app.open("lesson:removal");
     REQUIRE_FALSE(app.session.names().empty());
-    app.ask(&LessonPlayer::close);
+    app.call(&LessonPlayer::close);
     CHECK_FALSE(app.walk().isOpen());
     app.document.open("scene:torus");
     app.settle();
@@ -221,10 +221,10 @@ TEST_CASE("In Present the key for the next step shows the answer first") {
     app.open("lesson:spiral");
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
     app.goTo(1);
-    app.ask(&LessonPlayer::next);
+    app.call(&LessonPlayer::next);
     CHECK(app.walk().step() == 1);
     CHECK_FALSE(app.walk().asks());
-    app.ask(&LessonPlayer::next);
+    app.call(&LessonPlayer::next);
     CHECK(app.walk().step() == 2);
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("A step that compares opens the layout Compare, and the next one retur
     REQUIRE(app.compare.comparison().chosen());
     CHECK(differenceText(app.session.input().spec(), app.compare.comparison().with().run) ==
           "sphere off");
-    app.ask(&LessonPlayer::previous);
+    app.call(&LessonPlayer::previous);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     CHECK_FALSE(app.compare.comparison().chosen());
 }
@@ -249,7 +249,7 @@ TEST_CASE("In Present a step that compares shows the second view there") {
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
     CHECK(app.compare.comparison().chosen());
     CHECK(app.ui.compare.isIn(LayoutPreset::Present));
-    app.ask(&LessonPlayer::previous);
+    app.call(&LessonPlayer::previous);
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
     CHECK_FALSE(app.ui.compare.isIn(LayoutPreset::Present));
     CHECK_FALSE(app.compare.comparison().chosen());
@@ -274,7 +274,7 @@ TEST_CASE("Letters choose an option of the open question, and Enter answers") {
     CHECK(app.walk().state().given.choice == 1);
     CHECK(answerByKey(enter, app.context));
     CHECK(app.walk().state().tries == 1);
-    app.ask(&LessonPlayer::showAnswer);
+    app.call(&LessonPlayer::showAnswer);
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
 }
 
@@ -288,7 +288,7 @@ TEST_CASE("A number is typed by keys, and the next one replaces a wrong one") {
     for (const char digit : {'9', '9', '8'}) CHECK(answerByKey({digit, kNoMods}, app.context));
     CHECK(answerByKey({key::kBackspace, kNoMods}, app.context));
     CHECK(app.walk().state().typed == "99");
-    app.ask(&LessonPlayer::answer);
+    app.call(&LessonPlayer::answer);
     REQUIRE(app.walk().asks());
     CHECK(answerByKey({'7', kNoMods}, app.context));
     CHECK(app.walk().state().typed == "7");
@@ -305,7 +305,7 @@ TEST_CASE("A pivot to practice opens at its beginning, and the next one is anoth
     CHECK(app.walk().asks());
     CHECK_FALSE(app.ui.lesson.away);
     app.walk().showAnswer();
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK_FALSE(app.ui.lesson.away);
     actions::openPractice(app.context);
     app.settle();
@@ -355,7 +355,7 @@ TEST_CASE("An input of a step that does not open leaves a way back to the step")
     CHECK(app.ui.lesson.away);
     CHECK_FALSE(app.ui.lesson.hides());
     CHECK_FALSE(app.lesson.moving());
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK_FALSE(app.ui.lesson.away);
 }
 
@@ -369,9 +369,9 @@ TEST_CASE("A lesson leaves layers, layout and playback as the user had them") {
     CHECK(app.ui.settings.layers != layers);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     app.walk().showAnswer();
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK(app.playback.playing());
-    app.ask(&LessonPlayer::close);
+    app.call(&LessonPlayer::close);
     CHECK(app.ui.settings.layers == layers);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     CHECK(app.playback.unit() == PlayUnit::Event);
@@ -384,7 +384,7 @@ TEST_CASE("Returning to a step that compares begins its comparison again") {
     app.open("lesson:spiral");
     app.goTo(app.walk().lesson().steps.size() - 1);
     app.compare.stop();
-    app.ask(&LessonPlayer::returnToStep);
+    app.call(&LessonPlayer::returnToStep);
     CHECK(app.compare.comparison().chosen());
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
 }
@@ -394,7 +394,7 @@ TEST_CASE("Play starts at the position of the step, again once it has played") {
     app.open("lesson:tour");
     app.goTo(4);
     for (int i = 0; i < 2; ++i) {
-        app.ask(&LessonPlayer::play);
+        app.call(&LessonPlayer::play);
         CHECK(app.place() == "200.split.1");
         CHECK(app.playback.playing());
         REQUIRE(app.session.moves().goToText("200.advance.1").ok());
@@ -413,7 +413,7 @@ TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one fil
     app.lesson.begin(options);
     app.settle();
     app.walk().type("3, 4, 5, 6, 7");
-    app.ask(&LessonPlayer::answer);
+    app.call(&LessonPlayer::answer);
     REQUIRE(std::filesystem::exists(file));
     app.open("lesson:spiral");
     CHECK(app.walk().step() == 1);
@@ -421,6 +421,6 @@ TEST_CASE("Answers stay when a lesson is read again unchanged, and go to one fil
     const auto size = std::filesystem::file_size(file);
     app.open("practice:1");
     app.walk().type("next 0");
-    app.ask(&LessonPlayer::answer);
+    app.call(&LessonPlayer::answer);
     CHECK(std::filesystem::file_size(file) == size);
 }
