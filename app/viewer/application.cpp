@@ -88,7 +88,6 @@ void Application::drop(const std::vector<std::string>& paths) {
 
 bool Application::poll() {
     working_ = runSlices(kSlicesPerFrame);
-    lesson_.closeForOther();
     const bool opened = session_.poll();
     const bool saved = mesh_.poll();
     const bool changed = sampling_.poll() || opened || saved;

@@ -136,7 +136,7 @@ void Document::openNow(const std::string& path) {
     if (isTraceFile(path)) return compareWithTrace(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
-    foreign_ = true;
+    c_.lesson.closeForOther();
     const Session& session = c_.session;
     RunSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
@@ -163,7 +163,7 @@ void Document::openNow(RunSpec spec) {
     expectArrival(spec.source);
     if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
     const bool same = session.ready() && session.input().spec().source == spec.source;
-    foreign_ = foreign_ || !same;
+    if (!same) c_.lesson.closeForOther();
     if (same) arrival_.selected = session.selection();
     openInput(std::move(spec));
 }
@@ -177,7 +177,7 @@ void Document::openStep(RunSpec spec, const std::string& address) {
 void Document::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
     if (!read) return c_.session.messages().say(read.error().message);
-    foreign_ = true;
+    c_.lesson.closeForOther();
     expectArrival(path);
     arrival_.sessionPath = path;
     arrival_.session = read.value();

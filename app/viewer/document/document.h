@@ -59,8 +59,6 @@ class Document {
     void openStep(RunSpec spec, const std::string& address);
     /// Queues a message for when the input is open that is being opened.
     void sayOnArrival(const std::string& sentence) { arrival_.notice = sentence; }
-    /// Something else than a step of the open lesson was opened; once.
-    bool takeForeignOpening() { return std::exchange(foreign_, false); }
     /// The requested input is not open yet.
     bool arriving() const { return arrival_.pending; }
     /// Adds a file to the list of recent ones.
@@ -156,7 +154,6 @@ class Document {
     std::optional<CompareWith> with_;
     bool placed_ = false;
     bool ofSession_ = false;
-    bool foreign_ = false;
     std::string alert_;
     Status placeStatus_ = success();
     KeptFile kept_;

@@ -335,7 +335,7 @@ void LessonPlayer::leave() {
 }
 
 void LessonPlayer::closeForOther() {
-    if (c_.document.takeForeignOpening() && (walk().isOpen() || opening_.busy())) leave();
+    if (walk().isOpen() || opening_.busy()) leave();
 }
 
 void LessonPlayer::toStep(std::size_t step) {

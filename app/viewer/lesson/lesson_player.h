@@ -27,8 +27,6 @@ class LessonPlayer {
     /// Takes what threads have done; shows a step once its input is open. True if there is
     /// something new to draw.
     bool poll();
-    /// Closes the lesson if something else was opened: before any of that is shown.
-    void closeForOther();
 
     void open(const std::string& source, std::optional<std::size_t> step = std::nullopt);
     /// To the next step; in Present an open question is answered first.
@@ -45,6 +43,9 @@ class LessonPlayer {
     /// Shows the right answer to the open question.
     void showAnswer();
     void close();
+    /// Something else than a step of the lesson is opened: closes it at once, or stops opening it.
+    /// Not while a frame is drawn.
+    void closeForOther();
     /// To the address of a link in the text.
     void follow(const std::string& address);
     void saveResult(const std::string& file);

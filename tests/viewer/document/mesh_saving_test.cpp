@@ -151,6 +151,28 @@ TEST_CASE("Saving waits for the run and can be cancelled meanwhile: no file is l
     CHECK_FALSE(app.mesh.busy());
 }
 
+TEST_CASE("A line about the last attempt goes with the next one") {
+    SavingApp app;
+    const MeshForm& form = app.ui.mesh;
+    app.save(app.folder / "none" / "a.ply");
+    REQUIRE_FALSE(form.complaint.empty());
+    actions::copyCommand(app.context);
+    CHECK(form.complaint.empty());
+    CHECK_FALSE(form.note.empty());
+    app.mesh.save((app.folder / "a.ply").string());
+    actions::copyCommand(app.context);
+    app.mesh.cancel();
+    CHECK(form.note.empty());
+    CHECK(form.complaint == "Cancelled: nothing was saved.");
+    std::ofstream(app.folder / "b.ply") << "old";
+    app.save(app.folder / "b.ply");
+    REQUIRE_FALSE(form.question.empty());
+    actions::copyCommand(app.context);
+    app.mesh.keep();
+    CHECK(form.note.empty());
+    CHECK(form.complaint.empty());
+}
+
 TEST_CASE(
     "Without an input, or without a triangle, a sentence says that there is nothing to save") {
     test::HeadlessApp empty("saving-empty-test");

@@ -20,7 +20,6 @@ namespace {
 struct LessonApp : test::HeadlessApp {
     LessonApp() : test::HeadlessApp("lesson-test") {}
     void settle() {
-        lesson.closeForOther();
         lesson.waitUntilDone();
         waitUntilDone();
         lesson.poll();
@@ -157,6 +156,25 @@ TEST_CASE("Opening something else closes the lesson, a step with another input d
     CHECK_FALSE(app.walk().isOpen());
     CHECK_FALSE(app.session.horizon().has_value());
     CHECK(app.session.model().name == "scene:torus");
+}
+
+TEST_CASE("A key just after something else was opened opens no step of the lesson before") {
+    LessonApp app;
+    app.open("lesson:tour");
+    app.document.open("scene:figure-8");
+    app.lesson.next();
+    CHECK(app.session.messages().last().find("No lesson is open") == 0);
+    app.settle();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK(app.session.model().name == "scene:figure-8");
+}
+
+TEST_CASE("A lesson that is opened just after something else opens") {
+    LessonApp app;
+    app.document.open("scene:figure-8");
+    app.document.open("lesson:tour");
+    app.settle();
+    CHECK(app.walk().isOpen());
 }
 
 TEST_CASE("A faulty lesson is refused with file and line, and the one before stays") {
