@@ -63,16 +63,6 @@ bool answerByKey(const KeyChord& chord, CommandContext& context) {
 
 namespace actions {
 
-namespace {
-
-bool requireLesson(CommandContext& c) {
-    if (c.ui.lesson.walk.isOpen()) return true;
-    c.session.messages().say("No lesson is open.");
-    return false;
-}
-
-}  // namespace
-
 void openTour(CommandContext& c) { c.document.open(embeddedLessonSource("tour")); }
 
 void openPractice(CommandContext& c) {
@@ -80,15 +70,15 @@ void openPractice(CommandContext& c) {
 }
 
 void returnToLessonStep(CommandContext& c) {
-    if (requireLesson(c)) c.lesson.returnToStep();
+    if (c.lesson.requireLesson()) c.lesson.returnToStep();
 }
 
 void closeLesson(CommandContext& c) {
-    if (requireLesson(c)) c.lesson.close();
+    if (c.lesson.requireLesson()) c.lesson.close();
 }
 
 void saveResult(CommandContext& c) {
-    if (!requireLesson(c)) return;
+    if (!c.lesson.requireLesson()) return;
     if (!c.ui.lesson.walk.hasAnswers())
         return c.session.messages().say("No question of this lesson has been answered yet.");
     openBrowser(c, BrowserTask::SaveResult);

@@ -180,21 +180,30 @@ void LessonPlayer::arrive() {
     if (hasInput()) enter();
 }
 
-void LessonPlayer::goTo(std::size_t step) {
+/// False if the step has no input, or its run not the position.
+bool LessonPlayer::goTo(std::size_t step) {
     leaveStep();
+    playsOnArrival_ = false;
     if (step != walk().step()) panel().countsHands = false;
     walk().goTo(step);
     keepStep();
     const Result<RunSpec> input = inputOfStep(walk().setting(), walk().folder());
-    if (!input) return c_.session.messages().say(input.error().message);
+    if (!input) {
+        c_.session.messages().say(input.error().message);
+        return false;
+    }
     input_ = input.value();
     entering_ = true;
     retried_ = false;
     fresh_ = !hasInput();
     const std::string at = walk().setting().at.empty() ? "0" : walk().setting().at;
-    if (fresh_) return c_.document.openStep(input_, at);
+    if (fresh_) {
+        c_.document.openStep(input_, at);
+        return true;
+    }
     const Status moved = c_.session.moves().goToText(at);
     if (!moved) c_.session.messages().say(moved.error().message);
+    return moved.ok();
 }
 
 void LessonPlayer::enter() {
@@ -298,6 +307,7 @@ void LessonPlayer::follow(const std::string& address) {
 }
 
 void LessonPlayer::saveResult(const std::string& file) {
+    if (!requireLesson()) return;
     const Status written = writeFileAtomically(file, resultJson(walk().result()));
     c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
 }
@@ -310,6 +320,7 @@ void LessonPlayer::save() {
 }
 
 void LessonPlayer::saveLesson(const std::string& file) {
+    if (!c_.session.ready()) return c_.session.messages().say("There is nothing open to save.");
     Annotations annotations;
     annotations.bookmarks = c_.ui.bookmarks;
     annotations.notes = c_.ui.notes;
@@ -320,7 +331,7 @@ void LessonPlayer::saveLesson(const std::string& file) {
 }
 
 void LessonPlayer::close() {
-    c_.ui.betweenFrames([this] { leave(); });
+    whileOpen([this] { leave(); });
 }
 
 void LessonPlayer::leave() {
@@ -338,42 +349,54 @@ void LessonPlayer::closeForOther() {
     if (walk().isOpen() || opening_.busy()) leave();
 }
 
+bool LessonPlayer::requireLesson() {
+    if (walk().isOpen()) return true;
+    c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    return false;
+}
+
+/// Makes the call between two frames, unless the lesson is closed by then.
+void LessonPlayer::whileOpen(const std::function<void()>& call) {
+    c_.ui.betweenFrames([this, call] {
+        if (walk().isOpen()) call();
+    });
+}
+
 void LessonPlayer::toStep(std::size_t step) {
-    c_.ui.betweenFrames([this, step] {
+    whileOpen([this, step] {
         if (step < walk().lesson().steps.size()) goTo(step);
     });
 }
 
 void LessonPlayer::next() {
-    if (!walk().isOpen())
-        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (!requireLesson()) return;
     if (c_.ui.layoutPreset == LayoutPreset::Present && walk().asks()) return showAnswer();
     if (walk().step() + 1 < walk().lesson().steps.size()) return toStep(walk().step() + 1);
     c_.session.messages().say("This is the last step of the lesson.");
 }
 
 void LessonPlayer::previous() {
-    if (!walk().isOpen())
-        return c_.session.messages().say("No lesson is open: Help > Tour opens the first one.");
+    if (!requireLesson()) return;
     if (walk().step() > 0) return toStep(walk().step() - 1);
     c_.session.messages().say("This is the first step of the lesson.");
 }
 
-void LessonPlayer::returnToStep() { toStep(walk().step()); }
+void LessonPlayer::returnToStep() {
+    whileOpen([this] { goTo(walk().step()); });
+}
 
 void LessonPlayer::play() {
-    playsOnArrival_ = true;
-    returnToStep();
+    whileOpen([this] { playsOnArrival_ = goTo(walk().step()); });
 }
 
 void LessonPlayer::answer() {
-    c_.ui.betweenFrames([this] {
+    whileOpen([this] {
         if (walk().asks()) walk().answer(), conclude();
     });
 }
 
 void LessonPlayer::showAnswer() {
-    c_.ui.betweenFrames([this] {
+    whileOpen([this] {
         if (walk().asks()) walk().showAnswer(), conclude();
     });
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ class LessonPlayer {
     bool poll();
 
     void open(const std::string& source, std::optional<std::size_t> step = std::nullopt);
+    /// True if a lesson is open; otherwise a message says how to open one.
+    bool requireLesson();
     /// To the next step; in Present an open question is answered first.
     void next();
     void previous();
@@ -75,7 +78,7 @@ class LessonPlayer {
     std::size_t keptStep(const OpenedLesson& lesson) const;
     void keepStep();
     void watchFile();
-    void goTo(std::size_t step);
+    bool goTo(std::size_t step);
     void arrive();
     void enter();
     void leaveStep();
@@ -86,6 +89,7 @@ class LessonPlayer {
     void save();
     void conclude();
     void leave();
+    void whileOpen(const std::function<void()>& call);
     bool hasInput() const;
     bool isUnderWay() const;
     bool isAtStep() const;

@@ -177,6 +177,46 @@ TEST_CASE("A lesson that is opened just after something else opens") {
     CHECK(app.walk().isOpen());
 }
 
+TEST_CASE("Calls that wait while the lesson is closed do nothing") {
+    LessonApp app;
+    app.open("lesson:spiral");
+    app.goTo(1);
+    app.ui.betweenFrames.beginDrawing();
+    app.lesson.close();
+    app.lesson.toStep(2);
+    app.lesson.returnToStep();
+    app.lesson.play();
+    app.lesson.answer();
+    app.lesson.showAnswer();
+    app.ui.betweenFrames.endDrawing();
+    CHECK_FALSE(app.walk().isOpen());
+    CHECK_FALSE(app.lesson.moving());
+    const std::string file = (app.folder / "none.json").string();
+    app.lesson.saveResult(file);
+    CHECK_FALSE(std::filesystem::exists(file));
+    CHECK(app.session.messages().last().find("No lesson is open") == 0);
+}
+
+TEST_CASE("Without an input there is no lesson of bookmarks to save") {
+    LessonApp app;
+    const std::string file = (app.folder / "none.lesson.md").string();
+    app.lesson.saveLesson(file);
+    CHECK_FALSE(std::filesystem::exists(file));
+    CHECK(app.session.messages().last() == "There is nothing open to save.");
+}
+
+TEST_CASE("A step that is left before it plays does not play the next one") {
+    LessonApp app;
+    app.open("lesson:tour");
+    app.goTo(2);
+    app.playback.pause();
+    app.lesson.play();
+    app.lesson.toStep(4);
+    app.settle();
+    REQUIRE(app.walk().step() == 4);
+    CHECK_FALSE(app.playback.playing());
+}
+
 TEST_CASE("A faulty lesson is refused with file and line, and the one before stays") {
     LessonApp app;
     app.open("lesson:tour");
