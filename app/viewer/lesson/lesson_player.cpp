@@ -24,6 +24,12 @@ constexpr std::size_t kMaxShown = 400;
 /// Entry of the state for the seed of the last pivot to play.
 constexpr std::string_view kPracticeEntry = "practice";
 
+/// Writes a file, and says so, or why not.
+void saveText(Session& session, const std::string& file, const Result<std::string>& text) {
+    const Status written = text ? writeFileAtomically(file, text.value()) : Status(text.error());
+    session.messages().say(written ? "Saved " + file + "." : written.error().message);
+}
+
 }  // namespace
 
 void LessonPlayer::begin(const Options& options) {
@@ -307,9 +313,7 @@ void LessonPlayer::follow(const std::string& address) {
 }
 
 void LessonPlayer::saveResult(const std::string& file) {
-    if (!requireLesson()) return;
-    const Status written = writeFileAtomically(file, resultJson(walk().result()));
-    c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
+    if (requireLesson()) saveText(c_.session, file, resultJson(walk().result()));
 }
 
 void LessonPlayer::save() {
@@ -324,10 +328,9 @@ void LessonPlayer::saveLesson(const std::string& file) {
     Annotations annotations;
     annotations.bookmarks = c_.ui.bookmarks;
     annotations.notes = c_.ui.notes;
-    const auto text = lessonOfBookmarks(c_.session.input().spec(), annotations,
-                                        std::filesystem::path(file).parent_path());
-    const Status written = text ? writeFileAtomically(file, text.value()) : Status(text.error());
-    c_.session.messages().say(written ? "Saved " + file + "." : written.error().message);
+    saveText(c_.session, file,
+             lessonOfBookmarks(c_.session.input().spec(), annotations,
+                               std::filesystem::path(file).parent_path()));
 }
 
 void LessonPlayer::close() {
