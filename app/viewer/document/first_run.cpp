@@ -38,7 +38,8 @@ void FirstRun::end() {
     c_.playback.setSpeed(before_);
     plays_ = false;
     const std::string tour = embeddedLessonSource("tour");
-    c_.ui.offersTour = c_.document.kept().read().lessons.count(tour) == 0;
+    c_.ui.offersTour =
+        !c_.ui.lesson.walk.isOpen() && c_.document.kept().read().lessons.count(tour) == 0;
     // Once: the tour begins with its first step.
     const Status noted =
         c_.document.kept().change([&](KeptState& state) { state.lessons.try_emplace(tour, 0); });

@@ -114,6 +114,7 @@ void LessonPlayer::take(OpenedLesson lesson) {
     const bool again = walk().isOpen() && walk().source() == lesson.source;
     const std::size_t kept = again ? walk().step() : keptStep(lesson);
     if (walk().isOpen()) leaveStep();
+    c_.ui.offersTour = false;
     if (!layoutBefore_) layoutBefore_ = c_.ui.layoutPreset;
     walk().open(std::move(lesson), kept);
     const std::optional<LayoutPreset> layout = layoutPresetFromName(walk().lesson().layout);

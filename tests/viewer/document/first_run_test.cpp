@@ -48,6 +48,16 @@ TEST_CASE("Any key pauses a first run and does nothing else, and the tour is off
     CHECK_FALSE(app.first.key());
 }
 
+TEST_CASE("A first run that ends under a lesson offers no tour") {
+    FirstRunApp app;
+    app.first.poll();
+    app.document.open("lesson:spiral");
+    app.lesson.waitUntilDone();
+    REQUIRE(app.ui.lesson.walk.isOpen());
+    CHECK(app.first.poll());
+    CHECK_FALSE(app.ui.offersTour);
+}
+
 TEST_CASE("A first run that has ended offers the tour, which explains it") {
     DrivenApp app({"scene:sphere", "--play", "1"});
     if (!app) return;

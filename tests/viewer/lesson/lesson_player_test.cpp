@@ -217,6 +217,13 @@ TEST_CASE("A step that is left before it plays does not play the next one") {
     CHECK_FALSE(app.playback.playing());
 }
 
+TEST_CASE("The offer of the tour ends where a lesson opens") {
+    LessonApp app;
+    app.ui.offersTour = true;
+    app.open("lesson:spiral");
+    CHECK_FALSE(app.ui.offersTour);
+}
+
 TEST_CASE("A faulty lesson is refused with file and line, and the one before stays") {
     LessonApp app;
     app.open("lesson:tour");

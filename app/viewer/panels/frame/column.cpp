@@ -171,7 +171,6 @@ void drawColumn(const PanelContext& context) {
     const Rect& area = context.rects.column;
     if (area.size.x <= 0.0F) return;
     if (beginRegion("##column", area)) {
-        context.ui().offersTour &= !context.state<LessonPanel>().walk.isOpen();
         if (context.ui().offersTour) drawTourOffer(context);
         ImGui::PushID(static_cast<int>(context.state<Column>().task));
         drawParts(context);
