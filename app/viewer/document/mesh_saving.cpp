@@ -74,8 +74,7 @@ void MeshSaving::prepareMesh() {
 bool MeshSaving::canSave(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
     if (path.empty() || !c_.session.ready() || export_.saving()) return false;
-    form.complaint.clear();
-    form.note.clear();
+    form.clearLines();
     if (!form.size || form.size->triangles > 0) return true;
     form.complaint = kNoTriangle;
     return false;
@@ -98,6 +97,11 @@ void MeshSaving::replace() {
     if (canSave(path)) write(path);
 }
 
+void MeshSaving::keep() {
+    c_.ui.mesh.clearLines();
+    c_.ui.mesh.question.clear();
+}
+
 void MeshSaving::write(const std::string& path) {
     const MeshForm& form = c_.ui.mesh;
     prepareMesh();
@@ -107,11 +111,13 @@ void MeshSaving::write(const std::string& path) {
 
 void MeshSaving::cancel() {
     export_.cancel();
+    c_.ui.mesh.clearLines();
     c_.ui.mesh.complaint = "Cancelled: nothing was saved.";
 }
 
 void MeshSaving::copyCommand(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
+    form.clearLines();
     const bool known =
         form.savedSource == c_.session.input().spec().source && !form.savedPath.empty();
     const std::string usual =

@@ -22,7 +22,7 @@ class MeshSaving {
     void save(const std::string& path);
     /// The answer yes or no to that question.
     void replace();
-    void keep() { c_.ui.mesh.question.clear(); }
+    void keep();
     /// Stops waiting for the mesh.
     void cancel();
     /// Copies the command line that makes the mesh; with an empty path for the usual file.

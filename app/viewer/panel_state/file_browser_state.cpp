@@ -95,9 +95,13 @@ fs::path withExtension(fs::path path, std::string_view extension) {
 }
 
 void MeshForm::open() {
+    clearLines();
+    question.clear();
+}
+
+void MeshForm::clearLines() {
     complaint.clear();
     note.clear();
-    question.clear();
 }
 
 bool namesMeshFormat(const fs::path& path) {

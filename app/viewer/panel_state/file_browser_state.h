@@ -91,6 +91,8 @@ struct MeshForm {
     bool waits() const { return saving || !question.empty(); }
     /// Clears the messages of the previous use of the dialog; choices stay.
     void open();
+    /// Clears the lines about the attempt before.
+    void clearLines();
     /// Takes the format of the name's extension, if it has one.
     void followName(const std::string& name);
     /// Chooses a format; a name with another extension gets its extension.
