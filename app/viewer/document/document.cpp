@@ -112,13 +112,6 @@ void Document::openInput(RunSpec spec) {
     c_.session.open(std::move(spec));
 }
 
-/// A volume has no points yet: they are spread over it first.
-void Document::spreadOver(const std::string& volume) {
-    c_.ui.growth.form.chooseVolume(volume);
-    c_.sampling.openPage(GrowthSource::Volume);
-    c_.sampling.start();
-}
-
 /// A trace is no input: it is compared with the open run.
 void Document::compareWithTrace(const std::string& path) {
     if (!c_.session.ready()) {
@@ -132,7 +125,8 @@ void Document::compareWithTrace(const std::string& path) {
 void Document::openNow(const std::string& path) {
     c_.playback.pause();
     if (isLesson(path)) return c_.lesson.open(path);
-    if (isVolumePath(path)) return spreadOver(path);
+    // A volume has no points yet: they are spread over it first.
+    if (isVolumePath(path)) return c_.sampling.openVolume(path);
     if (isTraceFile(path)) return compareWithTrace(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);

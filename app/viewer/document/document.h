@@ -130,7 +130,6 @@ class Document {
     void openInput(RunSpec spec);
     void aimAtScene(const std::string& source);
     void compareWithTrace(const std::string& path);
-    void spreadOver(const std::string& volume);
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
     /// Stores the annotations of the open input, and restores those of `source`.

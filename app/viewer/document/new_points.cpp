@@ -97,18 +97,29 @@ void NewPoints::begin(SampleSpec spec) {
     poll();
 }
 
-void NewPoints::openPage(GrowthSource from) {
+void NewPoints::showPage(GrowthSource from) {
     GrowthPage& page = c_.ui.growth;
     c_.playback.pause();
-    const bool another = !page.open || page.form.from != from;
     page.form.from = from;
     page.open = true;
     page.complaint.clear();
     page.message.clear();
     c_.ui.closesPopups = true;
+}
+
+void NewPoints::openPage(GrowthSource from) {
+    const GrowthPage& page = c_.ui.growth;
+    const bool another = !page.open || page.form.from != from;
+    showPage(from);
     if (from == GrowthSource::Volume && page.form.volume.empty())
         return actions::openBrowser(c_, BrowserTask::Volume);
     if (another) start();
+}
+
+void NewPoints::openVolume(const std::string& volume) {
+    c_.ui.growth.form.chooseVolume(volume);
+    showPage(GrowthSource::Volume);
+    start();
 }
 
 void NewPoints::start() {

@@ -26,6 +26,8 @@ class NewPoints {
 
     /// Opens the page with the last form, of a shape or of a volume.
     void openPage(GrowthSource from);
+    /// Opens the page and spreads points over that volume.
+    void openVolume(const std::string& volume);
     /// Spreads the points of the form from the start.
     void start();
     void playOrPause();
@@ -53,6 +55,7 @@ class NewPoints {
     std::uint32_t revision() const { return revision_; }
 
   private:
+    void showPage(GrowthSource from);
     void takePicture();
     void close();
 
