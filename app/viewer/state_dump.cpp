@@ -248,7 +248,6 @@ void dumpMeshForm(json& out, const UiState& ui) {
     out["mesh_saving"] = form.saving;
     out["mesh_question"] = form.question;
     out["mesh_complaint"] = form.complaint;
-    out["mesh_command"] = ui.clipboard.copied();
 }
 
 /// The open lesson, without answers that are not shown.
@@ -360,6 +359,7 @@ std::string Application::stateDump(const InputProgress& input) const {
     out["piece_tool"] = ui_.piece.on;
     out["piece_inside"] = ui_.piece.inside.size();
     dumpGrowth(out, ui_.growth);
+    out["copied"] = ui_.clipboard.copied();
     dumpMeshForm(out, ui_);
     dumpExportForm(out, ui_);
     dumpComparison(out, session_, ui_.compare);

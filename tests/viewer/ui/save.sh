@@ -40,11 +40,11 @@ click_on "mesh fault fields"; says mesh_fault_fields true
 click_on "mesh fault fields"; says mesh_fault_fields false
 click_on "mesh OBJ"; says mesh_name 'stranded-point-mesh\.obj'; says mesh_format '\.obj'
 click_on "mesh used points"; says mesh_used_only true
-click_on "mesh copy command"; says mesh_command 'spiraling-edge run scene:stranded-point --rules corrected .*--used-points .*'
+click_on "mesh copy command"; says copied 'spiraling-edge run scene:stranded-point --rules corrected .*--used-points .*'
 [ -e stranded-point-mesh.obj ] && fail "copying the command saves"
 enter; says mesh_dialog false
 mv stranded-point-mesh.obj "$work/saved" || fail "nothing was saved"
-sh -c "$(field mesh_command)" 2>"$work/err.txt" || fail "the copied command fails: $(cat "$work/err.txt")"
+sh -c "$(field copied)" 2>"$work/err.txt" || fail "the copied command fails: $(cat "$work/err.txt")"
 cmp stranded-point-mesh.obj "$work/saved" || fail "the copied command writes another mesh"
 ask_to_save
 says typing true; press ctrl+a ctrl+v; says mesh_name 'spiraling-edge run scene:stranded-point .*'
