@@ -70,6 +70,11 @@ inline Follow followIn(LayoutPreset layout) {
 enum class HelpPage : std::uint8_t { None, Guide, About };
 
 struct UiState {
+    UiState() = default;
+    /// Its references are to its own states.
+    UiState(const UiState&) = delete;
+    UiState& operator=(const UiState&) = delete;
+
     /// An overlay above the view takes the keys.
     bool dialogOpen() const { return coversView() || goTo.active(); }
     bool coversView() const {

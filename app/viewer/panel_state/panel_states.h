@@ -10,6 +10,10 @@ namespace se::view {
 /// One value of each type that was asked for; it stays where it is.
 class PanelStates {
   public:
+    PanelStates() = default;
+    PanelStates(const PanelStates&) = delete;
+    PanelStates& operator=(const PanelStates&) = delete;
+
     template <class State>
     State& of() {
         std::shared_ptr<void>& place = states_[std::type_index(typeid(State))];
