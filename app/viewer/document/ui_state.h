@@ -126,7 +126,7 @@ struct UiState {
     bool quitting = false;  ///< No unsaved work: the window closes.
     LayoutPreset layoutPreset = LayoutPreset::Debug;
     Bookmarks& bookmarks = states.of<Bookmarks>();
-    std::vector<Breakpoint>& breakpoints = states.of<std::vector<Breakpoint>>();
+    std::vector<Breakpoint>& breakpoints = states.of<BreakpointsPanel>().all;
     AlertsPanel& alerts = states.of<AlertsPanel>();
     VerdictPart& verdict = states.of<VerdictPart>();
     DoctorPanel& doctor = states.of<DoctorPanel>();

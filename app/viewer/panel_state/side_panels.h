@@ -15,6 +15,7 @@
 #include "rows/step_tree.h"
 #include "rows/watch_plot.h"
 #include "run/selection.h"
+#include "spiraling_edge/run/breakpoint.h"
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
@@ -99,6 +100,10 @@ struct VerdictPart {
 struct DoctorPanel {
     std::string shownCheck;  ///< The finding whose points are highlighted.
     std::string askedCheck;  ///< Check whose fix drops most points, after the first click on it.
+};
+
+struct BreakpointsPanel {
+    std::vector<Breakpoint> all;
 };
 
 struct WatchPanel {

@@ -5,6 +5,7 @@
 
 #include "document/break_actions.h"
 #include "jobs/hit_search.h"
+#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "session/playback.h"
@@ -76,7 +77,7 @@ RowFit rowFit(const PanelContext& context) {
     const float button = kButton * em + gap;
     // Constant, so that the row does not move while hits are counted.
     float count = textWidth("88 / 88");
-    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>())
+    for (const Breakpoint& each : context.state<BreakpointsPanel>().all)
         count = std::max(count, textWidth(countText(context.session(), each)));
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap - button - kLeastLine * em;
@@ -151,7 +152,7 @@ void drawPresets(const PanelContext& context) {
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Custom line", "type it")) {
-        context.state<std::vector<Breakpoint>>().push_back({});
+        context.state<BreakpointsPanel>().all.push_back({});
     }
     ImGui::TextDisabled("Points in the view: Ctrl+left drag around them.");
     ImGui::EndPopup();
@@ -161,7 +162,7 @@ void drawPresets(const PanelContext& context) {
 void drawTitle(const PanelContext& context) {
     ImGui::SameLine();
     queryHelp(context);
-    const std::size_t count = context.state<std::vector<Breakpoint>>().size();
+    const std::size_t count = context.state<BreakpointsPanel>().all.size();
     if (count > 0) dimAtRight(std::to_string(count));
 }
 
@@ -219,7 +220,7 @@ struct LogRow {
 
 std::vector<LogRow> logRows(const PanelContext& context) {
     std::vector<LogRow> rows;
-    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>()) {
+    for (const Breakpoint& each : context.state<BreakpointsPanel>().all) {
         const LineHits* known = context.session().hits().of(each.line);
         if (!each.on || !each.logOnly || known == nullptr) continue;
         for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
@@ -272,7 +273,7 @@ void drawLogRow(const PanelContext& context, const LogRow& row) {
 
 /// The hits of log-only breakpoints, as a list of links; nothing if no breakpoint is log-only.
 void drawBreakLog(const PanelContext& context) {
-    const auto& all = context.state<std::vector<Breakpoint>>();
+    const auto& all = context.state<BreakpointsPanel>().all;
     if (std::none_of(all.begin(), all.end(),
                      [](const Breakpoint& each) { return each.on && each.logOnly; }))
         return;
@@ -299,7 +300,7 @@ void drawBreakLog(const PanelContext& context) {
 
 void drawBreakpoints(const PanelContext& context) {
     if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
-    std::vector<Breakpoint>& all = context.state<std::vector<Breakpoint>>();
+    std::vector<Breakpoint>& all = context.state<BreakpointsPanel>().all;
     drawTitle(context);
     drawButtons(context);
     drawHitSearch(context);
