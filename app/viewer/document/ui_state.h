@@ -17,7 +17,7 @@
 #include "input/view_drag.h"
 #include "leave_question.h"
 #include "lesson/lesson_panel.h"
-#include "paint/view_texts.h"
+#include "paint/drawn_label.h"
 #include "panel_state/column.h"
 #include "panel_state/export_form.h"
 #include "panel_state/file_browser_state.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "paint/view_texts.h"
+#include "paint/drawn_label.h"
 #include "rows/pivot_dial.h"
 #include "run/model.h"
 #include "scene/camera.h"
