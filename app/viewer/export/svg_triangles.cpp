@@ -194,20 +194,17 @@ void drawTriangle(SvgCanvas& canvas, const SvgTriangle& t) {
     float shade = shadeOf(t, canvas.screen());
     shade = std::round(kShades * (shade + (1.0F - shade) * t.soft)) / kShades;
     const Ink color{times(t.color.color, shade), times(t.color.other, shade)};
-    std::string attributes = canvas.attributesOf(color.withAlpha(t.ghost ? kGhostAlpha : 1.0F));
+    const Ink area = color.withAlpha(t.ghost ? kGhostAlpha : 1.0F);
     const float strength = list.meshEdges ? smoothStep(6.0F, 20.0F, heightOf(t)) : 0.0F;
     const float alpha = std::round(4.0F * strength) / 4.0F;
-    const float width = canvas.px(0.07F);
-    if (alpha > 0.0F) {
-        const DrawList* other = canvas.in().other;
-        const Ink edge{list.meshEdgeColor,
-                       other != nullptr ? other->meshEdgeColor : list.meshEdgeColor};
-        attributes.replace(0, 8, " class=\"" + canvas.classes().line(edge) + " ");
-        attributes +=
-            fmt::format(" stroke-width=\"{:.2g}\" stroke-opacity=\"{:.2g}\"", width, 0.85F * alpha);
-    }
+    const DrawList* other = canvas.in().other;
+    const Ink edge =
+        Ink(list.meshEdgeColor, other != nullptr ? other->meshEdgeColor : list.meshEdgeColor)
+            .withAlpha(0.85F * alpha)
+            .line(canvas.px(0.07F));
     const std::string outline = outlineOf(t);
-    canvas.addPath(attributes, outline);
+    canvas.addPath(alpha > 0.0F ? canvas.attributesOf(area, edge) : canvas.attributesOf(area),
+                   outline);
     if (t.hatched)
         canvas.addPath(" fill=\"url(#" + canvas.prefix() + "hatch)\" stroke=\"none\"", outline);
 }

@@ -96,7 +96,7 @@ glm::vec2 SvgPainter::textSize(const std::string& words, const Type& type) const
 }
 
 void SvgPainter::setPoint(Index point) {
-    setMore(point == kNone ? std::string() : fmt::format(" data-point=\"{}\"", point));
+    point_ = point == kNone ? std::string() : fmt::format(" data-point=\"{}\"", point);
 }
 
 void SvgPainter::beginGroup(std::string_view name) {
@@ -130,11 +130,21 @@ void SvgPainter::addPath(const std::string& attributes, std::string_view data) {
     ++count_;
 }
 
+/// The attributes that do not depend on the ink, and the classes.
+std::string SvgPainter::beginOf(const std::string& classes) const {
+    return point_ + more_ + " class=\"" + classes + "\"";
+}
+
 std::string SvgPainter::attributesOf(const Ink& ink) {
-    if (ink.width <= 0.0F)
-        return more_ + " class=\"" + classes_.fill(ink) + "\"" + opacityOf("fill", ink.color.a);
-    return more_ + fmt::format(" class=\"{}\" stroke-width=\"{:.3g}\"{}", classes_.line(ink),
-                               ink.width, opacityOf("stroke", ink.color.a));
+    if (ink.width <= 0.0F) return beginOf(classes_.fill(ink)) + opacityOf("fill", ink.color.a);
+    return beginOf(classes_.line(ink)) +
+           fmt::format(" stroke-width=\"{:.3g}\"{}", ink.width, opacityOf("stroke", ink.color.a));
+}
+
+std::string SvgPainter::attributesOf(const Ink& area, const Ink& edge) {
+    const std::string fill = classes_.fill(area);
+    return beginOf(classes_.line(edge) + " " + fill) + opacityOf("fill", area.color.a) +
+           fmt::format(" stroke-width=\"{:.2g}\"{}", edge.width, opacityOf("stroke", edge.color.a));
 }
 
 void SvgPainter::addOutline(const Ink& ink, std::string_view data) {

@@ -29,7 +29,7 @@ class SvgPainter : public Painter {
     /// About that of most fonts: the program that shows the file chooses one.
     glm::vec2 textSize(const std::string& words, const Type& type) const override;
     void setPoint(Index point) override;
-    /// Attributes of all that is drawn from now on.
+    /// Attributes of all that is drawn from now on, beside that of setPoint().
     void setMore(std::string attributes) { more_ = std::move(attributes); }
 
     SvgClasses& classes() { return classes_; }
@@ -44,16 +44,20 @@ class SvgPainter : public Painter {
     void addPath(const std::string& attributes, std::string_view data);
     /// Class, width and opacity of an ink, as attributes.
     std::string attributesOf(const Ink& ink);
+    /// The same of an area with an outline.
+    std::string attributesOf(const Ink& area, const Ink& edge);
     /// Elements so far.
     std::size_t count() const { return count_; }
     std::string take();
 
   private:
     void endPath();
+    std::string beginOf(const std::string& classes) const;
     void addOutline(const Ink& ink, std::string_view data);
 
     SvgClasses& classes_;
     std::string prefix_;
+    std::string point_;  ///< Attribute of setPoint().
     std::string more_;
     std::string out_;
     std::string attributes_;  ///< Of the open path.

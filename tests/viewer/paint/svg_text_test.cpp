@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "paint/svg_painter.h"
+
 using namespace se::view;
 
 TEST_CASE("Pixels have at most one digit after the point") {
@@ -39,4 +41,20 @@ TEST_CASE("Colors of the palette have classes of their meaning, in one theme or 
           ".used{fill:#56b4e9}.used-line{stroke:#56b4e9}." + mixed + "{fill:#123456}");
     CHECK(classes.sheet(true) ==
           ".used{fill:#2a7fc0}.used-line{stroke:#2a7fc0}." + mixed + "{fill:#654321}");
+}
+
+TEST_CASE("The point and other attributes of a shape do not replace each other") {
+    SvgClasses classes(Theme::Dark, false);
+    SvgPainter painter(Theme::Dark, 16.0F, classes, "f-");
+    const Ink area(fromHex(0xFF0000));
+    const Ink edge = Ink(fromHex(0x00FF00)).withAlpha(0.5F).line(1.0F);
+    painter.setPoint(4);
+    painter.setMore(" stroke-dasharray=\"2\"");
+    CHECK(painter.attributesOf(area).find(" data-point=\"4\" stroke-dasharray=\"2\" class=") == 0);
+    const std::string both = painter.attributesOf(area, edge);
+    CHECK(both ==
+          " data-point=\"4\" stroke-dasharray=\"2\" class=\"l1 f0\" stroke-width=\"1\" "
+          "stroke-opacity=\"0.5\"");
+    painter.setMore({});
+    CHECK(painter.attributesOf(area).find(" data-point=\"4\" class=") == 0);
 }
