@@ -33,7 +33,6 @@ class LessonWalk {
   public:
     /// Opens a lesson at a step, from 0, or at its last one. The answers to the same text stay.
     void open(OpenedLesson lesson, std::size_t step);
-    void close() { *this = {}; }
     bool isOpen() const { return opened_ != nullptr; }
 
     // Everything below requires isOpen().

@@ -26,8 +26,6 @@ TEST_CASE("A lesson opens at a step, at most at the last one") {
     CHECK(walk.setting().at == "1.ring.6");
     walk.goTo(99);
     CHECK(walk.step() + 1 == walk.lesson().steps.size());
-    walk.close();
-    CHECK_FALSE(walk.isOpen());
 }
 
 TEST_CASE("Marked points are an answer, by their names, and a second mark takes one back") {

@@ -23,7 +23,6 @@ enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, 
 ImU32 toU32(const Color& color);
 inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
 inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
-inline glm::vec2 toGlm(ImVec2 v) { return {v.x, v.y}; }
 
 /// Rectangle of the item drawn last.
 inline Rect lastItem() {
