@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "document/actions.h"
-#include "document/alert_actions.h"
 #include "document/break_actions.h"
 #include "document/camera_actions.h"
 #include "jobs/questions.h"

@@ -5,15 +5,16 @@
 #include <memory>
 #include <string>
 
-#include "commands/commands.h"
 #include "compare/compared_runs.h"
 #include "document/alerts_shown.h"
+#include "document/context.h"
 #include "document/document.h"
 #include "document/edit_history.h"
 #include "document/first_run.h"
 #include "document/mesh_saving.h"
 #include "document/new_points.h"
 #include "document/scene_painter.h"
+#include "input/key_map.h"
 #include "lesson/lesson_player.h"
 #include "options.h"
 #include "panels/panel.h"

@@ -15,7 +15,6 @@
 #include "picture_frames.h"
 #include "render/context.h"
 #include "scene/framing.h"
-#include "session/view_position.h"
 #include "spiraling_edge/run/event_text.h"
 #include "teach/lesson_text.h"
 

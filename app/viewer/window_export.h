@@ -2,9 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "commands/commands.h"
+#include "document/context.h"
 
 namespace se::view {
 

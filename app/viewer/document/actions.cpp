@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>

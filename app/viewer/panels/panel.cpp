@@ -1,9 +1,7 @@
 #include "panel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "document/ui_state.h"
 #include "input/tab_order.h"

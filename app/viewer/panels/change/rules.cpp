@@ -1,10 +1,10 @@
 // All rules as switches: a change re-runs the input at once.
 #include "rules.h"
-#include "document/document.h"
 
 #include <algorithm>
+#include <array>
 
-#include "document/ui_state.h"
+#include "document/document.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
 #include "session/session.h"

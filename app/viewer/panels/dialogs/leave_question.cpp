@@ -1,5 +1,6 @@
 // The question before unsaved annotations are left: save, discard or cancel.
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "document/document.h"

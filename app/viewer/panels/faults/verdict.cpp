@@ -12,7 +12,6 @@
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "run/number_format.h"
-#include "session/layout_preset.h"
 #include "session/session.h"
 
 namespace se::view {

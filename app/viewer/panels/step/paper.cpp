@@ -2,7 +2,6 @@
 #include "rows/paper_text.h"
 
 #include "document/alert_actions.h"
-#include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"

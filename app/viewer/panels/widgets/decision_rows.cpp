@@ -2,7 +2,6 @@
 // the rows in sight are drawn, so that a list of any length costs the same; all rows are of one
 // height, which lets the list scroll to the row of the cursor without a search.
 #include "decision_rows.h"
-#include "panel_state/side_panels.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "paint/shapes.h"
+#include "panel_state/side_panels.h"
 #include "rows/evidence_rows.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
