@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compare/comparison.h"
+#include "document/actions.h"
 #include "document/edit_history.h"
 #include "document/ui_state.h"
 #include "session/session.h"
@@ -57,8 +58,8 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"step.alert.", hasPlaces, "The mesh has no faults."},
     {"edit.undo", canUndo, "There is nothing to undo."},
     {"edit.redo", canRedo, "There is nothing to redo."},
-    {"edit.rules.reset", hasChangedRules, "All rules have the values of their set."},
-    {"edit.whatif.clear", hasWhatIfs, "There are no what-ifs."},
+    {"edit.rules.reset", hasChangedRules, kNoChangedRules},
+    {"edit.whatif.clear", hasWhatIfs, kNoWhatIfs},
     {"run.compare.stop", compares, "Nothing is compared."},
     {"run.compare.swap", compares, "Nothing is compared."},
 });

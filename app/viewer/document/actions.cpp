@@ -117,8 +117,7 @@ void toggleBookmarkHere(C& c) {
 void resetRules(C& c) {
     if (!c.session.ready()) return;
     RunSpec rules = c.session.input().rules();
-    if (rules.choices.empty())
-        return c.session.messages().say("All rules have the values of their set.");
+    if (rules.choices.empty()) return c.session.messages().say(kNoChangedRules);
     rules.choices.clear();
     c.document.rerun(rules);
 }
@@ -126,7 +125,7 @@ void resetRules(C& c) {
 void clearWhatIfs(C& c) {
     if (!c.session.ready()) return;
     RunSpec rules = c.session.input().rules();
-    if (rules.whatIf.empty()) return c.session.messages().say("No what-ifs are active.");
+    if (rules.whatIf.empty()) return c.session.messages().say(kNoWhatIfs);
     rules.whatIf.clear();
     c.document.rerun(rules);
 }
@@ -346,17 +345,20 @@ void toggleCompare(CommandContext& c) {
     applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
 }
 
-void compareUsual(CommandContext& c) {
-    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+void enterCompare(C& c) {
     pause(c);
     applyLayoutPreset(c, LayoutPreset::Compare);
+}
+
+void compareUsual(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
+    enterCompare(c);
     c.compare.beginUsual();
 }
 
 void compareMesh(CommandContext& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
-    pause(c);
-    applyLayoutPreset(c, LayoutPreset::Compare);
+    enterCompare(c);
     openBrowser(c, BrowserTask::Mesh);
 }
 

@@ -16,6 +16,9 @@ namespace se::view {
 /// negative.
 void playSteps(CommandContext& context, int count);
 
+inline constexpr const char* kNoChangedRules = "All rules have the values of their set.";
+inline constexpr const char* kNoWhatIfs = "No what-ifs are active.";
+
 namespace actions {
 
 void pause(CommandContext& c);
@@ -94,6 +97,8 @@ void toggleCompare(CommandContext& c);
 void compareUsual(CommandContext& c);
 /// Opens the file dialog.
 void compareMesh(CommandContext& c);
+/// Pauses, in the layout Compare.
+void enterCompare(CommandContext& c);
 /// Acts on the comparison; reports if there is none.
 void ofComparison(CommandContext& c, void (ComparedRuns::*act)());
 

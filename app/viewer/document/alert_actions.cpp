@@ -231,8 +231,7 @@ std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
 
 void showBeside(CommandContext& context, const Remedy& remedy) {
     const RunSpec& spec = context.session.input().spec();
-    actions::pause(context);
-    actions::applyLayoutPreset(context, LayoutPreset::Compare);
+    actions::enterCompare(context);
     context.compare.begin(CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy))));
 }
 

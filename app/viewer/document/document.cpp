@@ -118,7 +118,7 @@ void Document::compareWithTrace(const std::string& path) {
         return c_.session.messages().say(
             "A trace is compared with a run of the same points: open these first, then the trace.");
     }
-    actions::applyLayoutPreset(c_, LayoutPreset::Compare);
+    actions::enterCompare(c_);
     c_.compare.begin(CompareWith::otherTrace(path));
 }
 

@@ -252,7 +252,7 @@ TEST_CASE("What cannot act says why") {
     CHECK(why("edit.undo") == "There is nothing to undo.");
     CHECK(why("edit.redo") == "There is nothing to redo.");
     CHECK(why("edit.rules.reset") == "All rules have the values of their set.");
-    CHECK(why("edit.whatif.clear") == "There are no what-ifs.");
+    CHECK(why("edit.whatif.clear") == "No what-ifs are active.");
     CHECK(why("run.compare.stop") == "Nothing is compared.");
     app.open.session.moves().toEnd();
     app.open.session.waitUntilDone();

@@ -1,4 +1,5 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
+#include "document/actions.h"
 #include "document/document.h"
 #include "panel_state/move_tool.h"
 #include "panel_state/what_if_offers.h"
@@ -45,7 +46,7 @@ void drawPresent(const PanelContext& context, const RunSpec& rules) {
             wrappedText("No effect. " + problem, context.palette.rejected);
         ImGui::PopID();
     }
-    if (rules.whatIf.empty()) return ImGui::TextDisabled("No what-ifs are active.");
+    if (rules.whatIf.empty()) return ImGui::TextDisabled("%s", kNoWhatIfs);
     if (textButton(context, "Remove all what-ifs", "what if clear"))
         context.run("edit.whatif.clear");
 }
