@@ -1,4 +1,4 @@
-/// Functions of the rows in the table of commands.
+/// Actions on the open run and the window, called by commands, panels and lessons.
 #pragma once
 
 #include <cstddef>

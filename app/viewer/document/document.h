@@ -20,6 +20,8 @@ namespace se::view {
 
 /// The session file of the open input. Requires context.session.ready().
 SessionFile captureSession(const CommandContext& context);
+
+/// The open input with its annotations and session file: opened, run again, left and saved.
 class Document {
   public:
     explicit Document(CommandContext& context) : c_(context) {}
@@ -29,7 +31,8 @@ class Document {
     /// Reads recent files and layout from that file and keeps them there from now on; with
     /// `resetLayout` the layout is the default.
     void keepIn(const std::filesystem::path& path, bool resetLayout);
-    // Requests of the user. What has unsaved annotations or settings is left after a question only.
+
+    // What the user does. What has unsaved annotations or settings is left after a question only.
     /// Opens a point file, `scene:ID`, the line of a SampleSpec, a session file or a lesson; for a
     /// volume the page with new points.
     void open(const std::string& source);
