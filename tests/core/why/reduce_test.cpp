@@ -56,7 +56,7 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     }
 }
 
-TEST_CASE("reduce: three points back to back are told from a failure within a surface") {
+TEST_CASE("reduce: three points back to back are distinguished from a failure within a surface") {
     MeshFailure pair;
     pair.triangles = {0, 1};
     const std::vector<Triangle> alone{{0, 1, 2}, {2, 1, 0}};

@@ -127,7 +127,7 @@ TEST_CASE("A disc is at the place of its point, of its size and color") {
     }
 }
 
-TEST_CASE("A line goes from end to end in its width") {
+TEST_CASE("A line covers its length and its width") {
     DrawnScene scene;
     if (!scene.display) return;
     const glm::vec3 from(-0.6F, 0.0F, 0.2F);
