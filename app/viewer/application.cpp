@@ -32,17 +32,17 @@ constexpr const char* kViewWindow = "##view";
 
 Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options),
-      commands_{session_, playback_, camera_,  ui_,   document_,
-                history_, lesson_,   compare_, mesh_, sampling_},
-      document_(commands_),
-      alerts_(commands_),
-      sampling_(commands_),
-      compare_(commands_),
-      mesh_(commands_),
-      lesson_(commands_),
-      firstRun_(commands_),
-      export_(std::make_unique<WindowExport>(commands_)),
-      history_(commands_) {
+      context_{session_, playback_, camera_,  ui_,   document_,
+               history_, lesson_,   compare_, mesh_, sampling_},
+      document_(context_),
+      alerts_(context_),
+      sampling_(context_),
+      compare_(context_),
+      mesh_(context_),
+      lesson_(context_),
+      firstRun_(context_),
+      export_(std::make_unique<WindowExport>(context_)),
+      history_(context_) {
     compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
@@ -103,7 +103,7 @@ bool Application::poll() {
         compare_.toFirstDifference();
     }
     followTask();
-    // The lists of a figure are those of its drawing, and nothing is to be mended.
+    // The lists of a figure are those of its drawing, and nothing is to be fixed.
     const bool figure = session_.ready() && !session_.model().params.start.empty();
     if (session_.takeProblemFound() && !figure && !ui_.lesson.walk.isOpen())
         ui_.column.note(Task::Input);
@@ -182,7 +182,7 @@ void Application::play(double seconds) {
     const int due = playback_.due(seconds);
     if (due == 0) return;
     if (turn) return session_.moves().playTo(*loop.from);
-    if (!heldByBreakpoint(commands_, due)) playSteps(commands_, due);
+    if (!heldByBreakpoint(context_, due)) playSteps(context_, due);
 }
 
 /// Places the camera for a newly opened input.
@@ -192,7 +192,7 @@ void Application::placeCamera() {
     if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
         // Another input resets the camera; reloading the same one keeps it.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
-            camera_.setUp(document_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
+            camera_.setUp(document_.openedSession() ? UpAxis::Z : actions::usualUp(context_));
             frameNow(FrameRequest::Home);
         }
         if (const auto pose = document_.takeCamera()) camera_.setPose(*pose);
@@ -224,7 +224,7 @@ void Application::settleCamera() {
 }
 
 void Application::frameNow(FrameRequest request) {
-    frameRequested(commands_, request);
+    frameRequested(context_, request);
     framed_ = Framed{request, ui_.viewPart(), camera_.revision()};
     if (request == FrameRequest::Decision) closeUp_ = camera_.revision();
 }
@@ -249,11 +249,11 @@ void Application::moveCamera() {
         const bool seen = isInView(model.place[pivot], ui_.viewPart(), camera_);
         const bool left = std::exchange(pivotSeen_, seen || moving) && !seen && !moving;
         if (ui_.follow == Follow::EachDecision && !stays)
-            moveToDecision(commands_, CameraMove::Kind::Followed);
+            moveToDecision(context_, CameraMove::Kind::Followed);
         if (ui_.follow == Follow::LeavingPivot && left && playback_.playing() &&
             !ImGui::IsAnyMouseDown()) {
             pivotSeen_ = true;
-            followPivot(commands_);
+            followPivot(context_);
         }
     }
     if (placed && session_.atEnd() && !std::exchange(ended_, true)) showFinishedMesh();
@@ -268,18 +268,18 @@ void Application::moveCamera() {
 void Application::showFinishedMesh() {
     const bool near =
         closeUp_ == camera_.revision() && followed_.generation == session_.generation();
-    if (near && ui_.follow != Follow::Never) moveToAll(commands_, CameraMove::Kind::Followed);
+    if (near && ui_.follow != Follow::Never) moveToAll(context_, CameraMove::Kind::Followed);
 }
 
 void Application::drawUserInterface(const PanelRects& rects) {
     const StatusCounts& counts = session_.picture().status.counts();
     Session* other = compare_.other();
-    CommandContext beside = commands_.of(other != nullptr ? *other : session_);
+    CommandContext beside = context_.of(other != nullptr ? *other : session_);
     std::optional<OtherView> view;
     if (compare_.shows())
         view.emplace(OtherView{other != nullptr ? &beside : nullptr, compare_.list(),
                                beside.session.picture().status.counts(), compare_.texture()});
-    const PanelContext context{commands_,
+    const PanelContext context{context_,
                                palette(),
                                imgui_->fonts(),
                                rects,
@@ -358,13 +358,13 @@ void Application::fillViews() {
     if (session_.ready() && ui_.settings.pointTint == PointTint::Margin && !ui_.lesson.hides())
         session_.questions().requestClosest();
     const bool onPaper = ui_.takesPicture || options_.onPaper();
-    painter_.fill(commands_, onPaper, compare_.look());
+    painter_.fill(context_, onPaper, compare_.look());
     compare_.fill(onPaper);
 }
 
 /// Draws the frame, unless it equals the one before; true if it did.
 bool Application::draw(glm::ivec2 size, bool panelsChanged) {
-    const bool viewChanged = painter_.draw(commands_, areas_.view, imgui_->em());
+    const bool viewChanged = painter_.draw(context_, areas_.view, imgui_->em());
     const bool otherViewChanged = compare_.draw(areas_.otherView, imgui_->em());
     // A picture is read from what this frame draws.
     const bool forced = redraws_ > 0 || ui_.takesPicture;
@@ -379,8 +379,7 @@ bool Application::draw(glm::ivec2 size, bool panelsChanged) {
     return true;
 }
 
-/// What follows the drawing: changes are noted, calls that had to wait are made, pictures are
-/// taken.
+/// What follows the drawing: changes are recorded, deferred calls are made, pictures are taken.
 void Application::endFrame(glm::ivec2 size) {
     if (options_.narrate) narrate();
     ui_.typing.endFrame(ImGui::GetIO().WantTextInput);

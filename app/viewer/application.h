@@ -81,8 +81,8 @@ class Application {
     /// shows it, without OpenGL.
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
-    /// Session, camera and state of the user interface, for pictures without a user.
-    CommandContext& commands() { return commands_; }
+    /// Everything that a command may use, for pictures without a user and for tests.
+    CommandContext& context() { return context_; }
     /// What the view shows, as last drawn.
     const DrawList& drawn() const { return painter_.list(); }
     /// The run beside the open one, and what its view shows; null: there is none.
@@ -154,7 +154,7 @@ class Application {
     Playback playback_;
     Camera camera_;
     UiState ui_;
-    CommandContext commands_;
+    CommandContext context_;
     std::unique_ptr<Ui> imgui_;
     ScenePainter painter_;
     std::uint32_t placedGeneration_ = 0;  ///< Generation that the camera was placed for.

@@ -51,7 +51,7 @@ void Application::followTask() {
     const std::string& source = session_.input().spec().source;
     if (std::exchange(taskOf_, source) != source && !ui_.lesson.walk.isOpen()) {
         ui_.column.reset();
-        if (ui_.layoutPreset == LayoutPreset::Compare) actions::openPart(commands_, kComparePart);
+        if (ui_.layoutPreset == LayoutPreset::Compare) actions::openPart(context_, kComparePart);
         finished_ = false;
         judged_ = false;
     }

@@ -83,10 +83,10 @@ ExportRun::~ExportRun() {
 
 void ExportRun::advance(bool waits) {
     const ImGuiScope scope(context_);
-    carryOut(waits);
+    makeFrames(waits);
 }
 
-void ExportRun::carryOut(bool waits) {
+void ExportRun::makeFrames(bool waits) {
     switch (phase_) {
         case Phase::Starting:
             return start();
@@ -192,7 +192,7 @@ void ExportRun::aimAtFigure() {
     if (figure == nullptr || options_.camera || options_.session) return;
     // A given start has few points: all of them are the figure, with room for what is drawn around.
     const Model& model = session().model();
-    if (model.params.start.empty()) return frameDecision(application_->commands());
+    if (model.params.start.empty()) return frameDecision(application_->context());
     Camera& camera = application_->camera();
     camera.faceStraight(glm::vec3(figure->view));
     camera.fill(model.place, ui().viewPart(), kDecisionShare);

@@ -48,7 +48,7 @@ class ExportRun {
   private:
     enum class Phase : std::uint8_t { Starting, Opening, Planning, Frames, Done };
 
-    void carryOut(bool waits);
+    void makeFrames(bool waits);
     void start();
     void open(bool waits);
     void plan();
@@ -68,7 +68,7 @@ class ExportRun {
     void draw(int frames);
     void fail(int code, std::string message);
     Session& session() { return application_->session(); }
-    UiState& ui() { return application_->commands().ui; }
+    UiState& ui() { return application_->context().ui; }
 
     Options options_;
     ViewSettings settings_;

@@ -49,7 +49,7 @@ Status ExportRun::openStep(std::size_t step) {
     // Steps of one decision have one camera.
     const bool before = std::exchange(ownView_, own);
     if (std::exchange(aimed_, here) == here && !resized && !own && !before) return success();
-    const Status aimed = aimAtStep(application_->commands(), file.lesson.steps[step], setting);
+    const Status aimed = aimAtStep(application_->context(), file.lesson.steps[step], setting);
     return aimed ? aimed : Error{stepPlace(file, step, "camera") + aimed.error().message};
 }
 
@@ -60,11 +60,11 @@ Status ExportRun::compareStep(std::size_t step, const std::vector<std::string>& 
     if (words.empty() && !compares) return success();
     ui().layoutPreset = words.empty() ? LayoutPreset::Debug : LayoutPreset::Compare;
     if (words.empty()) {
-        application_->commands().compare.stop();
+        application_->context().compare.stop();
     } else {
         const Result<RunSpec> other = comparedInput(opened_, words);
         if (!other) return Error{stepPlace(file, step, "compare") + other.error().message};
-        application_->commands().compare.begin(CompareWith::otherRun(other.value()));
+        application_->context().compare.begin(CompareWith::otherRun(other.value()));
     }
     draw(1);
     if (const Status done = application_->waitUntilDone(); !done)

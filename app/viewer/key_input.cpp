@@ -66,8 +66,8 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     }
     if (endsBlankScreen(chord)) return true;
     const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
-    if (!over && !repeated && runOnPieceTool(chord, commands_)) return true;
-    if (!over && !repeated && answerByKey(chord, commands_)) return true;
+    if (!over && !repeated && runOnPieceTool(chord, context_)) return true;
+    if (!over && !repeated && answerByKey(chord, context_)) return true;
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
     const Command* command = commandFor(chord);
     // A question comes first.
@@ -77,7 +77,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);
-    if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
+    if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, context_);
     ui_.typing.see(ui_.typedFields());
     // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;

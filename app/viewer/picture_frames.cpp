@@ -40,7 +40,7 @@ Picture drawTile(Application& application, Target& target, glm::ivec2 size, glm:
         target.end();
         return picture;
     };
-    if (!application.commands().ui.picture.cutOut) return reduced(draw(), factor);
+    if (!application.context().ui.picture.cutOut) return reduced(draw(), factor);
     application.setBackground(fromHex(0x000000));
     const Picture onBlack = draw();
     application.setBackground(fromHex(0xFFFFFF));
@@ -60,7 +60,7 @@ Status checkDrawn(glm::ivec2 size, double uiScale, int most) {
 
 Picture drawPicture(Application& application, Target& target, glm::ivec2 size, int frames,
                     int most) {
-    PictureLook& look = application.commands().ui.picture;
+    PictureLook& look = application.context().ui.picture;
     if (std::max(size.x, size.y) <= most)
         return drawTile(application, target, size, size, frames, look.supersample);
     // Only the layout of the whole is needed before its tiles.

@@ -93,7 +93,7 @@ DrivenApp::DrivenApp(const std::vector<std::string>& arguments, glm::ivec2 size)
 DrivenApp::DrivenApp(const Options& options, glm::ivec2 size)
     : display_(openedDisplay()),
       app(options, settingsOf(options)),
-      ui(app.commands().ui),
+      ui(app.context().ui),
       session(app.session()),
       size_(size) {
     if (!display_) return;

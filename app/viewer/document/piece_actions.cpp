@@ -39,8 +39,8 @@ std::vector<bool> enclosedInFile(const Model& model, std::span<const Index> insi
     return enclosed;
 }
 
-/// Requests a run without these points of the file.
-void requestWithout(CommandContext& c, const std::vector<bool>& without) {
+/// Runs without the marked points of the file.
+void runWithoutMarked(CommandContext& c, const std::vector<bool>& without) {
     Session& session = c.session;
     std::vector<Index> indices;
     for (Index p = 0; p < without.size(); ++p) {
@@ -86,7 +86,7 @@ void keepEnclosed(CommandContext& context) {
     if (!hasEnclosed(context)) return;
     std::vector<bool> without = enclosedInFile(context.session.model(), context.ui.piece.inside);
     without.flip();
-    requestWithout(context, without);
+    runWithoutMarked(context, without);
 }
 
 void leaveOutEnclosed(CommandContext& context) {
@@ -97,7 +97,7 @@ void leaveOutEnclosed(CommandContext& context) {
     for (std::size_t p = 0; p < without.size(); ++p) {
         if (before[p]) without[p] = true;
     }
-    requestWithout(context, without);
+    runWithoutMarked(context, without);
 }
 
 void endPieceTool(CommandContext& context) {

@@ -138,7 +138,7 @@ TEST_CASE("F goes to the view of a decision, Follow to each one, a swing ends wh
 TEST_CASE("Playing leads the camera to a pivot that leaves the view, not against the user") {
     DrivenApp app({"scene:torus", "--goto", "137.sphere.1"});
     if (!app) return;
-    Playback& playback = app.app.commands().playback;
+    Playback& playback = app.app.context().playback;
     playback.setRate(4.0);
     const CameraPose opened = app.pose();
     const auto seen = [&] {

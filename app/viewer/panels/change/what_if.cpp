@@ -14,9 +14,8 @@ namespace se::view {
 
 namespace {
 
-/// Adds a what-if, or reports why the fields form none.
-void requestOrReport(const PanelContext& context, const RunSpec& rules,
-                     const Result<WhatIf>& what) {
+/// Runs again with a what-if, or reports why the fields form none.
+void rerunOrReport(const PanelContext& context, const RunSpec& rules, const Result<WhatIf>& what) {
     if (what) return context.document().rerun(withWhatIf(rules, what.value()));
     context.session().messages().say(what.error().message);
 }
@@ -94,7 +93,7 @@ void drawMove(const PanelContext& context, const RunSpec& rules, std::uint32_t p
     }
     if (textButton(context, "Move it there", "what if move",
                    "From pivot " + std::to_string(pivot) + " on; its triangles move along."))
-        requestOrReport(context, rules, form.move(pivot));
+        rerunOrReport(context, rules, form.move(pivot));
 }
 
 void drawList(const PanelContext& context, const RunSpec& rules, std::uint32_t pivot) {
@@ -104,7 +103,7 @@ void drawList(const PanelContext& context, const RunSpec& rules, std::uint32_t p
     nameItem(context, "what if list");
     if (textButton(context, "Give it this list", "what if neighbors",
                    "From pivot " + std::to_string(pivot) + " on; the list is sorted by distance."))
-        requestOrReport(context, rules, form.neighbors(pivot));
+        rerunOrReport(context, rules, form.neighbors(pivot));
 }
 
 void drawPoint(const PanelContext& context, const RunSpec& rules) {
