@@ -284,16 +284,18 @@ bool Window::turn() {
     // A write error is reported on exit.
     static_cast<void>(
         application_->writeState({inputs_, unsettled_ == 0 && keys_.empty() && presses_.empty()}));
-    const bool full = application_->fullScreen();
-    if (std::exchange(fullScreen_, full) != full) toggleFullScreen();
+    setFullScreen(application_->fullScreen());
     return true;
 }
 
-void Window::toggleFullScreen() {
-    if (glfwGetWindowMonitor(window_) != nullptr) {
+void Window::setFullScreen(bool full) {
+    if (full == (glfwGetWindowMonitor(window_) != nullptr)) return;
+    GLFWmonitor* monitor = full ? glfwGetPrimaryMonitor() : nullptr;
+    if (full && monitor == nullptr) return;
+    if (!full) {
         glfwSetWindowMonitor(window_, nullptr, windowedPlace_.x, windowedPlace_.y, windowedSize_.x,
                              windowedSize_.y, GLFW_DONT_CARE);
-    } else if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
+    } else {
         glfwGetWindowPos(window_, &windowedPlace_.x, &windowedPlace_.y);
         glfwGetWindowSize(window_, &windowedSize_.x, &windowedSize_.y);
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);

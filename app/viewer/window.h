@@ -54,7 +54,8 @@ class Window {
     void deliver();
     void deliverButton();
     void drawFrame();
-    void toggleFullScreen();
+    /// Fills the monitor, or returns to the place before; no effect if it does so already.
+    void setFullScreen(bool full);
     void show(const Color& color);
     static Window& of(GLFWwindow* window);
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
@@ -69,7 +70,6 @@ class Window {
     double frameSeconds_ = 0.0;         ///< Duration of drawing the last frame.
     std::string title_;
     std::uint64_t inputs_ = 0;  ///< Events since the start.
-    bool fullScreen_ = false;   ///< As the application last wanted it.
     int wake_ = 5;              ///< Frames still to draw: the layout settles over a few of them.
     int unsettled_ = 0;         ///< Of them, those that the last input asks for.
     double lastFrame_ = 0.0;
