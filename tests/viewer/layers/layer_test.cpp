@@ -87,6 +87,7 @@ TEST_CASE("A ring keeps its name while others split, join and close") {
     OpenSession open("scene:torus");
     const auto onPivot = [&](std::uint32_t pivot) {
         open.session.moves().goTo({pivot, Stage::Pivot, 0});
+        open.session.waitUntilDone();
         return open.session.picture().rings;
     };
     using Names = std::set<std::string>;
