@@ -3,6 +3,7 @@
 
 #include "context.h"
 #include "run/selection.h"
+#include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
