@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "run/packed_file.h"
+#include "spiraling_edge/base/outside_text.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"
@@ -16,6 +18,15 @@ Result<teach::LessonReading> readingOf(const std::string& source) {
     if (const auto seed = teach::practiceSeed(source))
         return teach::readLesson(teach::practiceLesson(*seed), source);
     if (isLessonFile(source)) return teach::readLessonFile(source);
+    if (isPacked(source)) {
+        const Result<PackedFile> file = unpackedFile(source);
+        if (!file) return file.error();
+        teach::LessonReading reading = teach::readLesson(file.value().bytes, file.value().name);
+        if (const std::string input = fileOfLesson(reading.lesson); !input.empty())
+            return Error{file.value().name + ": a lesson inside a link has scenes alone, not " +
+                         inQuotes(input) + "."};
+        return reading;
+    }
     const std::string id = source.substr(kLessonPrefix.size());
     const teach::EmbeddedLesson* lesson = teach::findEmbeddedLesson(id);
     if (lesson == nullptr)
@@ -55,11 +66,24 @@ const std::vector<LessonEntry>& lessonEntries() {
 }
 
 bool isLessonFile(std::string_view source) {
-    return !source.starts_with(kLessonPrefix) && source.ends_with(teach::kLessonExtension);
+    return !source.starts_with(kLessonPrefix) && !isPacked(source) &&
+           source.ends_with(teach::kLessonExtension);
 }
 
 bool isLesson(std::string_view source) {
-    return source.starts_with(kLessonPrefix) || teach::practiceSeed(source) || isLessonFile(source);
+    return source.starts_with(kLessonPrefix) || teach::practiceSeed(source) ||
+           isLessonFile(source) || packedName(source).ends_with(teach::kLessonExtension);
+}
+
+std::string fileOfLesson(const teach::Lesson& lesson) {
+    const auto isFile = [](const std::string& input) {
+        return !input.empty() && !isScene(input) && !teach::practiceSeed(input);
+    };
+    if (isFile(lesson.input)) return lesson.input;
+    for (const teach::LessonStep& step : lesson.steps) {
+        if (isFile(step.input)) return step.input;
+    }
+    return {};
 }
 
 Result<OpenedLesson> openLesson(const std::string& source, const Progress& progress) {

@@ -21,7 +21,7 @@ inline constexpr std::string_view kLessonPrefix = "lesson:";
 inline std::string embeddedLessonSource(std::string_view id) {
     return std::string(kLessonPrefix) + std::string(id);
 }
-/// True for "lesson:ID", "practice:SEED" and paths that end with ".lesson.md".
+/// True for "lesson:ID", "practice:SEED", and files and packed files that end with ".lesson.md".
 bool isLesson(std::string_view source);
 /// True if it is a file.
 bool isLessonFile(std::string_view source);
@@ -40,12 +40,15 @@ const std::vector<LessonEntry>& lessonEntries();
 
 /// A lesson without faults.
 struct OpenedLesson {
-    std::string source;            ///< "lesson:ID", "practice:SEED", or a path.
+    std::string source;            ///< "lesson:ID", "practice:SEED", a path, or a packed file.
     std::filesystem::path folder;  ///< Its inputs are relative to it.
     teach::Lesson lesson;
     /// By step, the answer to its question; nothing for a step without one.
     std::vector<std::optional<teach::RightAnswer>> right;
 };
+
+/// The first input of a lesson that is a file; empty if it has none.
+std::string fileOfLesson(const teach::Lesson& lesson);
 
 /// Reads a lesson and runs its steps. Fails with its first fault, with file and line, or once
 /// `progress` returns false.

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "run/packed_file.h"
 #include "session/view_position.h"
 #include "teach/lesson_skeleton.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 /// The input as it stands in a lesson in `folder`.
 Result<std::string> inputFrom(const std::filesystem::path& folder, const std::string& source) {
-    if (isSample(source) || isStandardInput(source))
+    if (isSample(source) || isStandardInput(source) || isPacked(source))
         return Error{"A lesson begins with a scene or a file: save the points first."};
     if (isScene(source) || isPractice(source)) return source;
     const std::string input = std::filesystem::proximate(source, folder).generic_string();

@@ -10,6 +10,7 @@
 #include "document/actions.h"
 #include "document/camera_actions.h"
 #include "lesson_frames.h"
+#include "run/packed_file.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "teach/practice.h"
 
@@ -142,6 +143,8 @@ void LessonPlayer::keepStep() {
     const std::string source = seed ? std::string(kPracticeEntry) : walk().source();
     const std::size_t number = seed ? static_cast<std::size_t>(*seed) : walk().step();
     if (seed) panel().nextPractice = *seed + 1;
+    // Its source is its text.
+    if (isPacked(source)) return;
     const Status kept =
         c_.document.kept().change([&](KeptState& state) { state.lessons[source] = number; });
     if (!kept) c_.session.messages().say(kept.error().message);

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "packed_file.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
@@ -73,6 +74,17 @@ Result<PointFile> takeStandardInput(const RunSpec& spec, Model& model) {
     return *spec.points;
 }
 
+/// The points of a file inside a link.
+Result<PointFile> unpackPoints(const RunSpec& spec, Model& model) {
+    const Result<PackedFile> file = unpackedFile(spec.source);
+    if (!file) return file.error();
+    model.name = file.value().name;
+    teach::ByteHash sum;
+    sum.add(file.value().bytes);
+    model.hash = sum.text();
+    return readPoints(file.value().bytes, file.value().name);
+}
+
 /// Letters name the points of one pivot; numbers, and the letters of a figure with a given start,
 /// name them in the whole run.
 void nameLikeFigure(Model& model, const Figure& figure) {
@@ -88,6 +100,7 @@ Result<PointFile> readSource(const RunSpec& spec, Model& model, LoadProgress& pr
     const std::string& source = spec.source;
     if (isSample(source)) return readSample(spec, model, progress);
     if (isStandardInput(source)) return takeStandardInput(spec, model);
+    if (isPacked(source)) return unpackPoints(spec, model);
     if (const auto seed = teach::practiceSeed(source)) {
         model.name = source;
         PointFile points = teach::practiceFile(teach::practiceTask(*seed));

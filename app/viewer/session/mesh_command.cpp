@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "run/number_format.h"
+#include "run/packed_file.h"
 #include "session.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/shell_word.h"
@@ -34,6 +35,7 @@ std::string wholePath(const std::string& path) {
 std::string stemOf(const std::string& source, std::size_t points) {
     if (isScene(source)) return source.substr(kScenePrefix.size());
     if (isStandardInput(source)) return "points";
+    if (isPacked(source)) return fs::path(packedName(source)).stem().string();
     if (!isSample(source)) return fs::path(source).stem().string();
     const Result<SampleSpec> spec = sampleFromSource(source);
     return spec ? sampleStem(spec.value(), points) : "sample";
@@ -60,6 +62,10 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
                 {},
                 "These points came from standard input. Save them to a file, open it, and "
                 "copy again."};
+    }
+    if (isPacked(source)) {
+        return {
+            {}, {}, "These points came in a link. Save them to a file, open it, and copy again."};
     }
     if (!isSample(source)) return {{}, wholePath(source), {}};
     Result<SampleSpec> spec = sampleFromSource(source);

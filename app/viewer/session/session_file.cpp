@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "run/packed_file.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
@@ -94,7 +95,7 @@ Complaint readHeader(const json& object) {
 /// A source; its path, if it has one, is changed by `move`.
 template <typename Move>
 std::string movedSource(const std::string& source, const Move& move) {
-    if (isScene(source) || isPractice(source)) return source;
+    if (isScene(source) || isPractice(source) || isPacked(source)) return source;
     if (!isSample(source)) return move(source);
     Result<SampleSpec> sample = sampleFromSource(source);
     // Errors in the path are reported when it is opened.

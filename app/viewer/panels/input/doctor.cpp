@@ -9,6 +9,7 @@
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "run/packed_file.h"
 #include "run/strings.h"
 #include "scene/framing.h"
 #include "session/session.h"
@@ -63,6 +64,8 @@ std::string commandFor(const PanelContext& context, const Finding& finding) {
     if (!context.session().input().spec().leftOut.empty()) return {};
     if (isScene(source) || isStandardInput(source)) return remedyFor(finding, shellPath(source));
     if (isSample(source)) return commandForMade(source, finding);
+    // There is no file.
+    if (isPacked(source)) return {};
     std::error_code error;
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();

@@ -1,0 +1,122 @@
+#include "packed_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace se::view {
+
+namespace {
+
+constexpr std::string_view kLetters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::size_t kNameLimit = 200;
+/// Deflate without a header and a check sum.
+constexpr int kRaw = -15;
+
+std::string lettersOf(std::string_view bytes) {
+    std::string text;
+    std::uint32_t bits = 0;
+    unsigned held = 0;
+    for (const char byte : bytes) {
+        bits = (bits << 8U) | static_cast<unsigned char>(byte);
+        for (held += 8; held >= 6; held -= 6) text += kLetters[(bits >> (held - 6)) & 63U];
+    }
+    if (held > 0) text += kLetters[(bits << (6 - held)) & 63U];
+    return text;
+}
+
+/// Empty if there is another letter, or a rest that is no byte.
+std::optional<std::string> bytesOf(std::string_view letters) {
+    std::string bytes;
+    std::uint32_t bits = 0;
+    unsigned held = 0;
+    for (const char letter : letters) {
+        const std::size_t value = kLetters.find(letter);
+        if (value == std::string_view::npos) return std::nullopt;
+        bits = (bits << 6U) | static_cast<std::uint32_t>(value);
+        held += 6;
+        if (held < 8) continue;
+        held -= 8;
+        bytes += static_cast<char>((bits >> held) & 255U);
+    }
+    return held < 6 ? std::optional(bytes) : std::nullopt;
+}
+
+Bytef* zlibBytes(const char* bytes) {
+    // zlib does not write to its input, though its type is not const.
+    return reinterpret_cast<Bytef*>(const_cast<char*>(bytes));  // NOLINT
+}
+
+std::string deflated(std::string_view bytes) {
+    z_stream stream{};
+    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+        return {};
+    std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+    stream.next_in = zlibBytes(bytes.data());
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = zlibBytes(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
+}
+
+Result<std::string> inflated(std::string_view packed) {
+    constexpr std::size_t kPiece = std::size_t{1} << 16U;
+    z_stream stream{};
+    if (inflateInit2(&stream, kRaw) != Z_OK) return Error{"The packed file cannot be unpacked."};
+    stream.next_in = zlibBytes(packed.data());
+    stream.avail_in = static_cast<uInt>(packed.size());
+    std::string bytes;
+    int code = Z_OK;
+    while (code == Z_OK && bytes.size() <= kMostUnpacked) {
+        const std::size_t had = bytes.size();
+        bytes.resize(had + kPiece);
+        stream.next_out = zlibBytes(bytes.data() + had);
+        stream.avail_out = static_cast<uInt>(kPiece);
+        code = inflate(&stream, Z_NO_FLUSH);
+        bytes.resize(had + kPiece - stream.avail_out);
+    }
+    const bool whole = code == Z_STREAM_END && stream.avail_in == 0;
+    inflateEnd(&stream);
+    if (bytes.size() > kMostUnpacked)
+        return Error{"The packed file is larger than 4 MiB, the limit of a link."};
+    if (!whole) return Error{"The packed file is damaged: the link was cut or changed."};
+    return bytes;
+}
+
+}  // namespace
+
+std::string packedSource(const PackedFile& file) {
+    std::string name = std::filesystem::path(file.name).filename().string();
+    std::replace(name.begin(), name.end(), ':', '-');
+    return std::string(kPackPrefix) + name + ":" + lettersOf(deflated(file.bytes));
+}
+
+Result<PackedFile> unpackedFile(std::string_view source) {
+    const std::string name = packedName(source);
+    if (!isPacked(source) || name.empty() || name.size() > kNameLimit ||
+        name.find_first_of("/\\") != std::string::npos)
+        return Error{"A packed file is NAME:BYTES, with the name of a file without its folder."};
+    const std::optional<std::string> packed =
+        bytesOf(source.substr(kPackPrefix.size() + name.size() + 1));
+    if (!packed || packed->empty())
+        return Error{"The packed file is damaged: the link was cut or changed."};
+    Result<std::string> bytes = inflated(*packed);
+    if (!bytes) return bytes.error();
+    return PackedFile{name, std::move(bytes.value())};
+}
+
+std::string packedName(std::string_view source) {
+    if (!isPacked(source)) return {};
+    source.remove_prefix(kPackPrefix.size());
+    const std::size_t colon = source.find(':');
+    return colon == std::string_view::npos ? std::string{} : std::string(source.substr(0, colon));
+}
+
+}  // namespace se::view

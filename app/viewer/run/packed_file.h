@@ -1,0 +1,37 @@
+/// A small file as one line of text, which stands for the path of a file anywhere: the file inside
+/// a link.
+///
+///     pack:cube.xyz:M1QwVDBUMOIyRCYB
+///
+/// The name keeps its extension, by which the format is recognized. After it come the bytes, packed
+/// by deflate and written in the letters of base64url.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/base/result.h"
+
+namespace se::view {
+
+inline constexpr std::string_view kPackPrefix = "pack:";
+inline bool isPacked(std::string_view source) { return source.starts_with(kPackPrefix); }
+
+/// Most bytes that a packed file unpacks to.
+inline constexpr std::size_t kMostUnpacked = std::size_t{4} << 20U;
+
+struct PackedFile {
+    std::string name;  ///< Without folders.
+    std::string bytes;
+};
+
+/// The line of a file.
+std::string packedSource(const PackedFile& file);
+/// Reads the line back. Fails with a sentence if it is damaged, or unpacks to more than
+/// kMostUnpacked bytes.
+Result<PackedFile> unpackedFile(std::string_view source);
+/// The name of the file in the line.
+std::string packedName(std::string_view source);
+
+}  // namespace se::view
