@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands/commands.h"
+#include "document/link.h"
 #include "export/formats.h"
 #include "export/numbered_files.h"
 #include "export_options.h"
@@ -14,6 +15,7 @@
 #include "lesson/lesson_frames.h"
 #include "options/spec_options.h"
 #include "run/number_format.h"
+#include "run/packed_file.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -107,8 +109,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         "FILE", o.input.source,
         "Points: " + listText(pointFormats(), &PointFormat::name, "or") +
             "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
-            "--new; a session file; a lesson, as a file or lesson:ID. Without it, the start "
-            "page");
+            "--new; a session file; a lesson, as a file or lesson:ID; a link. Without it, the "
+            "start page");
     app.add_option("OTHER", raw.other,
                    "A mesh of the same points, or a trace: beside the run, as by --with")
         ->type_name("FILE");
@@ -129,7 +131,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
            "or first; with --goto at that place of the run")
         ->type_name("CLASS[:N]");
     app.add_option("--place", raw.place,
-                   "Start at an address with a camera: the text copied by Ctrl+C")
+                   "Start at an address with a camera, as a session has them (JSON)")
         ->type_name("TEXT");
     app.add_option("--step", raw.step, "Step of the lesson to begin with, from 1")
         ->check(CLI::PositiveNumber);
@@ -207,11 +209,41 @@ void takeOverGrowing(const CLI::App& app, const RawOptions& raw, Options& o) {
     if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
 }
 
+/// A link in place of FILE: what the command line does not set is that of the link. Throws as
+/// takeOver() does.
+void takeOverLink(const CLI::App& app, Options& o) {
+    if (!isLink(o.input.source)) return;
+    Result<Options> read = optionsFromLink(o.input.source);
+    if (!read) throw CLI::ValidationError(read.error().message);
+    Options& link = read.value();
+    o.input = link.lesson.empty() ? std::move(link.input) : RunSpec{link.lesson};
+    o.given = std::move(link.given);
+    o.session = std::move(link.session);
+    if (app.count("--goto") + app.count("--place") == 0) {
+        o.goTo = link.goTo;
+        o.atDifference = link.atDifference;
+        o.camera = link.camera;
+    }
+    if (o.alert.empty()) o.alert = link.alert;
+    if (o.withText.empty()) o.withText = link.withText;
+    if (app.count("--step") == 0) o.lessonStep = link.lessonStep;
+    if (app.count("--layout") == 0) {
+        o.layout = link.layout;
+        o.lessons = link.lessons;
+    }
+    if (app.count("--theme") == 0) o.theme = link.theme;
+    if (app.count("--mesh-style") == 0) o.meshStyle = link.meshStyle;
+    if (app.count("--point-tint") == 0) o.pointTint = link.pointTint;
+    if (app.count("--play") == 0) o.playSeconds = link.playSeconds;
+    o.focus = o.focus || link.focus;
+}
+
 /// What is to be run. Throws as takeOver() does.
 void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
-    o.given = raw.run.given();
-    const Status valid = applyChange(o.given, o.input);
+    const SpecChange typed = raw.run.given();
+    const Status valid = applyChange(typed, o.input);
     if (!valid) throw CLI::ValidationError(valid.error().message);
+    o.given.insert(o.given.end(), typed.begin(), typed.end());
     if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
         o.grow = SampleSpec{};
         o.grow->surface = std::exchange(o.input.source, {});
@@ -289,13 +321,6 @@ void chooseBenchScene(Options& o) {
 
 }  // namespace
 
-Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base) {
-    if (!text.starts_with('-')) return CompareWith::otherFile(text);
-    const Result<RunSpec> other = comparedInput(base, io::wordsIn(text));
-    return other ? Result<CompareWith>(CompareWith::otherRun(other.value()))
-                 : Error{other.error().message + "."};
-}
-
 Status chooseComparison(Options& o) {
     if (o.withText.empty()) return success();
     Result<CompareWith> with = compareWithFromText(o.withText, o.input);
@@ -322,8 +347,9 @@ Status adoptSession(Options& o) {
                      "--with " +
                      path};
     }
-    const bool names = path.empty() || isScene(path) || isSample(path) || isStandardInput(path);
-    if (names || !looksLikeSession(path)) return success();
+    const bool names =
+        path.empty() || isScene(path) || isSample(path) || isStandardInput(path) || isPacked(path);
+    if (o.session || names || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);
     if (!read) return read.error();
     o.sessionPath = path;
@@ -430,6 +456,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
         chooseBenchScene(o);
+        takeOverLink(app, o);
         takeOverInput(app, raw, o);
         takeOver(raw, o);
         takeOverPicture(raw, o);
@@ -457,12 +484,12 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    o.theme = themeFromName(raw.theme);
-    o.meshStyle = meshStyleFromName(raw.meshStyle);
-    o.pointTint = pointTintFromName(raw.pointTint);
-    o.layout = layoutPresetFromName(raw.layout);
+    if (!raw.theme.empty()) o.theme = themeFromName(raw.theme);
+    if (!raw.meshStyle.empty()) o.meshStyle = meshStyleFromName(raw.meshStyle);
+    if (!raw.pointTint.empty()) o.pointTint = pointTintFromName(raw.pointTint);
+    if (!raw.layout.empty()) o.layout = layoutPresetFromName(raw.layout);
     if (!raw.other.empty() && !o.layout) o.layout = LayoutPreset::Compare;
-    o.lessons = opensLessons(raw.layout);
+    if (!raw.layout.empty()) o.lessons = opensLessons(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
     o.stateDump = raw.stateDump;

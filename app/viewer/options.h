@@ -40,9 +40,6 @@ Status adoptLesson(Options& options);
 /// Fails with a sentence.
 Status adoptStandardInput(Options& options);
 
-/// Parses the value of `--with` for a run of `base`: options as those of the run, "--rules robust
-/// -k 16", in which it differs; otherwise the path of a mesh. Fails with a sentence.
-Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base);
 /// Sets Options::with; to be called after adoptSession(). Fails with a sentence.
 Status chooseComparison(Options& options);
 

@@ -297,3 +297,34 @@ TEST_CASE("A start is read from its file, and refused with the entry that is wro
     std::filesystem::remove(file);
     CHECK(parse({"lesson:tour", "--start", path.c_str()}).exitCode == kExitUsage);
 }
+
+TEST_CASE("A link in place of FILE opens its place, and options beside it win") {
+    const ParsedOptions plain =
+        parse({"https://example.org/spiraling-edge/#scene=torus&goto=137.sphere.3&rules=robust"});
+    REQUIRE(plain.options.has_value());
+    CHECK(plain.options->goTo == "137.sphere.3");
+    CHECK(plain.options->input == changed({"scene:torus"}, specChange({{"rules", "robust"}})));
+    const ParsedOptions other =
+        parse({"#scene=torus&goto=137.sphere.3&rules=robust&theme=light&layout=present", "--goto",
+               "5", "--rules", "paper", "--theme", "dark"});
+    REQUIRE(other.options.has_value());
+    CHECK(other.options->goTo == "5");
+    CHECK(other.options->input == RunSpec{"scene:torus"});
+    CHECK(other.options->theme == Theme::Dark);
+    CHECK(other.options->layout == LayoutPreset::Present);
+    ParsedOptions lesson = parse({"#lesson=tour&step=2"});
+    REQUIRE(lesson.options.has_value());
+    REQUIRE(adoptLesson(*lesson.options).ok());
+    CHECK(lesson.options->lesson == "lesson:tour");
+    CHECK(lesson.options->lessonStep == 1U);
+}
+
+TEST_CASE("A wrong link is wrong usage") {
+    for (const char* link : {"#scene=toros", "x.html#scene=torus&gto=1", "#pack=a.xyz:!",
+                             "#nothing", "#goto=5", "#scene=torus&rules=strict"}) {
+        CAPTURE(link);
+        const ParsedOptions parsed = parse({link});
+        CHECK_FALSE(parsed.options.has_value());
+        CHECK(parsed.exitCode == kExitUsage);
+    }
+}

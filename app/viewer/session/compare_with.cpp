@@ -4,6 +4,7 @@
 
 #include "run/number_format.h"
 #include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/spec/run_spec.h"
 #include "teach/trace/setrace.h"
 
@@ -28,6 +29,13 @@ std::string fileTitle(const CompareWith& with) {
 
 bool isTraceFile(std::string_view path) {
     return lowerExtension(std::filesystem::path(path)) == teach::kTraceExtension;
+}
+
+Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base) {
+    if (!text.starts_with('-')) return CompareWith::otherFile(text);
+    const Result<SpecChange> change = changeFromWords(io::wordsIn(text));
+    if (!change) return Error{change.error().message + "."};
+    return CompareWith::otherRun(otherRun(base, change.value()));
 }
 
 CompareWith CompareWith::otherFile(std::string path) {

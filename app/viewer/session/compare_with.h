@@ -23,6 +23,10 @@ struct CompareWith {
     bool isFile() const { return kind == Kind::Mesh || kind == Kind::Trace; }
 };
 
+/// Parses the value of `--with` for a run of `base`: options as those of the run, "--rules robust
+/// -k 16", in which it differs; otherwise the path of a mesh. Fails with a sentence.
+Result<CompareWith> compareWithFromText(const std::string& text, const RunSpec& base);
+
 /// Label of A beside B: "paper rules", with what else is set.
 std::string runTitle(const RunSpec& spec);
 /// The most informative rule set beside those of `spec`: robust, or paper if that is on.
