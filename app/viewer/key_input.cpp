@@ -4,6 +4,7 @@
 
 #include "application.h"
 #include "commands/commands.h"
+#include "document/link.h"
 #include "document/piece_actions.h"
 #include "input/key_routing.h"
 #include "lesson/lesson_actions.h"
@@ -28,7 +29,11 @@ bool Application::goToBoxTakes(const KeyChord& chord) {
     if (chord == KeyChord{'V', kCtrl}) {
         const std::string text = ui_.clipboard.text();
         const Result<ViewPosition> place = viewPositionFromText(text);
-        box.paste(place ? place.value().address : text);
+        const Result<Options> link = isLink(text) ? optionsFromLink(text) : Error{};
+        const std::string& address = link    ? link.value().goTo
+                                     : place ? place.value().address
+                                             : text;
+        box.paste(address);
         return true;
     }
     if (!box.press(chord)) return false;

@@ -11,6 +11,7 @@
 #include "document/camera_actions.h"
 #include "document/document.h"
 #include "document/edit_history.h"
+#include "document/link_actions.h"
 #include "document/piece_actions.h"
 #include "lesson/lesson_actions.h"
 #include "lesson/lesson_player.h"
@@ -195,10 +196,12 @@ const auto kCommands = std::to_array<Command>({
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.",
      [](C& c) { c.ui.goTo.open(); }, "jump address find"},
 
-    {"step.copy", "Step", "Copy position", "Ctrl+C", "Copy address and camera as text.",
-     copyPosition, "clipboard share link"},
-    {"step.paste", "Step", "Go to copied position", "Ctrl+V",
-     "Go to the address or position on the clipboard.", pastePosition, "clipboard jump"},
+    {"step.copy", "Step", "Copy link", "Ctrl+C",
+     "Copy a link to what is shown: input, options, address and camera.", copyLink,
+     "clipboard share position url"},
+    {"step.paste", "Step", "Go to copied link", "Ctrl+V",
+     "Follow the link, or go to the address, on the clipboard.", pasteLink,
+     "clipboard jump position"},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the decision from the side that shows it best.", frameSmoothly,

@@ -13,7 +13,7 @@
 #include "new_points.h"
 #include "piece_actions.h"
 #include "run/model.h"
-#include "session/view_position.h"
+#include "run/packed_file.h"
 
 namespace se::view {
 
@@ -87,7 +87,7 @@ UpAxis usualUp(const C& c) {
     const std::string& source = c.session.input().spec().source;
     if (isScene(source) || isSample(source) || isPractice(source)) return UpAxis::Z;
     if (c.ui.settings.up) return *c.ui.settings.up;
-    return guessUpAxis(c.session.model().points, source);
+    return guessUpAxis(c.session.model().points, isPacked(source) ? packedName(source) : source);
 }
 
 void chooseUp(C& c, UpAxis axis) {
@@ -368,23 +368,6 @@ void ofComparison(CommandContext& c, void (ComparedRuns::*act)()) {
         return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
     pause(c);
     (c.compare.*act)();
-}
-
-void copyPosition(CommandContext& c) {
-    if (!c.session.ready()) return;
-    const std::string address = c.session.event() != nullptr ? toString(c.session.address()) : "0";
-    c.ui.clipboard.copy(toText(ViewPosition{address, c.camera.pose()}));
-    c.session.messages().say("Copied: " + address + " and the camera.");
-}
-
-void pastePosition(CommandContext& c) {
-    const Result<ViewPosition> place = viewPositionFromText(c.ui.clipboard.text());
-    if (!place) return c.session.messages().say(place.error().message);
-    pause(c);
-    if (place.value().camera) c.camera.setPose(*place.value().camera);
-    const Status status = c.session.moves().goToText(place.value().address);
-    if (!status) return c.session.messages().say(status.error().message);
-    if (!place.value().camera) c.ui.frame = FrameRequest::Decision;
 }
 
 void walkPanels(CommandContext& c, int direction) {

@@ -102,9 +102,6 @@ void enterCompare(CommandContext& c);
 /// Acts on the comparison; reports if there is none.
 void ofComparison(CommandContext& c, void (ComparedRuns::*act)());
 
-/// Copies the address and the camera as text, and goes to those that were copied.
-void copyPosition(CommandContext& c);
-void pastePosition(CommandContext& c);
 /// Gives the keyboard focus to the next (+1) or previous (-1) panel.
 void walkPanels(CommandContext& c, int direction);
 

@@ -13,6 +13,7 @@
 #include "lesson/lesson_player.h"
 #include "new_points.h"
 #include "run/model.h"
+#include "run/packed_file.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "spiraling_edge/sampling/volume.h"
@@ -162,6 +163,34 @@ void Document::openNow(RunSpec spec) {
     openInput(std::move(spec));
 }
 
+void Document::openLinkNow(const Options& link) {
+    c_.playback.pause();
+    if (link.layout && link.layout != c_.ui.layoutPreset)
+        actions::applyLayoutPreset(c_, *link.layout);
+    if (link.lessons) c_.ui.column.choose(Task::Lesson);
+    if (!link.lesson.empty()) return c_.lesson.open(link.lesson, link.lessonStep);
+    if (isVolumePath(link.input.source) && !isSample(link.input.source))
+        return spreadOver(link.input.source);
+    std::optional<CompareWith> other;
+    if (!link.withText.empty()) {
+        Result<CompareWith> with = compareWithFromText(link.withText, link.input);
+        if (!with) return c_.session.messages().say(with.error().message);
+        other = std::move(with.value());
+    }
+    expectArrival(link.session ? std::string{} : link.input.source);
+    arrival_.with = std::move(other);
+    if (link.atDifference) arrival_.notice = "Press D for the first difference.";
+    foreign_ = true;
+    arrival_.session = link.session;
+    arrival_.goTo = link.goTo;
+    arrival_.camera = link.camera;
+    arrival_.framed = link.focus || (!link.goTo.empty() && !link.camera);
+    arrival_.alert = link.alert;
+    if (link.goTo.empty() && !link.camera && link.alert.empty() && !link.session)
+        aimAtScene(link.input.source);
+    openInput(link.input);
+}
+
 void Document::openStep(RunSpec spec, const std::string& address) {
     expectArrival({});
     arrival_.goTo = address;
@@ -229,6 +258,7 @@ void Document::arrive() {
     if (arrival_.ofSession || !arrival_.file.empty() || source != keptSpec_.source) keepSettings();
     arrival_.pending = false;
     alert_ = std::exchange(arrival_.alert, {});
+    if (arrival_.with) with_ = std::exchange(arrival_.with, std::nullopt);
     placed_ = !arrival_.goTo.empty() || arrival_.camera;
     ofSession_ = arrival_.ofSession;
     note(arrival_.file);
@@ -276,6 +306,12 @@ void Document::openSpec(RunSpec spec) {
     askToLeave({same ? LeaveFor::Reload : LeaveFor::Open, source, {}, std::move(spec)});
 }
 
+void Document::openLink(Options link) {
+    Leave to{LeaveFor::Open, {}, {}};
+    to.open = [this, link = std::move(link)] { openLinkNow(link); };
+    askToLeave(std::move(to));
+}
+
 void Document::reload() { askToLeave({LeaveFor::Reload, {}, {}}); }
 
 void Document::quit() { askToLeave({LeaveFor::Quit, {}, {}}); }
@@ -297,6 +333,7 @@ void Document::leave(Leave to) {
 }
 
 void Document::go(const Leave& to) {
+    if (to.open) return to.open();
     if (to.spec) return openNow(*to.spec);
     switch (to.what) {
         case LeaveFor::Quit:
@@ -426,7 +463,7 @@ bool Document::hasNewSettings() const {
 }
 
 void Document::note(const std::string& file) {
-    if (!kept_.isOpen() || file.empty() || isStandardInput(file)) return;
+    if (!kept_.isOpen() || file.empty() || isStandardInput(file) || isPacked(file)) return;
     if (c_.ui.hostFiles.apart() && !isScene(file) && !isSample(file)) return;  // gone by then
     keep([&](KeptState& state) {
         remember(state, file);

@@ -39,6 +39,8 @@ class Document {
     /// Opens an input with its options: the current one prepared in another way, or points that
     /// were sampled here and are shown already.
     void openSpec(RunSpec spec);
+    /// Opens what a link names, at its place. Requires an input, a lesson or a session.
+    void openLink(Options link);
     void reload();
     void quit();
     /// Opens files that were dropped on the window: the first of them.
@@ -105,6 +107,7 @@ class Document {
         Selection selected;
         std::string alert;
         std::string expectedHash;
+        std::optional<CompareWith> with;
         std::string file;     ///< For the list of recent files.
         bool framed = false;  ///< The decision at `goTo` is to be framed.
         bool toEnd = false;   ///< Of the run: of an input that was changed.
@@ -126,6 +129,7 @@ class Document {
     void go(const Leave& to);
     void openNow(const std::string& source);
     void openNow(RunSpec spec);
+    void openLinkNow(const Options& link);
     void runNow(const RunSpec& spec, Resume resume);
     void reloadNow();
     /// Waits for another input; `file` goes to the list of recent files.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@ struct Leave {
     std::string path;                            ///< Of LeaveFor::Open: a path or `scene:ID`.
     std::string notice;                          ///< Message on arrival.
     std::optional<RunSpec> spec = std::nullopt;  ///< Input to open, with its options.
+    std::function<void()> open = nullptr;        ///< Opens what a link names, instead of these.
 };
 
 /// The question, while it is open.

@@ -61,8 +61,7 @@ std::string toText(const ViewPosition& place) {
 
 Result<ViewPosition> viewPositionFromText(std::string_view text) {
     const Error unknown{
-        "Not a position. Expected an address such as 137.sphere.3, or a position copied by "
-        "Ctrl+C."};
+        "Not a position. Expected an address such as 137.sphere.3, or a link copied by Ctrl+C."};
     const Result<json> read = teach::jsonFromText<json>(text, "The position");
     if (!read && text.find('{') != std::string_view::npos) return read.error();
     if (!read || !read.value().is_object()) {

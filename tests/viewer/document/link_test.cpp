@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jobs/open_lesson.h"
+#include "run/embedded_files.h"
 #include "run/packed_file.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/spec_fields.h"
@@ -258,4 +259,15 @@ TEST_CASE("A packed lesson opens, unless it reads files") {
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.error().message ==
           "x.lesson.md: a lesson inside a link has scenes alone, not \"points.ply\".");
+}
+
+TEST_CASE("The manual has every name of a link, with its value and meaning") {
+    const std::string_view page = embeddedFile("viewer.md");
+    for (const LinkPart& each : linkParts()) {
+        std::string row = "| `" + std::string(each.name) + "` | ";
+        if (!each.value.empty()) row += "`" + std::string(each.value) + "`";
+        row += " | " + std::string(each.help) + " |\n";
+        CAPTURE(row);
+        CHECK(page.find(row) != std::string_view::npos);
+    }
 }

@@ -176,12 +176,21 @@ struct Menu {
 };
 
 constexpr MenuRow kLine;
-constexpr std::array kFile = {
-    MenuRow{"file.open"},      MenuRow{{}, drawRecent},    MenuRow{{}, drawSceneMenu},
-    MenuRow{"file.new.shape"}, MenuRow{"file.new.volume"}, kLine,
-    MenuRow{"file.savemesh"},  MenuRow{"file.save"},       MenuRow{"file.saveas"},
-    MenuRow{"file.export"},    MenuRow{"file.screenshot"}, kLine,
-    MenuRow{"file.restart"},   MenuRow{"file.quit"}};
+constexpr std::array kFile = {MenuRow{"file.open"},
+                              MenuRow{{}, drawRecent},
+                              MenuRow{{}, drawSceneMenu},
+                              MenuRow{"file.new.shape"},
+                              MenuRow{"file.new.volume"},
+                              kLine,
+                              MenuRow{"file.savemesh"},
+                              MenuRow{"file.save"},
+                              MenuRow{"file.saveas"},
+                              MenuRow{"file.export"},
+                              MenuRow{"file.screenshot"},
+                              MenuRow{"step.copy"},
+                              kLine,
+                              MenuRow{"file.restart"},
+                              MenuRow{"file.quit"}};
 constexpr std::array kEdit = {MenuRow{"edit.undo"},
                               MenuRow{"edit.redo"},
                               kLine,

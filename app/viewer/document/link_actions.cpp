@@ -1,0 +1,183 @@
+#include "link_actions.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "compare/compare_page.h"
+#include "document.h"
+#include "jobs/open_lesson.h"
+#include "lesson/lesson_player.h"
+#include "link.h"
+#include "run/packed_file.h"
+#include "session/compare_with.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "session/view_position.h"
+#include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/spec/spec_fields.h"
+#include "teach/lesson_read.h"
+#include "ui_state.h"
+
+namespace se::view {
+
+namespace {
+
+/// Longest packed file in a copied link: mail and chat programs keep addresses of that length.
+constexpr std::size_t kMostLetters = 7500;
+/// Larger files are not tried.
+constexpr std::uintmax_t kMostTried = std::uintmax_t{256} << 10U;
+
+/// A source as it stands in a link.
+struct LinkedSource {
+    std::string source;
+    std::string notice;  ///< What is missing; empty: nothing.
+};
+
+/// A file by its name alone.
+LinkedSource named(const std::string& path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    return {name, "The link names the file " + name + " but does not contain it."};
+}
+
+/// The file as a line of text; empty if it is too large, cannot be read, or needs other files.
+std::string packedIfShort(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) > kMostTried || error) return {};
+    const Result<std::string> bytes = readBytes(path, ByteLimit{kMostTried});
+    if (!bytes) return {};
+    const std::string source = packedSource({path, bytes.value()});
+    if (source.size() > kMostLetters) return {};
+    const bool alone =
+        !isLessonFile(path) || fileOfLesson(teach::readLesson(bytes.value(), path).lesson).empty();
+    return alone ? source : std::string{};
+}
+
+LinkedSource linkedSource(const std::string& source) {
+    const bool lesson = isLesson(source) && !isLessonFile(source);
+    if (isScene(source) || isSample(source) || isPacked(source) || lesson) return {source, {}};
+    if (isStandardInput(source))
+        return {{}, "The points came from standard input: the link has no input."};
+    std::string packed = packedIfShort(source);
+    return packed.empty() ? named(source) : LinkedSource{std::move(packed), {}};
+}
+
+/// The text of --with for the run beside the open one; empty if no text stands for it.
+std::string textOfOther(const CommandContext& c) {
+    const Comparison* now = c.ui.compare.now;
+    if (now == nullptr || now->with().kind != CompareWith::Kind::Run) return {};
+    const RunSpec& open = c.session.input().spec();
+    std::string text;
+    for (const std::string& each : optionsOf(differenceOf(open, now->with().run)))
+        text.append(text.empty() ? "" : " ").append(each);
+    if (text.empty()) return {};
+    const Result<CompareWith> read = compareWithFromText(text, open);
+    return read && read.value().run == now->with().run ? text : std::string{};
+}
+
+/// What is shown, as options of the start; the source is changed to that of a link.
+std::pair<Options, std::string> presentOptions(const CommandContext& c) {
+    Options o;
+    std::string notice;
+    if (c.ui.layoutPreset != LayoutPreset::Debug) o.layout = c.ui.layoutPreset;
+    if (const LessonWalk& walk = c.ui.lesson.walk; walk.isOpen()) {
+        LinkedSource lesson = linkedSource(walk.source());
+        o.lesson = std::move(lesson.source);
+        o.lessonStep = walk.step();
+        return {std::move(o), std::move(lesson.notice)};
+    }
+    const Session& session = c.session;
+    o.input = session.input().spec();
+    LinkedSource input = linkedSource(o.input.source);
+    o.input.source = std::move(input.source);
+    notice = std::move(input.notice);
+    if (o.input.source.empty()) o.input = {};
+    if (!o.input.start.empty())
+        notice.append(notice.empty() ? "" : " ")
+            .append("It leaves out the triangles and rings that the run begins with.");
+    o.goTo = session.event() != nullptr ? toString(session.address()) : "0";
+    o.camera = c.camera.pose();
+    o.withText = textOfOther(c);
+    return {std::move(o), std::move(notice)};
+}
+
+/// The link is to another place of the open input, by the same rules.
+bool isOfOpenInput(const CommandContext& c, const Options& o) {
+    const SessionInput& input = c.session.input();
+    if (!c.session.ready() || input.phase() == SessionPhase::Loading) return false;
+    // These are shown with a newly opened input.
+    if (!o.alert.empty() || !o.withText.empty() || o.atDifference || o.session) return false;
+    const RunSpec& open = input.spec();
+    if (o.input.source.empty()) return true;
+    RunSpec spec = o.input;
+    const bool same = spec.source == open.source || spec.source == linkedSource(open.source).source;
+    spec.source = open.source;
+    spec.points = open.points;
+    spec.maxBytes = open.maxBytes;
+    spec.start = open.start;
+    return same && spec == open;
+}
+
+Status moveTo(CommandContext& c, const ViewPosition& place) {
+    if (place.camera) c.camera.setPose(*place.camera);
+    const std::string address = place.address.empty() ? "0" : place.address;
+    if (const Status status = c.session.moves().goToText(address); !status) return status;
+    if (!place.camera) c.ui.frame = FrameRequest::Decision;
+    return success();
+}
+
+}  // namespace
+
+PresentLink linkTo(const CommandContext& context, std::string_view base) {
+    auto [options, notice] = presentOptions(context);
+    return {std::string(base) + "#" + linkText(options), std::move(notice)};
+}
+
+Status followLink(CommandContext& context, std::string_view text) {
+    Result<Options> read = optionsFromLink(text);
+    if (!read) return read.error();
+    const Options& o = read.value();
+    context.playback.pause();
+    const LessonWalk& walk = context.ui.lesson.walk;
+    const bool sameLesson =
+        walk.isOpen() && !o.lesson.empty() &&
+        (walk.source() == o.lesson || linkedSource(walk.source()).source == o.lesson);
+    if (sameLesson) {
+        context.lesson.toStep(o.lessonStep.value_or(walk.step()));
+        return success();
+    }
+    if (o.lesson.empty() && isOfOpenInput(context, o)) return moveTo(context, {o.goTo, o.camera});
+    if (o.lesson.empty() && !o.session && o.input.source.empty())
+        return Error{"The link names no input, and none is open."};
+    context.document.openLink(o);
+    return success();
+}
+
+namespace actions {
+
+void copyLink(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to link to.");
+    const PresentLink link = linkTo(c, linkBase());
+    c.ui.clipboard.copy(link.text);
+    c.session.messages().say("Link copied." + (link.notice.empty() ? "" : " " + link.notice));
+}
+
+void pasteLink(CommandContext& c) {
+    const std::string text = c.ui.clipboard.text();
+    if (isLink(text)) {
+        const Status followed = followLink(c, text);
+        if (!followed) c.session.messages().say(followed.error().message);
+        return;
+    }
+    const Result<ViewPosition> place = viewPositionFromText(text);
+    if (!place) return c.session.messages().say(place.error().message);
+    c.playback.pause();
+    if (const Status moved = moveTo(c, place.value()); !moved)
+        c.session.messages().say(moved.error().message);
+}
+
+}  // namespace actions
+
+}  // namespace se::view

@@ -1,0 +1,37 @@
+/// Copying a link to what is shown, and following one.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "context.h"
+#include "spiraling_edge/base/result.h"
+#include "start_options.h"
+
+namespace se::view {
+
+/// A link to what is shown.
+struct PresentLink {
+    std::string text;
+    std::string notice;  ///< What it lacks, in a sentence; empty: nothing.
+};
+
+/// The link, from `base` on: with the open lesson and its step, or with the open input, its
+/// options, address and camera. A file is inside the link where that stays short. Requires an open
+/// run.
+PresentLink linkTo(const CommandContext& context, std::string_view base);
+
+/// Goes to the address and the camera of a link; opens its input first if it is not the open one
+/// with the same options. Fails with a sentence.
+Status followLink(CommandContext& context, std::string_view text);
+
+namespace actions {
+
+/// Copies a link to what is shown.
+void copyLink(CommandContext& c);
+/// Follows the link, or goes to the address or position, on the clipboard.
+void pasteLink(CommandContext& c);
+
+}  // namespace actions
+
+}  // namespace se::view
