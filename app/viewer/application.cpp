@@ -81,7 +81,7 @@ void Application::drop(const std::vector<std::string>& paths) {
     // The file that the open dialog waits for, or one to open.
     const bool chosen = std::exchange(ui_.fileBrowser, false) && ui_.browser != BrowserTask::Open;
     if (chosen && (ui_.browser == BrowserTask::Mesh || ui_.browser == BrowserTask::Volume))
-        return actions::openFor(commands_, ui_.browser, paths.front());
+        return actions::openFor(context_, ui_.browser, paths.front());
     document_.drop(paths);
 }
 

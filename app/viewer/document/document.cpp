@@ -170,17 +170,17 @@ void Document::openLinkNow(const Options& link) {
     if (link.lessons) c_.ui.column.choose(Task::Lesson);
     if (!link.lesson.empty()) return c_.lesson.open(link.lesson, link.lessonStep);
     if (isVolumePath(link.input.source) && !isSample(link.input.source))
-        return spreadOver(link.input.source);
+        return c_.sampling.openVolume(link.input.source);
     std::optional<CompareWith> other;
     if (!link.withText.empty()) {
         Result<CompareWith> with = compareWithFromText(link.withText, link.input);
         if (!with) return c_.session.messages().say(with.error().message);
         other = std::move(with.value());
     }
+    c_.lesson.closeForOther();
     expectArrival(link.session ? std::string{} : link.input.source);
     arrival_.with = std::move(other);
     if (link.atDifference) arrival_.notice = "Press D for the first difference.";
-    foreign_ = true;
     arrival_.session = link.session;
     arrival_.goTo = link.goTo;
     arrival_.camera = link.camera;

@@ -159,13 +159,13 @@ namespace actions {
 
 void copyLink(CommandContext& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to link to.");
-    const PresentLink link = linkTo(c, linkBase());
+    const std::string& page = c.ui.pageAddress;
+    const PresentLink link = linkTo(c, page.empty() ? linkBase() : page);
     c.ui.clipboard.copy(link.text);
     c.session.messages().say("Link copied." + (link.notice.empty() ? "" : " " + link.notice));
 }
 
-void pasteLink(CommandContext& c) {
-    const std::string text = c.ui.clipboard.text();
+void follow(CommandContext& c, const std::string& text) {
     if (isLink(text)) {
         const Status followed = followLink(c, text);
         if (!followed) c.session.messages().say(followed.error().message);
@@ -177,6 +177,8 @@ void pasteLink(CommandContext& c) {
     if (const Status moved = moveTo(c, place.value()); !moved)
         c.session.messages().say(moved.error().message);
 }
+
+void pasteLink(CommandContext& c) { follow(c, c.ui.clipboard.text()); }
 
 }  // namespace actions
 

@@ -29,7 +29,9 @@ namespace actions {
 
 /// Copies a link to what is shown.
 void copyLink(CommandContext& c);
-/// Follows the link, or goes to the address or position, on the clipboard.
+/// Follows a link, or goes to an address or position.
+void follow(CommandContext& c, const std::string& text);
+/// Follows what is on the clipboard.
 void pasteLink(CommandContext& c);
 
 }  // namespace actions

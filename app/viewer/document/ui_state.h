@@ -101,6 +101,7 @@ struct UiState {
     BetweenFrames betweenFrames;
     Clipboard clipboard;
     HostFiles hostFiles;
+    std::string pageAddress;  ///< Of the page that is the program, without #; empty: there is none.
     FrameRequest frame = FrameRequest::None;
     bool takesPicture = false;  ///< The next frame is saved as a picture.
     bool fullScreen = false;    ///< The window is to fill the monitor.
