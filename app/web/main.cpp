@@ -2,12 +2,14 @@
 // calls.
 #include <emscripten/emscripten.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "application.h"
+#include "document/link.h"
+#include "document/link_actions.h"
 #include "options.h"
 #include "panel_state/settings.h"
 #include "run/strings.h"
@@ -65,6 +67,12 @@ EMSCRIPTEN_KEEPALIVE int webTurn() {
     return program.application->session().messages().notice().empty() ? kSleep : kLater;
 }
 
+/// Goes to an address, or where a link leads.
+EMSCRIPTEN_KEEPALIVE void webGo(const char* text) {
+    actions::follow(theProgram()->application->context(), text);
+    theProgram()->window->wake();
+}
+
 /// Writes the settings, for the page to keep.
 EMSCRIPTEN_KEEPALIVE void webKeep() {
     Program& program = *theProgram();
@@ -74,31 +82,15 @@ EMSCRIPTEN_KEEPALIVE void webKeep() {
 }
 }
 
-/// Takes the part of the address after #.
+/// Takes the address of the page, and the theme of what is around it.
 int main(int, char** argv) {
     try {
-        std::vector<std::string> words{"viewer"};
-        std::string text = argv[1][0] == '#' ? argv[1] + 1 : "";
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find('&', at), text.size());
-            const std::string part = text.substr(at, end - at);
-            const std::size_t eq = std::min(part.find('='), part.size());
-            const std::string name = part.substr(0, eq),
-                              value = eq < part.size() ? part.substr(eq + 1) : "";
-            if (name == "scene" || name == "lesson")
-                words.push_back(name + ":" + value);
-            else {
-                words.push_back("--" + name);
-                if (!value.empty()) words.push_back(value);
-            }
-            at = end + 1;
-        }
-        std::vector<const char*> args;
-        for (const auto& each : words) args.push_back(each.c_str());
-        ParsedOptions parsed = parseOptions(int(args.size()), args.data());
-        if (!parsed.options) return parsed.exitCode;
+        const std::string address = argv[1];
+        const std::size_t sign = std::min(address.find('#'), address.size());
+        auto options = optionsFromLink(address.substr(sign));
+        if (!options) return fail(kExitUsage, options.error().message);
         auto& program = theProgram() = std::make_unique<Program>();
-        program->options = std::move(*parsed.options);
+        program->options = std::move(options.value());
         if (const auto status = adoptInputs(program->options); !status)
             return fail(kExitInput, status.error().message);
         program->options.narrate = true;  // for those who cannot see the picture
@@ -112,7 +104,8 @@ int main(int, char** argv) {
         if (!window) return fail(kExitNoDisplay, window.error().message);
         program->window = std::move(window.value());
         program->application = std::make_unique<Application>(program->options, settings);
-        program->application->commands().ui.hostFiles.pick = [] { EM_ASM({ Module.pick(); }); };
+        program->application->context().ui.hostFiles.pick = [] { EM_ASM({ Module.pick(); }); };
+        program->application->context().ui.pageAddress = address.substr(0, sign);
         if (!program->options.noConfig) program->application->keepIn(statePath());
         if (const auto status = program->application->start(program->window->contentScale());
             !status)

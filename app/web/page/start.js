@@ -96,8 +96,7 @@ document.addEventListener('visibilitychange', wake);
 /// Another link in the same page moves the program there.
 addEventListener('hashchange', () => {
   if (!program || failedWith) return location.reload();
-  const sentence = program.ccall('webLink', 'string', ['string'], [location.hash]);
-  if (sentence) fail(sentence);
+  program.ccall('webGo', null, ['string'], [location.hash]);
   wake();
 });
 
@@ -129,7 +128,7 @@ async function begin() {
     script.textContent = new TextDecoder().decode(code);
     document.head.append(script);
     await spiralingEdge({
-      arguments: [location.hash, matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'],
+      arguments: [location.href, matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'],
       wasmBinary: wasm,
       getPreloadedPackage: () => data,
       preRun: [module => { program = module; openStore(module); }],
