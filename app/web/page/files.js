@@ -18,9 +18,6 @@ function openStore({FS, ENV}) {
   ENV.HOME = kHome.slice(0, -1);
   FS.mkdir(kFiles.slice(0, -1));
   FS.chdir(kFiles.slice(0, -1));
-  readStore(FS);
-}
-function readStore(FS) {
   for (let i = 0; store && i < store.length; ++i) {
     const name = store.key(i);
     if (!name.startsWith(kStored)) continue;
@@ -30,22 +27,20 @@ function readStore(FS) {
   }
 }
 
-/// Keeps the settings for the next visit. Other tabs may have changed theirs: the program merges.
+/// Keeps the settings for the next visit.
 function keepSettings() {
   if (!store || !program || failedWith) return;
-  const FS = program.FS;
-  const before = filesUnder(FS, kHome).map(path => [path, FS.readFile(path, {encoding: 'utf8'})]);
-  readStore(FS);
   program._webKeep();
-  for (const path of filesUnder(FS, kHome)) {
-    const text = FS.readFile(path, {encoding: 'utf8'});
+  for (const path of filesUnder(program.FS, kHome)) {
     const name = kStored + path.slice(kHome.length);
-    const own = before.find(each => each[0] === path);
-    // A file that only this program has changed since.
-    const written = text === store.getItem(name) && own && own[1] !== text && !path.endsWith('settings.json') ? own[1] : text;
-    if (written !== store.getItem(name)) try { store.setItem(name, written); } catch { return; }
+    const text = program.FS.readFile(path, {encoding: 'utf8'});
+    if (text !== store.getItem(name)) try { store.setItem(name, text); } catch { return; }
   }
 }
+/// What another tab has kept: the program merges its own into it.
+addEventListener('storage', event => {
+  if (program && event.key?.startsWith(kStored) && event.newValue !== null) program.FS.writeFile(kHome + event.key.slice(kStored.length), event.newValue);
+});
 addEventListener('pagehide', keepSettings);
 
 /// A file that the program writes outside of its settings goes to the downloads.

@@ -41,6 +41,7 @@ class Browser {
   async shape() {
     const {width, height, ratio, mobile} = this.options;
     await this.call('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: ratio, mobile});
+    await this.call('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: 'light'}]});
     if (mobile) await this.call('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 2});
   }
 
@@ -137,9 +138,13 @@ class Browser {
       canvas.dispatchEvent(new DragEvent('drop', {dataTransfer: all, bubbles: true, cancelable: true})); })()`);
   }
   async end() {
-    this.process.kill();
-    await new Promise(done => this.process.on('exit', done));
-    if (!this.options.profile) fs.rmSync(this.profile, {recursive: true, force: true, maxRetries: 5});
+    if (this.ended) return;
+    this.ended = true;
+    const over = new Promise(done => this.process.on('exit', done));
+    await this.send('Browser.close').catch(() => this.process.kill());
+    await over;
+    // Processes of its own may still write there.
+    if (!this.options.profile) fs.rm(this.profile, {recursive: true, force: true, maxRetries: 10}, () => {});
   }
 }
 

@@ -125,6 +125,60 @@ const tests = {
     await browser.key('t');
     await browser.until(`Object.keys(localStorage).some(name => /light|"theme"/.test(localStorage[name]))`);
   },
+  async 'what is saved is a download, and opens again'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.key('Ctrl+s');
+    await browser.settled();
+    await browser.key('Enter');
+    const file = path.join(browser.downloads, 'torus.sesession');
+    for (let i = 0; i < 300 && !fs.existsSync(file); ++i) await sleep(100);
+    await browser.call('Page.navigate', {url: 'about:blank'});
+    await browser.open(browser.address + '#scene=sphere');
+    await browser.until(`/scene:sphere/.test(document.title)`);
+    await browser.settled();
+    await browser.drop('torus.sesession', fs.readFileSync(file));
+    await browser.until(`/137\\.sphere\\.3/.test(document.title)`);
+  },
+  async 'a copied link leads to the same place of this page'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3&rules=robust');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.drag(450, 500, 520, 460);
+    await browser.settled();
+    await browser.value(`window.said = '', navigator.clipboard.writeText = async text => { said = text; }`);
+    await browser.key('Ctrl+c');
+    await browser.until(`said !== ''`);
+    const link = await browser.value('said');
+    assert.ok(link.startsWith(browser.address + '#scene=torus'), link);
+    assert.match(link, /rules=robust.*goto=137\.sphere\.3.*camera=|goto=137\.sphere\.3.*camera=.*rules=robust/);
+    assert.ok(link.length < 250, link);
+  },
+  async 'a page around hears of steps and moves the frame'({browser, server}) {
+    const {address} = await server({pages: {'/around': `<title></title><script>addEventListener('message', e => { document.title = JSON.stringify(e.data); });</script>
+      <iframe src="/${version}/#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`}});
+    const opened = await browser();
+    await opened.call('Page.navigate', {url: address + 'around'});
+    await opened.until(`/"address":"137.sphere.3","sentence":"Point 242 lies/.test(document.title)`);
+    await opened.value(`frames[0].postMessage({go: '20.sort.1'}, '*')`);
+    await opened.until(`/"address":"20.sort.1"/.test(document.title)`);
+  },
+  async 'two tabs keep the settings of both'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    const kept = text => browser.until(`Object.values(localStorage).some(each => ${text}.every(part => part.test(each)))`);
+    await browser.settled();
+    await browser.key('t');
+    await kept('[/"theme": ?"dark"/]');
+    const first = browser.session;
+    const {targetId} = await browser.send('Target.createTarget', {url: browser.address + 'offline.js'});
+    await browser.attach(targetId);
+    await browser.value(`(() => { const name = Object.keys(localStorage).find(each => each.endsWith('settings.json'));
+      localStorage[name] = JSON.stringify({...JSON.parse(localStorage[name]), playRate: 8}); })()`);
+    browser.session = first;
+    await browser.send('Target.closeTarget', {targetId});
+    await browser.call('Page.bringToFront');
+    await browser.key('t');
+    await kept('[/"theme": ?"light"/, /"playRate": ?8/]');
+  },
   async 'a link whose address is changed moves, and does not load again'({open}) {
     const browser = await open('#scene=torus&goto=137.sphere.3');
     await browser.until(`document.title.startsWith('137.sphere.3')`);
@@ -227,7 +281,8 @@ const version = fs.readdirSync(site).find(name => fs.statSync(path.join(site, na
     const open = async (hash, options) => {
       const {address} = await server();
       const made = await browser(options);
-      await made.open(address + version + '/' + hash);
+      made.address = address + version + '/';
+      await made.open(made.address + hash);
       return made;
     };
     const began = Date.now();

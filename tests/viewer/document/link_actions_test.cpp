@@ -26,7 +26,6 @@ struct LinkApp : test::HeadlessApp {
         settle();
     }
     void settle() {
-        lesson.closeForOther();
         lesson.waitUntilDone();
         waitUntilDone();
         lesson.poll();

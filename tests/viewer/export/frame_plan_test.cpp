@@ -12,7 +12,7 @@ namespace {
 
 std::shared_ptr<const Model> figure8() {
     LoadProgress progress;
-    return test::loadModel(RunSpec{"scene:figure-8"}, progress).value();
+    return test::loadModel(se::RunSpec{"scene:figure-8"}, progress).value();
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_CASE("Frames of pivots are their last decisions, those of events seeds, spl
     CHECK(pivots.places[0].empty());
     CHECK(pivots.places[1].starts_with("1.advance"));
     LoadProgress progress;
-    const auto figure12 = test::loadModel(RunSpec{"scene:figure-12"}, progress).value();
+    const auto figure12 = test::loadModel(se::RunSpec{"scene:figure-12"}, progress).value();
     const FramePlan events = planFrames(*figure12, {"0", "80", FrameUnit::Event}).value();
     const auto& places = events.places;
     for (const char* each : {"1.seed.1", "35.split.1", "74.join.1"})

@@ -7,6 +7,7 @@
 #include "driven_app.h"
 #include "open_session.h"
 #include "point_files.h"
+#include "run/strings.h"
 #include "scene/framing.h"
 #include "session/playback.h"
 #include "spiraling_edge/scenes/scenes.h"
