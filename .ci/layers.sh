@@ -33,6 +33,7 @@ mapfile -t cli < <(sources app/cli)
 mapfile -t teach < <(sources app/teach)
 viewer=()
 [ ! -d app/viewer ] || mapfile -t viewer < <(sources app/viewer)
+mapfile -t web < <(sources app/web)
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
@@ -78,6 +79,7 @@ no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
 mapfile -t not_export < <(printf '%s\n' "${viewer[@]}" | grep -v '^app/viewer/export/')
 no "$(include 'cgif')" "only export/ may use cgif" "${not_export[@]}"
+no "$(include '(\.\./)*web/')|__EMSCRIPTEN__" "the viewer must not know the page" "${viewer[@]}"
 # Rooms of the viewer, from the bottom: a room may include those before it. Of one step, those with a
 # bar between them do not know each other, those with a plus do.
 steps=(run jobs scene 'render|layers' rows session 'layout|input' paint export panel_state document+lesson+compare commands panels)
@@ -109,13 +111,13 @@ no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_var
 no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_text.h" "${ours[@]}"
 
 # Files are written in one place, which leaves no partial file.
-mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/atomic_file\.(h|cpp)$')
 no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
     "only atomic_file.cpp may write files" "${not_writers[@]}"
 
 # Text goes to the terminal in few places, which let nothing through that a terminal would obey.
-mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" ${viewer[@]+"${viewer[@]}"} |
+mapfile -t not_printers < <(printf '%s\n' "${cli[@]}" "${teach[@]}" "${web[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '^app/(cli/(output/output|progress)|viewer/(main|options|application|run/strings)|teach/share/.*)\.(h|cpp)$')
 no '\b(f?printf|f?puts|fwrite|perror)\(|fmt::print\(|std::(cout|cerr|clog)\b' \
     "print by printText(), printNote() or printLines()" "${not_printers[@]}"
