@@ -360,6 +360,7 @@ const LinkPart* findLinkPart(std::string_view name) {
 
 Error unknownPart(std::string_view name) {
     std::vector<std::string_view> known;
+    known.reserve(kLinkParts.size() + specFields().size());
     for (const LinkPart& each : kLinkParts) known.push_back(each.name);
     for (const SpecField& each : specFields()) {
         if (!each.key.empty()) known.push_back(each.key);
