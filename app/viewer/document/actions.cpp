@@ -137,9 +137,8 @@ void openBrowser(C& c, BrowserTask task) {
 
 void openFor(C& c, BrowserTask task, const std::string& source) {
     if (task == BrowserTask::Mesh) return c.compare.begin(CompareWith::otherFile(source));
-    if (task != BrowserTask::Volume) return c.document.open(source);
-    c.ui.growth.form.chooseVolume(source);
-    c.sampling.start();
+    if (task == BrowserTask::Volume) return c.sampling.openVolume(source);
+    c.document.open(source);
 }
 
 void saveAs(C& c) {
