@@ -6,6 +6,7 @@
 #include <array>
 
 #include "paint/svg_text.h"
+#include "run/base64.h"
 #include "spiraling_edge/base/files.h"
 
 namespace se::view {
@@ -92,24 +93,6 @@ std::string_view tagOf(TextBlockKind kind) {
 }
 
 }  // namespace
-
-std::string base64Of(std::string_view bytes) {
-    constexpr std::string_view kSigns =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            bits <<= 8U;
-            if (i + k < bytes.size()) bits |= static_cast<unsigned char>(bytes[i + k]);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            const bool there = i + k < bytes.size() + 1;
-            text += there ? kSigns[(bits >> (18U - 6U * k)) & 63U] : '=';
-        }
-    }
-    return text;
-}
 
 std::string pageText(const std::vector<TextBlock>& blocks, const PageLinks& links) {
     std::string text;

@@ -21,7 +21,4 @@ struct PageLinks {
 /// steps of the page and to the web, no others.
 std::string pageText(const std::vector<teach::TextBlock>& blocks, const PageLinks& links);
 
-/// Bytes as text of four signs for three.
-std::string base64Of(std::string_view bytes);
-
 }  // namespace se::view

@@ -7,44 +7,15 @@
 #include <filesystem>
 #include <optional>
 
+#include "base64.h"
+
 namespace se::view {
 
 namespace {
 
-constexpr std::string_view kLetters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t kNameLimit = 200;
 /// Deflate without a header and a check sum.
 constexpr int kRaw = -15;
-
-std::string lettersOf(std::string_view bytes) {
-    std::string text;
-    std::uint32_t bits = 0;
-    unsigned held = 0;
-    for (const char byte : bytes) {
-        bits = (bits << 8U) | static_cast<unsigned char>(byte);
-        for (held += 8; held >= 6; held -= 6) text += kLetters[(bits >> (held - 6)) & 63U];
-    }
-    if (held > 0) text += kLetters[(bits << (6 - held)) & 63U];
-    return text;
-}
-
-/// Empty if there is another letter, or a rest that is no byte.
-std::optional<std::string> bytesOf(std::string_view letters) {
-    std::string bytes;
-    std::uint32_t bits = 0;
-    unsigned held = 0;
-    for (const char letter : letters) {
-        const std::size_t value = kLetters.find(letter);
-        if (value == std::string_view::npos) return std::nullopt;
-        bits = (bits << 6U) | static_cast<std::uint32_t>(value);
-        held += 6;
-        if (held < 8) continue;
-        held -= 8;
-        bytes += static_cast<char>((bits >> held) & 255U);
-    }
-    return held < 6 ? std::optional(bytes) : std::nullopt;
-}
 
 Bytef* zlibBytes(const char* bytes) {
     // zlib does not write to its input, though its type is not const.
@@ -95,7 +66,7 @@ Result<std::string> inflated(std::string_view packed) {
 std::string packedSource(const PackedFile& file) {
     std::string name = std::filesystem::path(file.name).filename().string();
     std::replace(name.begin(), name.end(), ':', '-');
-    return std::string(kPackPrefix) + name + ":" + lettersOf(deflated(file.bytes));
+    return std::string(kPackPrefix) + name + ":" + base64UrlOf(deflated(file.bytes));
 }
 
 Result<PackedFile> unpackedFile(std::string_view source) {
@@ -104,7 +75,7 @@ Result<PackedFile> unpackedFile(std::string_view source) {
         name.find_first_of("/\\") != std::string::npos)
         return Error{"A packed file is NAME:BYTES, with the name of a file without its folder."};
     const std::optional<std::string> packed =
-        bytesOf(source.substr(kPackPrefix.size() + name.size() + 1));
+        bytesOfBase64Url(source.substr(kPackPrefix.size() + name.size() + 1));
     if (!packed || packed->empty())
         return Error{"The packed file is damaged: the link was cut or changed."};
     Result<std::string> bytes = inflated(*packed);

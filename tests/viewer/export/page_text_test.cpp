@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "open_session.h"
+#include "run/base64.h"
 
 using namespace se::view;
 using se::teach::textBlocks;
