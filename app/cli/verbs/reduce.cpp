@@ -1,6 +1,5 @@
 // spiraling-edge reduce: a minimal set of points that still fails, with a session and a test of
-// it. The search is core's reduceInput(); this file decides whether a subset still fails, by
-// preparing, running and inspecting it. Its effort is counted in elementary tests instead of
+// it. The search is core's reduceInput(). Its effort is counted in elementary tests instead of
 // seconds, so that the result does not depend on the machine.
 #include "spiraling_edge/why/reduce.h"
 
@@ -8,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <tuple>
 
 #include "failure_choice.h"
 #include "input.h"
@@ -25,14 +23,13 @@ namespace se::cli {
 namespace {
 
 constexpr std::uint64_t kTestsPerEffort = 1'000'000;
-constexpr std::uint64_t kUsualEffort = 3000;
 constexpr std::uint64_t kMaxEffort = 1'000'000'000;
 
 struct ReduceArguments {
     InputArguments input;
     std::string failure;
     std::string output;
-    std::uint64_t effort = kUsualEffort;
+    std::uint64_t effort = kReduceEffort / kTestsPerEffort;
     bool quiet = false;
     ForceOption force;
 
@@ -64,26 +61,6 @@ struct ReduceArguments {
         return std::filesystem::path(output).replace_extension(extension).string();
     }
 };
-
-/// Work of a run and of the inspection of its mesh, in tests. Each point is read and prepared; in
-/// each pivot every listed point may be tested against every other.
-std::uint64_t workOf(const PointSet& points, const State& end, const MeshInspection& found) {
-    constexpr std::uint64_t kPerPoint = 200;
-    const std::uint64_t count = std::max<std::uint64_t>(points.size(), 1);
-    const std::uint64_t listed = points.neighbors.ids.size() / count + 1;
-    return kPerPoint * count + end.counters.pivots * listed * listed + found.work;
-}
-
-/// Positions of a failure's points, sorted: they identify a hole across runs.
-std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
-    std::vector<Vec3> places;
-    places.reserve(failure.points.size());
-    for (const Index p : failure.points) places.push_back(points.position[p]);
-    std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    });
-    return places;
-}
 
 /// Address at which the failure is created among the remaining points; the start if unknown.
 std::string addressIn(const PointFile& file, const InputArguments& input, const Params& params,
@@ -196,22 +173,8 @@ ExitCode reduceVerb(const Arguments& words) {
     const State whole = reconstruct(run.points, run.params).state;
     const MeshFailure failure =
         pickFailure(inspectWithTotals(run.points, whole.mesh()), wanted, arguments.input.input());
-    const bool backToBack = isBackToBack(failure, whole.mesh());
-    const std::vector<Vec3> places = placesOf(run.points, failure);
-    // Removed points leave a border: a loop counts only if it is the original one.
-    const auto fails = [&](const PointFile& file) -> ReduceTry {
-        const auto prepared = prepare(file, arguments.input.prepareOptions(file));
-        if (!prepared) return {false, file.position.size()};
-        const PointSet& points = prepared.value().points;
-        const State end = reconstruct(points, run.params).state;
-        const MeshInspection found = inspectWithTotals(points, end.mesh());
-        const std::vector<MeshFailure>& all = found.failures;
-        const bool still = std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
-            return each.kind == wanted.kind && backToBack == isBackToBack(each, end.mesh()) &&
-                   (!isLoop(failure) || placesOf(points, each) == places);
-        });
-        return {still, workOf(points, end, found)};
-    };
+    const ReduceTest fails =
+        failsAlike(arguments.input.spec(), run.params, run.points, failure, whole.mesh());
     const Reduced reduced =
         runWithProgress("reducing", arguments.input.input(), line, [&](const Progress& progress) {
             return reduceInput(run.file, failure.place, fails, kTestsPerEffort * arguments.effort,
