@@ -57,7 +57,7 @@ bool answerByKey(const KeyChord& chord, CommandContext& context) {
     const std::size_t count = walk.question()->options.size();
     const auto option = static_cast<std::size_t>(chord.key - 'A');
     if (chord.key < 'A' || option >= count) return false;
-    walk.type(teach::optionLetter(option));
+    walk.choose(option);
     return true;
 }
 

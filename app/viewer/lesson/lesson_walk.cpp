@@ -160,6 +160,19 @@ std::string LessonWalk::tryText() const {
            withShortNumbers(teach::moveReasonText(*against, names()));
 }
 
+void LessonWalk::choose(std::size_t option) {
+    const bool byLetter = question()->kind == "choice";
+    type(byLetter ? teach::optionLetter(option) : question()->options[option]);
+}
+
+std::optional<std::size_t> LessonWalk::chosen() const {
+    if (state().given.choice) return state().given.choice;
+    const std::vector<std::string>& options = question()->options;
+    const auto found = std::find(options.begin(), options.end(), state().typed);
+    if (found == options.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - options.begin());
+}
+
 void LessonWalk::type(std::string text) {
     assert(asks());
     QuestionState& state = states_[step_];

@@ -62,6 +62,11 @@ class LessonWalk {
     void setPointCount(std::size_t count) { pointCount_ = count; }
     /// Reads the text of an answer.
     void type(std::string text);
+    /// Answers by one of the options, from 0: by its letter, or where the question takes something
+    /// else, by what the option says.
+    void choose(std::size_t option);
+    /// The option that the answer is; nothing if it is none.
+    std::optional<std::size_t> chosen() const;
     /// Marks a point, or unmarks it; of one point at most; of a pivot to play, adds a move.
     /// Requires takesPoints().
     void toggle(Index point);

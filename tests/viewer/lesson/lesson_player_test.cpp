@@ -343,6 +343,18 @@ TEST_CASE("Letters choose an option of the open question, and Enter answers") {
     CHECK_FALSE(answerByKey({'B', kNoMods}, app.context));
 }
 
+TEST_CASE("A letter chooses an option that is the name of a point") {
+    LessonApp app;
+    app.open("lesson:class");
+    app.goTo(1);
+    REQUIRE(app.walk().question()->kind == "point");
+    CHECK(answerByKey({'C', kNoMods}, app.context));
+    CHECK(app.walk().chosen() == 2);
+    CHECK(app.walk().state().complaint.empty());
+    CHECK(app.walk().state().typed == "7");
+    CHECK(app.walk().givenPoints().size() == 1);
+}
+
 TEST_CASE("A number is typed by keys, and the next one replaces a wrong one") {
     LessonApp app;
     app.open("lesson:removal");

@@ -41,9 +41,8 @@ std::vector<Paragraph> paragraphsOf(const PanelContext& context, const LessonWal
     const auto right =
         walk.asks() ? std::nullopt
                     : teach::rightOption({*question, walk.setting().names}, walk.right().answer);
-    const auto& given = walk.state().given.choice;
     for (std::size_t i = 0; i < question->options.size(); ++i) {
-        const bool chosen = walk.asks() && given == i;
+        const bool chosen = walk.asks() && walk.chosen() == i;
         all.push_back({(chosen ? "> " : "") + teach::optionLetter(i) + "   " + question->options[i],
                        chosen       ? palette.accent
                        : right == i ? palette.used

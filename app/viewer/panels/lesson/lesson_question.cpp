@@ -73,8 +73,7 @@ void drawOptions(const PanelContext& context, LessonWalk& walk) {
         for (const std::string& line :
              wrapped(letter + "   " + options[i], ImGui::GetContentRegionAvail().x))
             label += (label.empty() ? "" : "\n") + line;
-        if (selectable(context, label, walk.state().given.choice == i, "option " + letter))
-            walk.type(letter);
+        if (selectable(context, label, walk.chosen() == i, "option " + letter)) walk.choose(i);
     }
 }
 
