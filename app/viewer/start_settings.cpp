@@ -4,9 +4,12 @@
 
 namespace se::view {
 
-ViewSettings keptSettings(const Options& options) {
+ViewSettings keptSettings(const Options& options, Theme usual) {
     const bool reads = !options.noConfig && !options.onPaper() && options.benchFrames == 0;
-    return reads ? readSettings(settingsPath()) : ViewSettings{};
+    if (reads) return readSettings(settingsPath(), usual);
+    ViewSettings settings;
+    settings.theme = usual;
+    return settings;
 }
 
 ViewSettings settingsFor(const Options& options, ViewSettings settings) {

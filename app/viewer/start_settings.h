@@ -8,8 +8,9 @@ namespace se::view {
 
 class Application;
 
-/// Settings of the last window. Pictures and measurements are equal for everybody.
-ViewSettings keptSettings(const Options& options);
+/// Settings of the last window, with the usual theme if none has been chosen. Pictures and
+/// measurements are equal for everybody.
+ViewSettings keptSettings(const Options& options, Theme usual = Theme::Dark);
 
 /// `settings` with what the options say instead.
 ViewSettings settingsFor(const Options& options, ViewSettings settings);

@@ -109,11 +109,9 @@ Status writeKept(const fs::path& path, const json& before, const json& after) {
         const Status kept = writeFileAtomically(badPath(path, content.text), content.text);
         if (!kept) return kept;
     }
-    json object = after;
-    if (content.fate == KeptFate::Read) {
-        object = content.object;
-        object.merge_patch(patchOf(before, after));
-    }
+    // What is usual is not written: it may be another in another version, or in another page.
+    json object = content.fate == KeptFate::Read ? content.object : json::object();
+    object.merge_patch(patchOf(before, after));
     object["version"] = kKeptVersion;
     if (content.fate == KeptFate::Read && object == content.object) return success();
     std::error_code error;

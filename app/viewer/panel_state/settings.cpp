@@ -89,8 +89,9 @@ FoldedParts foldedPartsIn(const json& object) {
     return parts;
 }
 
-ViewSettings settingsFrom(const json& object) {
+ViewSettings settingsFrom(const json& object, Theme usualTheme) {
     ViewSettings s;
+    s.theme = usualTheme;
     s.theme = themeFromName(wordIn(object, "theme")).value_or(s.theme);
     s.uiScale = fieldIn(object, "uiScale", 0.75, 3.0, s.uiScale);
     s.width = fieldIn(object, "width", 320, 16384, s.width);
@@ -182,13 +183,13 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     const Result<json> object = teach::jsonFromText<json>(text, "The settings");
     if (!object) return object.error();
     if (!object.value().is_object()) return Error{"The settings are not a JSON object."};
-    return settingsFrom(object.value());
+    return settingsFrom(object.value(), Theme::Dark);
 }
 
 std::string settingsToJson(const ViewSettings& s) { return teach::jsonText(toJson(s)); }
 
-ViewSettings readSettings(const fs::path& path) {
-    ViewSettings settings = settingsFrom(readKept(path));
+ViewSettings readSettings(const fs::path& path, Theme usual) {
+    ViewSettings settings = settingsFrom(readKept(path), usual);
     const std::string complaint = keptComplaint(path);
     if (!complaint.empty()) settings.complaints.push_back(complaint);
     return settings;

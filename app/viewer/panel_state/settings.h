@@ -52,8 +52,9 @@ std::filesystem::path settingsPath();
 Result<ViewSettings> settingsFromJson(std::string_view text);
 std::string settingsToJson(const ViewSettings& settings);
 
-/// The settings of a file; the defaults if there is none, or with a complaint if it cannot be read.
-ViewSettings readSettings(const std::filesystem::path& path);
+/// The settings of a file; the defaults, with the usual theme, if there is none, or with a
+/// complaint if it cannot be read.
+ViewSettings readSettings(const std::filesystem::path& path, Theme usual = Theme::Dark);
 /// Writes what differs from `before`, the settings as they were read (writeKept()).
 Status writeSettings(const std::filesystem::path& path, const ViewSettings& before,
                      const ViewSettings& settings);
