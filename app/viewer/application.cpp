@@ -91,6 +91,7 @@ bool Application::poll() {
     const bool saved = mesh_.poll();
     const bool changed = sampling_.poll() || opened || saved;
     document_.poll();
+    if (const double seconds = document_.takePlay(); seconds > 0.0) firstRun_.begin(seconds);
     const bool taught = lesson_.poll();
     const bool played = firstRun_.poll();
     if (!ui_.lesson.walk.isOpen()) alerts_.poll();
@@ -259,7 +260,7 @@ void Application::moveCamera() {
     if (placed && session_.atEnd() && !std::exchange(ended_, true)) showFinishedMesh();
     ended_ = ended_ && (!placed || session_.atEnd());
     const bool follows = ui_.cameraMove.kind() == CameraMove::Kind::Followed;
-    ui_.cameraMove.apply(camera_, ui_.clock);
+    ui_.cameraMove.apply(camera_, ui_.motionClock());
     if (follows) closeUp_ = camera_.revision();
 }
 

@@ -236,12 +236,15 @@ void takeOverLink(const CLI::App& app, Options& o) {
     if (app.count("--point-tint") == 0) o.pointTint = link.pointTint;
     if (app.count("--play") == 0) o.playSeconds = link.playSeconds;
     o.focus = o.focus || link.focus;
+    o.stateHash = link.stateHash;
 }
 
 /// What is to be run. Throws as takeOver() does.
 void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
     const SpecChange typed = raw.run.given();
+    const RunSpec linked = o.input;
     const Status valid = applyChange(typed, o.input);
+    if (!(linked == o.input)) o.stateHash.reset();
     if (!valid) throw CLI::ValidationError(valid.error().message);
     o.given.insert(o.given.end(), typed.begin(), typed.end());
     if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
@@ -347,9 +350,7 @@ Status adoptSession(Options& o) {
                      "--with " +
                      path};
     }
-    const bool names =
-        path.empty() || isScene(path) || isSample(path) || isStandardInput(path) || isPacked(path);
-    if (o.session || names || !looksLikeSession(path)) return success();
+    if (o.session || !isFilePath(path) || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);
     if (!read) return read.error();
     o.sessionPath = path;

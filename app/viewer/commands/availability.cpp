@@ -29,6 +29,8 @@ bool canUndo(const CommandContext& c) { return c.history.undoDepth() > 0; }
 bool canRedo(const CommandContext& c) { return c.history.redoDepth() > 0; }
 bool isChecked(const CommandContext& c) { return c.session.alerts().search().done(); }
 bool hasPlaces(const CommandContext& c) { return !c.session.alerts().search().places().empty(); }
+bool showsAlert(const CommandContext& c) { return c.session.alerts().shown() != nullptr; }
+bool hasWindow(const CommandContext& c) { return c.ui.pageAddress.empty(); }
 bool compares(const CommandContext& c) {
     return c.ui.compare.now != nullptr && c.ui.compare.now->chosen();
 }
@@ -47,6 +49,7 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"file.export", isOpen, kNothing},
     {"file.copycommand", isOpen, kNothing},
     {"file.restart", isOpen, kNothing},
+    {"file.quit", hasWindow, "Close the page instead."},
     {"view.frame", isOpen, kNothing},
     {"view.follow", isOpen, kNothing},
     {"run.play", isBeforeEnd, kFinished},
@@ -56,6 +59,7 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"run.start", isAfterStart, "This is the start of the run."},
     {"step.alert.", isChecked, "The mesh is not checked yet."},
     {"step.alert.", hasPlaces, "The mesh has no faults."},
+    {"step.copyfailure", showsAlert, "Choose an alert first."},
     {"edit.undo", canUndo, "There is nothing to undo."},
     {"edit.redo", canRedo, "There is nothing to redo."},
     {"edit.rules.reset", hasChangedRules, kNoChangedRules},

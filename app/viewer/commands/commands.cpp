@@ -11,6 +11,7 @@
 #include "document/camera_actions.h"
 #include "document/document.h"
 #include "document/edit_history.h"
+#include "document/failure_link.h"
 #include "document/link_actions.h"
 #include "document/piece_actions.h"
 #include "lesson/lesson_actions.h"
@@ -46,7 +47,7 @@ const auto kCommands = std::to_array<Command>({
      "Spread new points over an isosurface of a volume, step by step.",
      [](C& c) { c.sampling.openPage(GrowthSource::Volume); },
      "sample create generate particles isosurface nrrd"},
-    {"file.prepare", "File", "Prepare...", "Ctrl+Shift+R",
+    {"file.prepare", "File", "Prepare...", "Ctrl+Shift+R Alt+Shift+R",
      "Choose what is derived from the points, and how.", openPrepare,
      "neighbors orient walls import options"},
     {"file.save", "File", "Save session", "Ctrl+S",
@@ -199,6 +200,12 @@ const auto kCommands = std::to_array<Command>({
     {"step.copy", "Step", "Copy link", "Ctrl+C",
      "Copy a link to what is shown: input, options, address and camera.", copyLink,
      "clipboard share position url"},
+    {"step.copyframe", "Step", "Copy link as a frame", "",
+     "Copy HTML for a page of your own, which shows this place in a frame.", copyFrame,
+     "clipboard share iframe embed html page moodle"},
+    {"step.copyfailure", "Step", "Copy link to this failure", "",
+     "Copy a link with the fewest points that still end in the alert that is shown.",
+     copyFailureLink, "clipboard share reduce minimal case bug report"},
     {"step.paste", "Step", "Go to copied link", "Ctrl+V",
      "Follow the link, or go to the address, on the clipboard.", pasteLink,
      "clipboard jump position"},
@@ -325,7 +332,7 @@ const auto kCommands = std::to_array<Command>({
     {"view.panel.previous", "View", "Previous panel", "Shift+Tab Ctrl+Shift+Tab",
      "Move the keyboard focus to the previous panel.", [](C& c) { walkPanels(c, -1); }, "",
      kRepeats},
-    {"view.column", "View", "Fold the panels", "Ctrl+Shift+J",
+    {"view.column", "View", "Fold the panels", "Ctrl+Shift+J Alt+J",
      "Show only the rail of the tasks, or their panels as well.", foldColumn,
      "column side hide wide"},
     {"view.strips", "View", "Fold the strips", "Ctrl+J",

@@ -6,6 +6,7 @@
 
 #include "actions.h"
 #include "alert_actions.h"
+#include "failure_link.h"
 #include "panel_state/side_panels.h"
 #include "run/model.h"
 
@@ -70,6 +71,7 @@ void AlertsShown::fixWhenTried() {
 void AlertsShown::poll() {
     Session& session = c_.session;
     fixWhenTried();
+    finishFailureLink(c_);
     if (!session.alerts().takeNews()) return;
     const std::string& source = session.input().spec().source;
     const bool fresh = std::exchange(source_, source) != source;

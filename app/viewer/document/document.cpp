@@ -65,6 +65,7 @@ void Document::begin(const Options& options) {
                        options.atDifference || options.session;
     if (!named && options.benchFrames == 0) aimAtScene(options.input.source);
     if (options.camera) arrival_.camera = options.camera;
+    arrival_.stateHash = options.stateHash;
     c_.session.open(options.input);
 }
 
@@ -163,11 +164,18 @@ void Document::openNow(RunSpec spec) {
     openInput(std::move(spec));
 }
 
+void Document::applyLooks(const Options& link) {
+    UiState& ui = c_.ui;
+    if (link.layout && link.layout != ui.layoutPreset) actions::applyLayoutPreset(c_, *link.layout);
+    if (link.lessons) ui.column.choose(Task::Lesson);
+    if (link.theme) ui.settings.theme = *link.theme;
+    if (link.meshStyle) ui.settings.meshStyle = *link.meshStyle;
+    if (link.pointTint) ui.settings.pointTint = *link.pointTint;
+}
+
 void Document::openLinkNow(const Options& link) {
     c_.playback.pause();
-    if (link.layout && link.layout != c_.ui.layoutPreset)
-        actions::applyLayoutPreset(c_, *link.layout);
-    if (link.lessons) c_.ui.column.choose(Task::Lesson);
+    applyLooks(link);
     if (!link.lesson.empty()) return c_.lesson.open(link.lesson, link.lessonStep);
     if (isVolumePath(link.input.source) && !isSample(link.input.source))
         return c_.sampling.openVolume(link.input.source);
@@ -186,6 +194,8 @@ void Document::openLinkNow(const Options& link) {
     arrival_.camera = link.camera;
     arrival_.framed = link.focus || (!link.goTo.empty() && !link.camera);
     arrival_.alert = link.alert;
+    arrival_.play = link.playSeconds;
+    arrival_.stateHash = link.stateHash;
     if (link.goTo.empty() && !link.camera && link.alert.empty() && !link.session)
         aimAtScene(link.input.source);
     openInput(link.input);
@@ -239,6 +249,7 @@ void Document::poll() {
     // A lesson chooses the layout for itself.
     if (c_.ui.layoutPreset != keptLayout_ && !c_.ui.lesson.walk.isOpen()) keepLayout();
     if (!arrival_.pending && !c_.session.moves().busy()) warn();
+    checkEnd();
     // No file was named: the session stays open.
     if (!c_.ui.fileBrowser) afterSaving_.reset();
 }
@@ -249,6 +260,22 @@ void Document::takeUp() {
     switchAnnotations(c_.session.input().spec().source);
     if (session) takeLooks(*session, arrival_.sessionPath);
     if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
+}
+
+void Document::expectEnd(std::optional<std::uint64_t> stateHash) {
+    endOfLink_ = stateHash;
+    linked_ = c_.session.generation();
+}
+
+/// Says once if the run ends otherwise than the one of a link.
+void Document::checkEnd() {
+    // With other settings it may.
+    if (linked_ != c_.session.generation()) endOfLink_.reset();
+    const auto end = endOfLink_ ? c_.session.runEnd() : nullptr;
+    if (!end || std::exchange(endOfLink_, std::nullopt) == end->stateHash) return;
+    warnLater(
+        "The link is from another version of the program or of the points: there the run ends "
+        "otherwise, and its addresses may refer to other decisions.");
 }
 
 void Document::arrive() {
@@ -262,6 +289,7 @@ void Document::arrive() {
     placed_ = !arrival_.goTo.empty() || arrival_.camera;
     ofSession_ = arrival_.ofSession;
     note(arrival_.file);
+    expectEnd(arrival_.stateHash);
     const std::string& hash = c_.session.model().hash;
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
         warnLater(
@@ -324,12 +352,10 @@ void Document::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
     const bool stays =
         to.what == LeaveFor::Open && !to.spec && (isVolumePath(to.path) || isTraceFile(to.path));
-    std::string atStake = unsaved();
-    if (to.what != LeaveFor::Reload && hasNewSettings())
-        atStake = atStake.empty() ? "settings of the run" : "settings of the run, " + atStake;
-    if (atStake.empty() || stays) return go(to);
+    const std::string lost = to.what == LeaveFor::Reload ? unsaved() : atStake();
+    if (lost.empty() || stays) return go(to);
     c_.playback.pause();
-    c_.ui.leaving.ask(std::move(to), atStake);
+    c_.ui.leaving.ask(std::move(to), lost);
 }
 
 void Document::go(const Leave& to) {
@@ -409,8 +435,12 @@ void Document::answer(LeaveAnswer answer) {
 }
 
 void Document::drop(const std::vector<std::string>& paths) {
-    Leave to{LeaveFor::Open, paths.front(), {}};
-    if (paths.size() > 1) {
+    // Points that are dropped with their session are opened by it.
+    const auto session = std::find_if(paths.begin(), paths.end(), [](const std::string& path) {
+        return path.ends_with(kSessionExtension);
+    });
+    Leave to{LeaveFor::Open, session != paths.end() ? *session : paths.front(), {}};
+    if (paths.size() > 1 && session == paths.end()) {
         to.notice = std::to_string(paths.size()) +
                     " files were dropped; only the first was opened: " +
                     std::filesystem::path(paths.front()).filename().string() + ".";
@@ -446,6 +476,12 @@ void Document::saveAs(const std::string& path) {
     c_.session.messages().say("Saved " + path + ".");
     if (!afterSaving_) return;
     c_.ui.betweenFrames([this, to = *std::exchange(afterSaving_, std::nullopt)] { go(to); });
+}
+
+std::string Document::atStake() const {
+    const std::string annotations = unsaved();
+    if (!hasNewSettings()) return annotations;
+    return annotations.empty() ? "settings of the run" : "settings of the run, " + annotations;
 }
 
 std::string Document::unsaved() const { return differenceOf(annotationsOf(c_.ui), saved_); }

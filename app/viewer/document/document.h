@@ -87,6 +87,14 @@ class Document {
     const Status& placeStatus() const { return placeStatus_; }
     /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
     std::string unsaved() const;
+    /// What is lost by leaving, in words: unsaved annotations, and settings of the run; else empty.
+    std::string atStake() const;
+    /// Takes layout, colors and styles that a link names.
+    void applyLooks(const Options& link);
+    /// Says so once the open run ends in another state than the one of a link.
+    void expectEnd(std::optional<std::uint64_t> stateHash);
+    /// Seconds in which the newly opened input is to be played, once; 0: it is not.
+    double takePlay() { return arrival_.pending ? 0.0 : std::exchange(arrival_.play, 0.0); }
     /// The settings of the run are saved: with its mesh, say.
     void keepSettings();
     /// Shows the queued notices.
@@ -108,7 +116,9 @@ class Document {
         std::string alert;
         std::string expectedHash;
         std::optional<CompareWith> with;
-        std::string file;     ///< For the list of recent files.
+        std::string file;                        ///< For the list of recent files.
+        std::optional<std::uint64_t> stateHash;  ///< Expected at the end of the run.
+        double play = 0.0;    ///< Seconds in which the run is to be played; 0: not.
         bool framed = false;  ///< The decision at `goTo` is to be framed.
         bool toEnd = false;   ///< Of the run: of an input that was changed.
         bool ofSession = false;
@@ -143,6 +153,7 @@ class Document {
     void switchAnnotations(const std::string& source);
     void takeUp();
     void arrive();
+    void checkEnd();
     void keepLayout();
     void keep(const std::function<void(KeptState&)>& change);
     /// Queues a notice for when the input is open.
@@ -158,6 +169,8 @@ class Document {
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;
+    std::optional<std::uint64_t> endOfLink_;  ///< State hash of the end of the run, of a link.
+    std::uint32_t linked_ = 0;                ///< Generation of the session with that end.
     bool placed_ = false;
     bool ofSession_ = false;
     std::string alert_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -162,9 +163,8 @@ Status setFile(Options& o, std::string_view path) {
 
 Text fileText(const Options& o) {
     const std::string& source = o.lesson.empty() ? o.input.source : o.lesson;
-    const bool other = source.empty() || isScene(source) || isSample(source) || isPacked(source) ||
-                       (isLesson(source) && !isLessonFile(source));
-    return textIf(!other, source);
+    const bool file = isFilePath(source) && (!isLesson(source) || isLessonFile(source));
+    return textIf(file, source);
 }
 
 Status setLessonStep(Options& o, std::string_view text) {
@@ -247,6 +247,24 @@ Status setWith(Options& o, std::string_view text) {
     if (text.empty()) return expectedInLink("options of a run, or a file");
     o.withText = text;
     return success();
+}
+
+/// Of the end of the run, as reports of runs have it.
+Status setHash(Options& o, std::string_view text) {
+    std::uint64_t hash = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+    if (error != std::errc{} || end != text.data() + text.size() || text.size() != 16)
+        return expectedInLink("16 hexadecimal digits");
+    o.stateHash = hash;
+    return success();
+}
+
+Text hashText(const Options& o) {
+    if (!o.stateHash) return std::nullopt;
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx",
+                  static_cast<unsigned long long>(*o.stateHash));
+    return digits.data();
 }
 
 // ---- looks ----
@@ -332,6 +350,9 @@ const std::array kLinkParts{
              setCamera, cameraText},
     LinkPart{"with", "TEXT", "Compare with another run, as --with does.", false, setWith,
              [](const Options& o) { return textIf(!o.withText.empty(), o.withText); }},
+    LinkPart{"hash", "HEX",
+             "State hash of the end of the run; if it ends otherwise here, the program says so.",
+             false, setHash, hashText},
     LinkPart{"layout", "NAME", "Layout: debug, learn, present or compare.", false, setLayout,
              layoutText},
     LinkPart{"theme", "NAME", "Theme: dark or light.", false, setTheme,

@@ -10,6 +10,7 @@
 #include "jobs/open_lesson.h"
 #include "lesson/lesson_player.h"
 #include "link.h"
+#include "paint/svg_text.h"
 #include "run/packed_file.h"
 #include "session/compare_with.h"
 #include "session/playback.h"
@@ -25,8 +26,6 @@ namespace se::view {
 
 namespace {
 
-/// Longest packed file in a copied link: mail and chat programs keep addresses of that length.
-constexpr std::size_t kMostLetters = 7500;
 /// Larger files are not tried.
 constexpr std::uintmax_t kMostTried = std::uintmax_t{256} << 10U;
 
@@ -56,10 +55,11 @@ std::string packedIfShort(const std::string& path) {
 }
 
 LinkedSource linkedSource(const std::string& source) {
-    const bool lesson = isLesson(source) && !isLessonFile(source);
-    if (isScene(source) || isSample(source) || isPacked(source) || lesson) return {source, {}};
     if (isStandardInput(source))
         return {{}, "The points came from standard input: the link has no input."};
+    const bool elsewhere = source.starts_with("https:") || source.starts_with("http:");
+    const bool lesson = isLesson(source) && !isLessonFile(source);
+    if (elsewhere || lesson || !isFilePath(source)) return {source, {}};
     std::string packed = packedIfShort(source);
     return packed.empty() ? named(source) : LinkedSource{std::move(packed), {}};
 }
@@ -97,6 +97,8 @@ std::pair<Options, std::string> presentOptions(const CommandContext& c) {
     if (!o.input.start.empty())
         notice.append(notice.empty() ? "" : " ")
             .append("It leaves out the triangles and rings that the run begins with.");
+    if (const auto end = session.runEnd(); end && o.input.start.empty())
+        o.stateHash = end->stateHash;
     o.goTo = session.event() != nullptr ? toString(session.address()) : "0";
     o.camera = c.camera.pose();
     o.withText = textOfOther(c);
@@ -128,7 +130,14 @@ Status moveTo(CommandContext& c, const ViewPosition& place) {
     return success();
 }
 
+PresentLink presentLink(const CommandContext& c) { return linkTo(c, linkBase(c)); }
+
 }  // namespace
+
+std::string_view linkBase(const CommandContext& context) {
+    const std::string& page = context.ui.pageAddress;
+    return page.empty() ? linkBase() : std::string_view(page);
+}
 
 PresentLink linkTo(const CommandContext& context, std::string_view base) {
     auto [options, notice] = presentOptions(context);
@@ -145,10 +154,16 @@ Status followLink(CommandContext& context, std::string_view text) {
         walk.isOpen() && !o.lesson.empty() &&
         (walk.source() == o.lesson || linkedSource(walk.source()).source == o.lesson);
     if (sameLesson) {
+        context.document.applyLooks(o);
         context.lesson.toStep(o.lessonStep.value_or(walk.step()));
         return success();
     }
-    if (o.lesson.empty() && isOfOpenInput(context, o)) return moveTo(context, {o.goTo, o.camera});
+    if (o.lesson.empty() && isOfOpenInput(context, o)) {
+        context.document.applyLooks(o);
+        context.document.expectEnd(o.stateHash);
+        const bool moves = !o.goTo.empty() || o.camera;
+        return moves ? moveTo(context, {o.goTo, o.camera}) : success();
+    }
     if (o.lesson.empty() && !o.session && o.input.source.empty())
         return Error{"The link names no input, and none is open."};
     context.document.openLink(o);
@@ -159,10 +174,18 @@ namespace actions {
 
 void copyLink(CommandContext& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to link to.");
-    const std::string& page = c.ui.pageAddress;
-    const PresentLink link = linkTo(c, page.empty() ? linkBase() : page);
+    const PresentLink link = presentLink(c);
     c.ui.clipboard.copy(link.text);
     c.session.messages().say("Link copied." + (link.notice.empty() ? "" : " " + link.notice));
+}
+
+void copyFrame(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to show.");
+    const PresentLink link = presentLink(c);
+    c.ui.clipboard.copy("<iframe src=\"" + escapedXml(link.text) +
+                        "\" title=\"Spiraling Edge\" width=\"900\" height=\"600\" "
+                        "allow=\"clipboard-write; fullscreen\"></iframe>");
+    c.session.messages().say("Frame copied." + (link.notice.empty() ? "" : " " + link.notice));
 }
 
 void follow(CommandContext& c, const std::string& text) {

@@ -1,6 +1,7 @@
 /// Copying a link to what is shown, and following one.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,12 @@
 #include "start_options.h"
 
 namespace se::view {
+
+/// Longest packed file in a copied link: mail and chat programs keep addresses of that length.
+inline constexpr std::size_t kMostLetters = 7500;
+
+/// Where copied links begin: at the page that is the program, else as linkBase() says.
+std::string_view linkBase(const CommandContext& context);
 
 /// A link to what is shown.
 struct PresentLink {
@@ -29,6 +36,8 @@ namespace actions {
 
 /// Copies a link to what is shown.
 void copyLink(CommandContext& c);
+/// Copies HTML that shows the place of that link in a frame of a page.
+void copyFrame(CommandContext& c);
 /// Follows a link, or goes to an address or position.
 void follow(CommandContext& c, const std::string& text);
 /// Follows what is on the clipboard.

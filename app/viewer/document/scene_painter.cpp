@@ -95,7 +95,7 @@ const Moment& ScenePainter::lookAtMoment(const CommandContext& context, bool onP
         playback.playing() && (playback.unlimited() || playback.rate() > kFollowedRate);
     const bool still = session.moves().busy() || tooFast || context.ui.look.on();
     return motion_.look({session.generation(), session.record().pivot, session.cursor()},
-                        still ? 0.0 : motionSeconds(session.picture()), context.ui.clock);
+                        still ? 0.0 : motionSeconds(session.picture()), context.ui.motionClock());
 }
 
 void ScenePainter::upload(const Session& session) {

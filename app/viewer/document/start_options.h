@@ -35,8 +35,9 @@ struct Options {
     std::string goTo;
     std::string
         alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.
-    bool atDifference = false;  ///< --goto difference.
-    std::string withText;       ///< Text of --with.
+    bool atDifference = false;               ///< --goto difference.
+    std::string withText;                    ///< Text of --with.
+    std::optional<std::uint64_t> stateHash;  ///< State hash of the end of the run, of a link.
     std::optional<CompareWith> with;
     std::optional<CameraPose> camera;  ///< Camera of --place.
     bool resetLayout = false;

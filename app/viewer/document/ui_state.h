@@ -164,6 +164,10 @@ struct UiState {
     Column& column = states.of<Column>();
     LookBack& look = states.of<LookBack>();  ///< Whether the state before the decision is shown.
     double clock = 0.0;                      ///< Seconds, summed over the frames.
+    bool reducedMotion = false;              ///< The reader's system asks for little motion.
+    /// Clock of the motions of picture and camera: where little motion is asked for they end with
+    /// the next frame.
+    double motionClock() const { return reducedMotion ? 1000.0 * clock : clock; }
     FactsCache& facts = states.of<FactsCache>();  ///< Of the selection.
     /// In the view; it may be the first half of a double click.
     DoubleClickFilter& click = states.of<DoubleClickFilter>();

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::view {
 
@@ -120,18 +122,21 @@ void RunAlerts::open(std::shared_ptr<const Model> model) {
     place_.reset();
     remediesOf_.reset();
     remedies_.cancel();
+    reduction_.cancel();
     news_ = false;
 }
 
 bool RunAlerts::poll() {
     const bool known = search_.poll();
     news_ = news_ || known;
-    return remedies_.poll() || known;
+    const bool reduced = reduction_.poll();
+    return remedies_.poll() || reduced || known;
 }
 
 void RunAlerts::waitUntilDone() {
     search_.waitUntilDone();
     remedies_.waitUntilDone();
+    reduction_.waitUntilDone();
 }
 
 void RunAlerts::choose(std::optional<std::size_t> alert) {
@@ -153,6 +158,27 @@ void RunAlerts::seekRemedies() {
     remediesOf_ = chosen_;
     remedies_.start([model = model_, failure = shown()->failure](const Progress& progress) {
         return findRemedies(model->points, model->params, failure, progress);
+    });
+}
+
+void RunAlerts::reduce(const RunSpec& spec, std::shared_ptr<const PointFile> input,
+                       std::shared_ptr<const RunEnd> end) {
+    assert(shown() != nullptr && shown()->failure.kind->find != nullptr);
+    reduction_.startSlices([spec, model = model_, input = std::move(input), end = std::move(end),
+                            failure = shown()->failure,
+                            made = std::shared_ptr<Reduction>()](double& share) mutable {
+        std::optional<Result<Reduced>> answer;
+        if (!made) {
+            PointFile points = *input;
+            storeDerived(model->points, model->report, points);
+            made = std::make_shared<Reduction>(
+                applyFixes(points).file, failure.place,
+                failsAlike(spec, model->params, model->points, failure, end->mesh), kReduceEffort);
+        } else if (!made->advance()) {
+            answer = made->result();
+        }
+        share = made->share();
+        return answer;
     });
 }
 

@@ -13,7 +13,9 @@
 #include "background_job.h"
 #include "run/model.h"
 #include "runner.h"
+#include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/why/failure_moments.h"
+#include "spiraling_edge/why/reduce.h"
 #include "spiraling_edge/why/remedy.h"
 
 namespace se::view {
@@ -141,6 +143,13 @@ class RunAlerts {
     /// Rules that would have prevented the alert remediesOf().
     const BackgroundQuery<Remedies>& remedies() const { return remedies_; }
     BackgroundQuery<Remedies>& remedies() { return remedies_; }
+    /// Reduces the points of a run to the fewest that still end in the alert that is shown; a
+    /// reduction in progress is cancelled. `input` is the file that prepare() took. Requires that
+    /// an alert is shown whose class a mesh alone can have.
+    void reduce(const RunSpec& spec, std::shared_ptr<const PointFile> input,
+                std::shared_ptr<const RunEnd> end);
+    BackgroundQuery<Reduced>& reduction() { return reduction_; }
+    const BackgroundQuery<Reduced>& reduction() const { return reduction_; }
     /// The alert of the current or last search.
     std::optional<std::size_t> remediesOf() const { return remediesOf_; }
     /// Grows when another alert is shown.
@@ -154,6 +163,7 @@ class RunAlerts {
     bool news_ = false;
     std::optional<std::size_t> remediesOf_;
     BackgroundQuery<Remedies> remedies_;
+    BackgroundQuery<Reduced> reduction_;
     std::uint32_t revision_ = 0;
 };
 

@@ -168,6 +168,21 @@ class BackgroundQuery {
             results.add(work([&results](double share) { return results.report(share); }));
         });
     }
+    /// A slice of the work of a query: sets its share, in [0, 1], and returns the answer at its
+    /// end.
+    using Slice = std::function<std::optional<Result<Answer>>(double& share)>;
+    /// Starts a query in slices, each of no longer than sliceTime(); the previous one is cancelled
+    /// and its answer discarded.
+    void startSlices(Slice slice) {
+        cancel();
+        job_.startSlices([slice = std::move(slice)](Results& results) {
+            double share = 0.0;
+            std::optional<Result<Answer>> answer = slice(share);
+            const bool ended = answer.has_value();
+            if (ended) results.add(std::move(*answer));
+            return results.report(share) && !ended;
+        });
+    }
     /// Discards query and answer.
     void cancel() {
         job_.cancel();

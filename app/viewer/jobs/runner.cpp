@@ -204,7 +204,10 @@ void Runner::observe(const SweptPivot& pivot) {
 void Runner::noteEnd() {
     if (made_ || !timeline_.state().finished()) return;
     const std::span<const Triangle> mesh = timeline_.state().mesh();
-    RunEnd end{{mesh.begin(), mesh.end()}, timeline_.state().capped(), std::move(counts_)};
+    RunEnd end{{mesh.begin(), mesh.end()},
+               timeline_.state().capped(),
+               std::move(counts_),
+               stateHash(timeline_.state())};
     fresh_.complete = true;
     {
         const std::lock_guard lock(mutex_);

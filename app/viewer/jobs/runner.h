@@ -34,6 +34,7 @@ struct RunEnd {
     std::vector<Triangle> mesh;
     bool capped = false;  ///< Stopped at more triangles than a surface can have (rule `cap`).
     RunCounts counts;
+    std::uint64_t stateHash = 0;  ///< stateHash() of the last state.
 };
 
 class Runner {

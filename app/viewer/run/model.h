@@ -14,6 +14,7 @@
 
 #include "aside.h"
 #include "doctor_fixes.h"
+#include "packed_file.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/mesh/fault_places.h"
@@ -40,6 +41,12 @@ inline std::string sceneSource(std::string_view id) {
 
 /// The points of a pivot to practice: "practice:7".
 inline bool isPractice(std::string_view source) { return teach::practiceSeed(source).has_value(); }
+
+/// The path of a file, which is none of the sources that have a prefix.
+inline bool isFilePath(std::string_view source) {
+    return !source.empty() && !isScene(source) && !isSample(source) && !isPractice(source) &&
+           !isStandardInput(source) && !isPacked(source);
+}
 
 /// The figure of the paper that a source is the scene of; null if it is none.
 inline const Figure* figureOfSource(std::string_view source) {

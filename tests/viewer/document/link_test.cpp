@@ -45,6 +45,7 @@ const std::vector<std::string> kLinks = {
     "scene=torus&alert=holes:2",
     "scene=torus&camera=0.1235,-2,1e-05,3.4,-60,24",
     "scene=torus&camera=0,0,0,1,2,3,orthographic,y",
+    "scene=torus&hash=00ab3f9e10c24d77",
     "scene=torus&layout=present",
     "scene=torus&layout=learn",
     "scene=torus&theme=light&mesh-style=wire&point-tint=margin",

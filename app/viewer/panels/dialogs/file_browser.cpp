@@ -162,7 +162,7 @@ fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
     const std::string& source = context.session().input().spec().source;
-    const bool file = !source.empty() && !isScene(source) && !isSample(source) && !isPacked(source);
+    const bool file = isFilePath(source);
     const bool exports = ui.browser == BrowserTask::Export;
     const fs::path saved = exports ? fs::path(ui.exported.path) : savedMesh(context);
     const fs::path near = !saved.empty()            ? saved

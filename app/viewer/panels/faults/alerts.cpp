@@ -9,6 +9,7 @@
 
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
+#include "document/failure_link.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
@@ -276,6 +277,24 @@ void drawRemedies(const PanelContext& context) {
         session.alerts().seekRemedies();
 }
 
+/// The link to the alert, or how far its points are reduced.
+void drawLink(const PanelContext& context) {
+    BackgroundQuery<Reduced>& reduction = context.session().alerts().reduction();
+    if (!reduction.complaint().empty()) dimText(reduction.complaint());
+    if (reduction.busy()) {
+        ImGui::ProgressBar(static_cast<float>(reduction.share()), {-1.0F, 0.0F});
+        if (ImGui::SmallButton("Stop")) reduction.stop();
+        return;
+    }
+    const std::string_view reason = reasonAgainstFailureLink(context.commands);
+    ImGui::BeginDisabled(!reason.empty());
+    if (smallButton(context, "Copy link to this failure", "alert link",
+                    "With the fewest points that still end in it"))
+        actions::copyFailureLink(context.commands);
+    ImGui::EndDisabled();
+    if (!reason.empty()) dimText(std::string(reason));
+}
+
 void drawChosen(const PanelContext& context) {
     const Session& session = context.session();
     const RunFailure* alert = session.alerts().shown();
@@ -296,6 +315,8 @@ void drawChosen(const PanelContext& context) {
     for (const AlertMoment moment : kAlertMoments) drawMoment(context, *alert, moment);
     drawWhy(context, *alert);
     drawRemedies(context);
+    ImGui::Spacing();
+    drawLink(context);
 }
 
 void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
