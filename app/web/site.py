@@ -36,7 +36,7 @@ def packed(file):
 
 
 folder = site / version
-shutil.rmtree(site, ignore_errors=True)
+shutil.rmtree(folder, ignore_errors=True)  # other versions stay
 folder.mkdir(parents=True)
 for name, file in made.items():
     shutil.copy(file, folder / name)

@@ -30,7 +30,7 @@ function openStore({FS, ENV}) {
 /// Keeps the settings for the next visit.
 function keepSettings() {
   if (!store || !program || failedWith) return;
-  program._webKeep();
+  guarded(() => program._webKeep());
   for (const path of filesUnder(program.FS, kHome)) {
     const name = kStored + path.slice(kHome.length);
     const text = program.FS.readFile(path, {encoding: 'utf8'});
@@ -62,13 +62,31 @@ function saveAsDownloads({FS}) {
 async function openFiles(files) {
   if (!program || files.length === 0) return;
   const paths = [];
-  for (const file of files) {
-    const path = kFiles + file.name.replace(/[\n/]/g, '_');
-    program.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
-    paths.push(path);
+  try {
+    for (const file of files) {
+      const path = kFiles + file.name.replace(/[\n/]/g, '_');
+      program.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+      paths.push(path);
+    }
+  } catch (error) {
+    return stopped(error);
   }
-  program.ccall('webDropped', null, ['string'], [paths.join('\n')]);
-  wake();
+  send('webDropped', paths.join('\n'));
+}
+
+/// Fetches the file that a link names by its address on the web. Throws a sentence.
+async function fetchFileOf(link) {
+  const address = link.includes('#') ? new URLSearchParams(link.slice(link.indexOf('#') + 1).replace(/\+/g, '%2B')).get('file') : null;
+  if (!/^https?:/.test(address ?? '')) return;
+  const path = kFiles + address;
+  if (program.FS.analyzePath(path).exists) return;
+  const answer = await fetch(address).catch(() => null);
+  if (!answer) throw new Error(`The file ${address} could not be fetched: there is no network, or its server does not let other pages read it (CORS). Download it, and drop it here.`);
+  if (!answer.ok) throw new Error(`The file ${address} is not there (${answer.status}).`);
+  const bytes = new Uint8Array(await answer.arrayBuffer());
+  // The program opens the address as a path.
+  program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+  program.FS.writeFile(path, bytes);
 }
 document.getElementById('picker').addEventListener('change', event => {
   openFiles([...event.target.files]);
@@ -96,5 +114,5 @@ function copyByHand(text) {
   canvas.focus();
 }
 addEventListener('paste', event => {
-  if (program) program.ccall('webPasted', null, ['string'], [event.clipboardData.getData('text')]);
+  if (event.target !== typed) send('webPasted', event.clipboardData.getData('text'));
 });

@@ -9,7 +9,7 @@ const kKeys = {
 };
 const kModifiers = [['shiftKey', 1, 340], ['ctrlKey', 2, 341], ['altKey', 4, 342]];
 const apple = /Mac|iPhone|iPad/.test(navigator.platform);
-const held = {mods: 0, keys: new Map()};  // keys: the number that was sent, by code
+const held = {mods: 0, control: false, keys: new Map()};  // keys: the number that was sent, by code
 
 function modsOf(event) {
   // AltGr types characters: it is neither Ctrl nor Alt.
@@ -18,7 +18,7 @@ function modsOf(event) {
   return (event.shiftKey ? 1 : 0) | (ctrl ? 2 : 0) | (event.altKey && !types ? 4 : 0);
 }
 /// The event's modifiers count: one may have been pressed or released elsewhere.
-function tellMods(mods) {
+function sendMods(mods) {
   for (const [, bit, key] of kModifiers)
     if ((mods ^ held.mods) & bit) program._webKey(key, mods & bit ? kPress : kRelease, mods);
   held.mods = mods;
@@ -31,54 +31,98 @@ function keyNumber(event) {
   if (/^Numpad\d$/.test(event.code)) return 320 + Number(event.code.slice(6));
   return kKeys[event.code] ?? kKeys[event.key] ?? 0;
 }
-/// Keys that stay with the browser: paste, zoom, reload, tabs, its address and its tools.
+/// Keys that stay with the browser: zoom, reload, tabs, its address and its tools; Tab in a frame, until it is clicked.
 function isBrowsers(event, mods) {
-  if (event.key === 'F12' || event.isComposing) return true;
+  if (event.key === 'F12' || event.isComposing || (event.key === 'Tab' && !engaged)) return true;
   if (apple ? event.ctrlKey : event.metaKey) return true;
-  return (mods & 2) !== 0 && /^[vlrtwn+\-=0]$/i.test(event.key) || (mods & 3) === 3 && /^[ijk]$/i.test(event.key);
+  return (mods & 2) !== 0 && /^[lrtwn+\-=0]$/i.test(event.key) || (mods & 3) === 3 && /^[ijk]$/i.test(event.key);
 }
 
 function onKey(event) {
   if (!program) return;
   const mods = modsOf(event);
-  tellMods(mods);
+  sendMods(mods);
   const down = event.type === 'keydown';
   const ofModifier = /^(Shift|Control|Alt|Meta)/.test(event.code);
+  if (event.code.startsWith('Control')) held.control = down;
+  // A Mac does not tell of keys that are released while Command is held.
+  if (!down && event.key === 'Meta') releaseAll();
+  if (down && isBrowsers(event, mods)) return wake();
+  const character = [...event.key].length === 1 ? event.key.codePointAt(0) : 0;
+  // Text in the field of the page comes by its own event.
+  const ofField = event.target === typed && (mods & 6) === 0 && (character !== 0 || event.key === 'Backspace');
   const key = down ? keyNumber(event) : held.keys.get(event.code) ?? 0;
-  if (key !== 0 && !ofModifier) {
+  if (key !== 0 && !ofModifier && !ofField) {
     program._webKey(key, !down ? kRelease : event.repeat ? kRepeat : kPress, mods);
     down ? held.keys.set(event.code, key) : held.keys.delete(event.code);
   }
-  const signs = [...event.key];
-  if (down && signs.length === 1 && event.target !== typed) program._webSign(signs[0].codePointAt(0), mods);
-  if (!isBrowsers(event, mods) && event.target !== typed) event.preventDefault();
-  if (down && (mods & 2) && event.key === 'o') event.preventDefault();
+  if (down && character !== 0 && !ofField) program._webCharacter(character, mods);
+  // The event of pasting follows its key.
+  if (!ofField && !(character !== 0 && (mods & 2) && /v/i.test(event.key))) event.preventDefault();
   wake();
 }
 function releaseAll() {
   if (!program) return;
   for (const key of held.keys.values()) program._webKey(key, kRelease, 0);
   held.keys.clear();
-  tellMods(0);
+  sendMods(0);
 }
 
-// A keyboard on the screen writes into a field of the page.
+// A keyboard on the screen writes into a field of the page: what it changes there is typed. The space is
+// for Backspace, which has no event in an empty field.
 const typed = document.getElementById('typed');
-typed.addEventListener('input', () => {
-  for (const sign of typed.value) program?._webSign(sign.codePointAt(0), 0);
-  typed.value = '';
+typed.value = ' ';
+let wasTyped = typed.value;
+function typeKey(key) { for (const action of [kPress, kRelease]) program._webKey(key, action, 0); }
+typed.addEventListener('input', event => {
+  if (!program) return;
+  const now = [...typed.value], before = [...wasTyped];
+  let same = 0;
+  while (same < now.length && now[same] === before[same]) ++same;
+  for (let i = same; i < before.length; ++i) typeKey(kKeys.Backspace);
+  for (const character of now.slice(same)) program._webCharacter(character.codePointAt(0), 0);
+  if (!event.isComposing) typed.value = ' ';
+  wasTyped = typed.value;
   wake();
 });
+/// Shows the keyboard of the screen while a text field of the program has the focus; called in an event of a finger,
+/// in which alone a browser shows it.
+function showKeyboard() {
+  for (let i = 0; i < 5; ++i) turnNow();
+  if (program._webTyping()) typed.focus({preventScroll: true});
+  else if (document.activeElement === typed) canvas.focus({preventScroll: true});
+}
 for (const type of ['keydown', 'keyup']) {
   canvas.addEventListener(type, onKey);
   typed.addEventListener(type, onKey);
 }
 canvas.addEventListener('focus', () => { program?._webFocus(1); wake(); });
-canvas.addEventListener('blur', () => { releaseAll(); program?._webFocus(0); wake(); });
+canvas.addEventListener('blur', event => {
+  releaseAll();
+  if (event.relatedTarget === typed) return;
+  engage(false);
+  program?._webFocus(0);
+  wake();
+});
 
-/// In a page of others the wheel scrolls that page, until the picture has been clicked.
+/// In a page of others wheel, Tab and a finger are of that page, until the picture has been clicked.
 let engaged = !framed;
-canvas.addEventListener('pointerleave', () => { engaged = !framed; });
+function engage(on) {
+  engaged = on || !framed;
+  canvas.style.touchAction = engaged ? 'none' : 'pan-x pan-y';
+}
+engage(false);
+canvas.addEventListener('pointerleave', event => {
+  if (!program || event.pointerType === 'touch' || event.buttons !== 0) return;
+  engage(false);
+  leave();
+});
+
+/// The pointer is nowhere.
+function leave() {
+  program._webPointer(-1e9, -1e9);
+  wake();
+}
 
 function toScreen(event) {
   const ratio = window.devicePixelRatio;
@@ -86,7 +130,7 @@ function toScreen(event) {
 }
 function press(event, button, action) {
   const mods = modsOf(event);
-  tellMods(mods);
+  sendMods(mods);
   program._webButton(button, action, mods);
   wake();
 }
@@ -94,10 +138,10 @@ const kButtons = [0, 2, 1];
 function onPointer(event) {
   if (!program || event.pointerType === 'touch') return;
   toScreen(event);
-  tellMods(modsOf(event));
+  sendMods(modsOf(event));
   if (event.type === 'pointerdown') {
-    engaged = true;
-    canvas.focus();
+    engage(true);
+    canvas.focus({preventScroll: true});
     canvas.setPointerCapture(event.pointerId);
   }
   wake();
@@ -106,91 +150,121 @@ for (const type of ['pointermove', 'pointerdown', 'pointerup']) canvas.addEventL
 // Of several buttons only the first has events of the pointer; those of the mouse have them all.
 for (const [type, action] of [['mousedown', kPress], ['mouseup', kRelease]])
   canvas.addEventListener(type, event => {
-    if (!program || fingers.size > 0) return;
+    if (!program || fingers.size > 0 || event.button >= kButtons.length) return;
     event.preventDefault();
-    press(event, kButtons[event.button] ?? 0, action);
+    press(event, kButtons[event.button], action);
   });
 canvas.addEventListener('contextmenu', event => event.preventDefault());
 canvas.addEventListener('wheel', event => {
   if (!program || !engaged) return;
   event.preventDefault();
   toScreen(event);
-  tellMods(modsOf(event) & (event.ctrlKey && !held.keys.size ? 5 : 7));  // a pinch on a touchpad says Ctrl
-  const unit = -[100, 3, 1][event.deltaMode] / (event.ctrlKey ? 10 : 1);
+  const pinch = event.ctrlKey && !held.control;  // a touchpad says it so
+  sendMods(modsOf(event) & (pinch ? 5 : 7));
+  const unit = -[100, 3, 1][event.deltaMode] / (pinch ? 10 : 1);
   program._webWheel(event.deltaX / unit, event.deltaY / unit);
   wake();
 }, {passive: false});
 
-// One finger is the left button, held still the right one; two fingers move and zoom.
+// One finger taps, drags, or scrolls a list; held still it is the right button. Two fingers move and zoom.
+const kHold = 600;   // ms until a finger that rests is the right button
+const kStill = 8;    // pixels that a resting finger may move
 const fingers = new Map();
-const touch = {button: -1, span: 0, hold: 0};
-function liftButton(event) {
-  clearTimeout(touch.hold);
+const touch = {does: 'nothing', button: -1, span: 0, hold: 0, began: null, at: null};
+
+function holdButton(event, button) {
   if (touch.button >= 0) press(event, touch.button, kRelease);
-  touch.button = -1;
-}
-function touchButton(event, button) {
-  liftButton(event);
   touch.button = button;
-  press(event, button, kPress);
+  if (button >= 0) press(event, button, kPress);
 }
-/// The middle of the fingers and how far they are apart.
+/// The middle of the fingers, and how far they are apart.
 function middle() {
   const all = [...fingers.values()];
   const sum = all.reduce((a, b) => ({clientX: a.clientX + b.clientX, clientY: a.clientY + b.clientY}));
   const span = all.length < 2 ? 0 : Math.hypot(all[0].clientX - all[1].clientX, all[0].clientY - all[1].clientY);
   return {clientX: sum.clientX / all.length, clientY: sum.clientY / all.length, span};
 }
+function begins(does, event) {
+  clearTimeout(touch.hold);
+  holdButton(event, -1);
+  touch.does = does;
+  if (fingers.size === 0) return;
+  touch.at = middle();
+  if (does === 'tap') touch.began = touch.at;
+  if (does === 'scroll' || does === 'nothing') return;
+  toScreen(touch.at);
+  if (does === 'tap') touch.hold = setTimeout(() => { holdButton(event, 1); begins('nothing', event); }, kHold);
+  if (does === 'move') holdButton(event, 1);
+}
+/// Scrolls the list where the finger began, if one is there.
+function scrollList(by) {
+  const ratio = window.devicePixelRatio;
+  return program._webScroll(touch.began.clientX * ratio, touch.began.clientY * ratio, by * ratio);
+}
+/// What a finger does that has begun to move: a list scrolls across its rows, a slider is drawn along them.
+function fingerMoves(event, dx, dy) {
+  const list = Math.abs(dy) > Math.abs(dx) && scrollList(0);
+  begins(list ? 'scroll' : 'drag', event);
+  if (!list) holdButton(event, 0);
+}
+function onFingerMove(event) {
+  const finger = fingers.get(event.pointerId);
+  Object.assign(finger, {clientX: event.clientX, clientY: event.clientY});
+  const now = middle();
+  if (touch.does === 'tap') {
+    const dx = now.clientX - touch.at.clientX, dy = now.clientY - touch.at.clientY;
+    if (Math.hypot(dx, dy) <= kStill) return;
+    fingerMoves(event, dx, dy);
+  }
+  if (touch.does === 'scroll') {
+    scrollList(now.clientY - touch.at.clientY);
+    touch.at = now;
+  } else if (touch.does !== 'nothing') {
+    toScreen(now);
+  }
+  if (touch.does === 'move' && Math.abs(now.span - touch.at.span) > 4) {
+    program._webWheel(0, (now.span - touch.at.span) / 25);
+    touch.at = now;
+  }
+}
+function onFingerUp(event) {
+  const tapped = touch.does === 'tap' && event.type === 'pointerup';
+  fingers.delete(event.pointerId);
+  if (tapped) {
+    engage(true);
+    canvas.focus({preventScroll: true});
+    holdButton(event, 0);
+  }
+  begins('nothing', event);
+  if (tapped) showKeyboard();
+  // Nothing stays under a finger that has left.
+  setTimeout(() => { if (program && fingers.size === 0) leave(); }, 100);
+}
 function onTouch(event) {
   if (!program || event.pointerType !== 'touch') return;
-  event.preventDefault();
-  const type = event.type;
-  if (type === 'pointerdown') {
-    engaged = true;
-    canvas.focus({preventScroll: true});
-    fingers.set(event.pointerId, {clientX: event.clientX, clientY: event.clientY, began: event});
-    toScreen(middle());
-    if (fingers.size === 1) {
-      touchButton(event, 0);
-      touch.hold = setTimeout(() => { touchButton(event, 1); liftButton(event); }, 600);
-    } else if (fingers.size === 2) {
-      touch.span = middle().span;
-      touchButton(event, 1);
-    }
+  if (event.type === 'pointerdown') {
+    fingers.set(event.pointerId, {clientX: event.clientX, clientY: event.clientY});
+    begins(['tap', 'move'][fingers.size - 1] ?? 'nothing', event);
   } else if (fingers.has(event.pointerId)) {
-    const finger = fingers.get(event.pointerId);
-    if (type === 'pointermove') {
-      if (Math.hypot(event.clientX - finger.began.clientX, event.clientY - finger.began.clientY) > 8) clearTimeout(touch.hold);
-      Object.assign(finger, {clientX: event.clientX, clientY: event.clientY});
-      const now = middle();
-      toScreen(now);
-      if (fingers.size === 2 && Math.abs(now.span - touch.span) > 4) {
-        program._webWheel(0, (now.span - touch.span) / 25);
-        touch.span = now.span;
-      }
-    } else {
-      fingers.delete(event.pointerId);
-      liftButton(event);
-      // Nothing stays under a finger that has left.
-      if (fingers.size === 0) setTimeout(() => { program._webPointer(-1e9, -1e9); wake(); }, 100);
-    }
+    event.type === 'pointermove' ? onFingerMove(event) : onFingerUp(event);
   }
+  if (engaged) event.preventDefault();
   wake();
 }
 for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointercancel']) canvas.addEventListener(type, onTouch);
 
 /// Size in pixels of the screen, and how many of them are one of the page.
-function tellSize() {
+function sendSize() {
   const ratio = window.devicePixelRatio;
   canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
   canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
   program._webSize(canvas.width, canvas.height, ratio);
   wake();
 }
-new ResizeObserver(() => { if (program && document.body.classList.contains('runs')) tellSize(); }).observe(canvas);
+new ResizeObserver(() => { if (program && document.body.classList.contains('runs')) sendSize(); }).observe(canvas);
 /// Zoom of the browser, or another screen.
 function watchRatio() {
-  matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener('change', () => { if (program) tellSize(); watchRatio(); }, {once: true});
+  matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener('change', () => { if (program) sendSize(); watchRatio(); }, {once: true});
 }
 watchRatio();
 

@@ -2,6 +2,7 @@
 // program runs, and the loop of its frames sleeps while nothing moves.
 const canvas = document.getElementById('canvas');
 const framed = window.parent !== window;
+const onePage = document.getElementById('packed-viewer.wasm') !== null;  // this page holds all of the program
 let program = null;  // Emscripten's module, once it runs
 let failedWith = null;
 
@@ -22,12 +23,20 @@ function lacking() {
   const tryAndCatch = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
   if (!WebAssembly.validate(new Uint8Array(tryAndCatch)))
     return 'This browser is too old for this program: its WebAssembly has no exceptions. Please use a newer one.';
+  if (onePage && typeof DecompressionStream !== 'function')
+    return 'This browser is too old for the program in one file. Please use a newer one, or the program from a server.';
   if (!document.createElement('canvas').getContext('webgl2'))
-    return 'This browser shows no WebGL 2. Allow hardware acceleration in its settings, or use another browser.';
+    return 'This browser has no WebGL 2. Allow hardware acceleration in its settings, or use another browser.';
   return '';
 }
 
-/// Where the link leads, in words.
+/// The link that the page begins with: after # in its address, or inside the page.
+function linkOf() {
+  const inside = document.querySelector('meta[name=start]').content;
+  return location.hash.length > 1 || !inside ? location.hash : '#' + inside;
+}
+
+/// Where a link leads, in words.
 function placeInWords(hash) {
   const link = new URLSearchParams(hash.replace(/^#/, '').replace(/\+/g, '%2B'));
   const input = ['scene', 'lesson', 'figure', 'sample', 'file'].filter(name => link.get(name)).map(name => `${name} ${link.get(name)}`)[0]
@@ -78,48 +87,105 @@ function wake() {
 }
 function turn() {
   frames.asked = false;
-  if (!program || failedWith) return;
-  let next = 0;
-  try {
-    next = program._webTurn();
-  } catch (error) {
-    return stopped(error);
-  }
+  const next = turnNow();
+  if (next === undefined) return;
   ++frames.count;
   document.body.classList.add('runs');
   if (next === 1) return wake();
   keepSettings();
   if (next === 2) frames.later = setTimeout(wake, 250);
 }
+/// One turn of the program's loop; what it wants next (webTurn in main.cpp), or nothing if there is no program.
+function turnNow() { return guarded(() => program._webTurn()); }
+/// What a call of the program returns; nothing if it cannot go on.
+function guarded(call) {
+  if (!program || failedWith) return undefined;
+  try {
+    return call();
+  } catch (error) {
+    return stopped(error);
+  }
+}
+/// Calls a function of the program with texts of any length.
+function send(name, ...texts) {
+  const result = guarded(() => {
+    const places = texts.map(text => {
+      const bytes = program.lengthBytesUTF8(text) + 1;
+      const place = program._malloc(bytes);
+      if (!place) throw new RangeError('out of memory');
+      program.stringToUTF8(text, place, bytes);
+      return place;
+    });
+    const answer = program['_' + name](...places);
+    places.forEach(place => program._free(place));
+    return answer;
+  });
+  wake();
+  return result;
+}
 document.addEventListener('visibilitychange', wake);
 
-/// Another link in the same page moves the program there.
+/// Goes to an address, or where a link leads. A file that it names is fetched first.
+async function go(link) {
+  try {
+    await fetchFileOf(link);
+    send('webGo', link);
+  } catch (error) {
+    send('webSay', error.message);
+  }
+}
+/// Another link in the same page moves the program there; none begins again.
 addEventListener('hashchange', () => {
-  if (!program || failedWith) return location.reload();
-  program.ccall('webGo', null, ['string'], [location.hash]);
-  wake();
+  if (!program || failedWith || location.hash.length < 2) return location.reload();
+  go(location.hash);
 });
 
-/// An address and the sentence about it: for a screen reader, and for the page around.
+/// For the page around: an address and the sentence about it, or the answer to a question of a lesson.
+function tellAround(message) { if (framed) window.parent.postMessage(message, '*'); }
+/// An address and the sentence about it, also for a screen reader.
 function narrated(line) {
   const [address, sentence] = line.split('\t');
   document.getElementById('sentence').textContent = sentence ?? line;
-  if (framed && sentence) window.parent.postMessage({address, sentence}, '*');
+  if (sentence) tellAround({address, sentence});
 }
+
+/// The program fills the screen, or does no more: when it asks for that, and when the reader leaves it.
+function setFullScreen(full) {
+  const asked = full ? document.documentElement.requestFullscreen?.() : document.fullscreenElement && document.exitFullscreen();
+  asked?.catch(toldFullScreen);
+  if (full && !asked) toldFullScreen();
+}
+function toldFullScreen() {
+  const full = document.fullscreenElement ? 1 : 0;
+  guarded(() => { program._webMonitor(full); program._webFullScreen(full); });
+  wake();
+}
+document.addEventListener('fullscreenchange', toldFullScreen);
 
 /// The program cannot go on.
 function stopped(error) {
   console.error(error);
   const text = String(error?.message ?? error);
-  fail(/memory|allocation/i.test(text) ? 'The memory that a browser gives is used up: this input is too large here. The program for a desktop has no such limit.'
+  fail(/memory|alloc/i.test(text) ? 'The memory that a browser gives is used up: this input is too large here. The program for a desktop has no such limit.'
     : 'The program had to stop: ' + text + '\nLoad the page again. What was saved is in your downloads.');
 }
 
+canvas.addEventListener('webglcontextlost', event => {
+  event.preventDefault();
+  fail('The graphics of this browser have stopped. Load the page again.');
+});
+/// Work that is not saved: the browser asks before it goes.
+addEventListener('beforeunload', event => { if (guarded(() => program._webUnsaved())) event.preventDefault(); });
+
+// Until the reader has chosen a theme, that of the page around, or of the system.
+const light = matchMedia('(prefers-color-scheme: light)');
+light.addEventListener('change', () => send('webTheme', light.matches ? 'light' : 'dark'));
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+still.addEventListener('change', () => guarded(() => program._webMotion(still.matches ? 0 : 1)));
+
 async function begin() {
-  document.getElementById('place').textContent = placeInWords(location.hash);
-  // Kept for visits without a network, but for the page that holds all of itself.
-  if (store && window.isSecureContext && navigator.serviceWorker && !document.getElementById('packed-viewer.wasm'))
-    navigator.serviceWorker.register('offline.js').catch(() => {});
+  const link = linkOf();
+  document.getElementById('place').textContent = placeInWords(link);
   const lacks = lacking();
   if (lacks) return fail(lacks);
   try {
@@ -128,26 +194,38 @@ async function begin() {
     script.textContent = new TextDecoder().decode(code);
     document.head.append(script);
     await spiralingEdge({
-      arguments: [location.href, matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'],
       wasmBinary: wasm,
       getPreloadedPackage: () => data,
       preRun: [module => { program = module; openStore(module); }],
-      begin() { saveAsDownloads(program); canvas.focus(); wake(); },
       failed: fail,
-      tellSize, setCursor, copied,
+      stopped,
+      sendSize, setCursor, setFullScreen, copied, tellAround,
       pick() { document.getElementById('picker').click(); },
       print: narrated,
       printErr(text) { console.warn(text); },
       onAbort: stopped,
     });
+    await fetchFileOf(link);
+    if (send('webBegin', location.href.split('#')[0], link, light.matches ? 'light' : 'dark') !== 0) return;
+    program._webMotion(still.matches ? 0 : 1);
+    saveAsDownloads(program);
+    if (!framed) canvas.focus();
+    wake();
+    keepOffline();
   } catch (error) {
     failedWith || (error instanceof WebAssembly.RuntimeError || error instanceof RangeError ? stopped(error) : fail(error.message));
   }
 }
 
-/// The page around may move the program: {go: "137.sphere.3"}, or a link.
-addEventListener('message', event => {
-  if (!framed || event.source !== window.parent || typeof event.data?.go !== 'string' || !program || failedWith) return;
-  program.ccall('webGo', null, ['string'], [event.data.go]);
-  wake();
+/// Keeps the program for visits without a network, but for the page that holds all of itself.
+function keepOffline() {
+  if (store && window.isSecureContext && navigator.serviceWorker && !onePage)
+    navigator.serviceWorker.register('offline.js').catch(() => {});
+}
+
+/// The page around may move the program, {go: "137.sphere.3"} or a link, and choose its theme, {theme: "dark"}.
+addEventListener('message', ({source, data}) => {
+  if (!framed || source !== window.parent || !program) return;
+  if (typeof data?.go === 'string') go(data.go);
+  if (typeof data?.theme === 'string') send('webTheme', data.theme);
 });

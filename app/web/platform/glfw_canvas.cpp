@@ -18,19 +18,17 @@ struct GLFWwindow {
     double x = -1e9;  ///< The pointer: nowhere before its first move.
     double y = -1e9;
     bool focused = true;
+    bool full = false;  ///< The page fills the screen, or has asked for it.
     bool buttons[8] = {};
     void* user = nullptr;
     std::string clipboard;
     GLFWkeyfun key = nullptr;
-    GLFWcharfun sign = nullptr;
-    GLFWcharmodsfun signMods = nullptr;
+    GLFWcharmodsfun character = nullptr;
     GLFWmousebuttonfun button = nullptr;
     GLFWcursorposfun pointer = nullptr;
-    GLFWcursorenterfun enter = nullptr;
     GLFWscrollfun scroll = nullptr;
     GLFWdropfun drop = nullptr;
     GLFWframebuffersizefun size = nullptr;
-    GLFWwindowrefreshfun refresh = nullptr;
     GLFWwindowfocusfun focus = nullptr;
     GLFWwindowcontentscalefun scale = nullptr;
 };
@@ -70,7 +68,7 @@ GLFWwindow* glfwCreateWindow(int, int, const char*, GLFWmonitor*, GLFWwindow*) {
         emscripten_webgl_create_context("#canvas", &wanted);
     if (context <= 0 || emscripten_webgl_make_context_current(context) != EMSCRIPTEN_RESULT_SUCCESS)
         return nullptr;
-    EM_ASM({ Module.tellSize(); });
+    EM_ASM({ Module.sendSize(); });
     return theWindow();
 }
 void glfwDestroyWindow(GLFWwindow*) {}
@@ -102,11 +100,19 @@ void glfwGetWindowContentScale(GLFWwindow* window, float* x, float* y) {
     *x = *y = static_cast<float>(window->ratio);
 }
 
-// The page fills the screen, and not a window: there is no monitor.
-GLFWmonitor* glfwGetWindowMonitor(GLFWwindow*) { return nullptr; }
-GLFWmonitor* glfwGetPrimaryMonitor() { return nullptr; }
-const GLFWvidmode* glfwGetVideoMode(GLFWmonitor*) { return nullptr; }
-void glfwSetWindowMonitor(GLFWwindow*, GLFWmonitor*, int, int, int, int, int) {}
+// The screen: a page may ask to fill it.
+GLFWmonitor* glfwGetPrimaryMonitor() { return reinterpret_cast<GLFWmonitor*>(theWindow()); }
+GLFWmonitor* glfwGetWindowMonitor(GLFWwindow* window) {
+    return window->full ? glfwGetPrimaryMonitor() : nullptr;
+}
+const GLFWvidmode* glfwGetVideoMode(GLFWmonitor*) {
+    static constexpr GLFWvidmode kAny{};
+    return &kAny;
+}
+void glfwSetWindowMonitor(GLFWwindow* window, GLFWmonitor* monitor, int, int, int, int, int) {
+    window->full = monitor != nullptr;
+    EM_ASM({ Module.setFullScreen($0); }, window->full);
+}
 GLFWmonitorfun glfwSetMonitorCallback(GLFWmonitorfun) { return nullptr; }
 
 const float* glfwGetJoystickAxes(int, int* count) { return *count = 0, nullptr; }
@@ -141,9 +147,9 @@ void glfwSetClipboardString(GLFWwindow*, const char* text) {
 }
 
 GLFWkeyfun glfwSetKeyCallback(GLFWwindow* w, GLFWkeyfun f) { return exchanged(w->key, f); }
-GLFWcharfun glfwSetCharCallback(GLFWwindow* w, GLFWcharfun f) { return exchanged(w->sign, f); }
+GLFWcharfun glfwSetCharCallback(GLFWwindow*, GLFWcharfun) { return nullptr; }
 GLFWcharmodsfun glfwSetCharModsCallback(GLFWwindow* w, GLFWcharmodsfun f) {
-    return exchanged(w->signMods, f);
+    return exchanged(w->character, f);
 }
 GLFWmousebuttonfun glfwSetMouseButtonCallback(GLFWwindow* w, GLFWmousebuttonfun f) {
     return exchanged(w->button, f);
@@ -151,9 +157,7 @@ GLFWmousebuttonfun glfwSetMouseButtonCallback(GLFWwindow* w, GLFWmousebuttonfun 
 GLFWcursorposfun glfwSetCursorPosCallback(GLFWwindow* w, GLFWcursorposfun f) {
     return exchanged(w->pointer, f);
 }
-GLFWcursorenterfun glfwSetCursorEnterCallback(GLFWwindow* w, GLFWcursorenterfun f) {
-    return exchanged(w->enter, f);
-}
+GLFWcursorenterfun glfwSetCursorEnterCallback(GLFWwindow*, GLFWcursorenterfun) { return nullptr; }
 GLFWscrollfun glfwSetScrollCallback(GLFWwindow* w, GLFWscrollfun f) {
     return exchanged(w->scroll, f);
 }
@@ -161,8 +165,8 @@ GLFWdropfun glfwSetDropCallback(GLFWwindow* w, GLFWdropfun f) { return exchanged
 GLFWframebuffersizefun glfwSetFramebufferSizeCallback(GLFWwindow* w, GLFWframebuffersizefun f) {
     return exchanged(w->size, f);
 }
-GLFWwindowrefreshfun glfwSetWindowRefreshCallback(GLFWwindow* w, GLFWwindowrefreshfun f) {
-    return exchanged(w->refresh, f);
+GLFWwindowrefreshfun glfwSetWindowRefreshCallback(GLFWwindow*, GLFWwindowrefreshfun) {
+    return nullptr;
 }
 GLFWwindowfocusfun glfwSetWindowFocusCallback(GLFWwindow* w, GLFWwindowfocusfun f) {
     return exchanged(w->focus, f);
@@ -187,9 +191,9 @@ EMSCRIPTEN_KEEPALIVE void webKey(int key, int action, int mods) {
     GLFWwindow* const w = theWindow();
     if (w->key) w->key(w, key, 0, action, mods);
 }
-EMSCRIPTEN_KEEPALIVE void webSign(unsigned sign, int mods) {
+EMSCRIPTEN_KEEPALIVE void webCharacter(unsigned character, int mods) {
     GLFWwindow* const w = theWindow();
-    if (w->signMods) w->signMods(w, sign, mods);
+    if (w->character) w->character(w, character, mods);
 }
 EMSCRIPTEN_KEEPALIVE void webPointer(double x, double y) {
     GLFWwindow* const w = theWindow();
@@ -211,15 +215,17 @@ EMSCRIPTEN_KEEPALIVE void webFocus(int focused) {
     w->focused = focused != 0;
     if (w->focus) w->focus(w, focused);
 }
+/// The page fills the screen, or does no more.
+EMSCRIPTEN_KEEPALIVE void webMonitor(int full) { theWindow()->full = full != 0; }
 EMSCRIPTEN_KEEPALIVE void webPasted(const char* text) { theWindow()->clipboard = text; }
 /// Paths in the file system of the page, one a line.
 EMSCRIPTEN_KEEPALIVE void webDropped(const char* lines) {
     std::vector<std::string> paths(1);
-    for (const char* sign = lines; *sign != 0; ++sign)
-        if (*sign == '\n')
+    for (const char* c = lines; *c != 0; ++c)
+        if (*c == '\n')
             paths.emplace_back();
         else
-            paths.back() += *sign;
+            paths.back() += *c;
     std::vector<const char*> texts;
     for (const std::string& path : paths) texts.push_back(path.c_str());
     GLFWwindow* const w = theWindow();

@@ -3,7 +3,7 @@
 
 namespace se::view {
 
-Status mp4Possible() { return Error{"is not possible in a browser; .html is"}; }
+Status mp4Possible() { return Error{"cannot be written in a browser; .html can"}; }
 Result<std::unique_ptr<FrameWriter>> openMp4Writer(const ExportTarget&) {
     return mp4Possible().error();
 }

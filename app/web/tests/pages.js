@@ -186,6 +186,107 @@ const tests = {
     await browser.until(`document.title.startsWith('20.sort.1')`);
     assert.equal(await browser.value('window.mark'), 1);
   },
+  async 'a link to the open input alone stays where it is'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.value(`location.hash = '#scene=torus&mesh-style=wire'`);
+    await sleep(500);
+    await browser.settled();
+    assert.match(await title(browser), /^137\.sphere\.3/);
+  },
+  async 'a link longer than the stack opens'({open}) {
+    const browser = await open('');
+    await browser.settled();
+    await browser.value(`go('#scene=torus&goto=' + 'x'.repeat(6e6))`);
+    await browser.settled();
+    assert.equal(await browser.value('failedWith'), null);
+  },
+  async 'a file is named by its address on the web'({browser, server}) {
+    const sheet = fs.readFileSync(path.join(assets, 'points/sheet.ply'));
+    const other = await server({pages: {'/points/sheet.ply': sheet}, headers: {'Access-Control-Allow-Origin': '*'}});
+    const {address} = await server();
+    const opened = await browser();
+    await opened.open(`${address}${version}/#file=${other.address}points/sheet.ply`);
+    await opened.until(`/sheet\\.ply/.test(document.title)`);
+    await opened.value(`window.said = '', navigator.clipboard.writeText = async text => { window.said = text; }`);
+    await opened.key('Ctrl+c');
+    await opened.until(`said.includes('file=${other.address}points/sheet.ply')`);
+  },
+  async 'a file that may not be read from another page is said'({browser, server}) {
+    const other = await server({pages: {'/sheet.ply': 'ply'}});
+    const {address} = await server();
+    const opened = await browser();
+    await opened.open(`${address}${version}/#file=${other.address}sheet.ply`);
+    assert.match(await refused(opened), /sheet\.ply could not be fetched.*CORS/);
+  },
+  async 'keys of the browser do nothing in the program'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    const before = await shown(browser);
+    await browser.value(`for (const key of ['=', '0', 'r']) canvas.dispatchEvent(new KeyboardEvent('keydown', {key, code: 'Key', ctrlKey: true, cancelable: true}))`);
+    await browser.value(`canvas.dispatchEvent(new KeyboardEvent('keyup', {key: 'Control', code: 'ControlLeft'}))`);
+    await sleep(300);
+    assert.equal(await shown(browser), before);
+  },
+  async 'a finger taps a field, and the keyboard of the screen types into it'({open}) {
+    const browser = await open('#scene=torus', {mobile: true});
+    await browser.settled();
+    await browser.key('Ctrl+g');
+    await browser.until('program._webTyping() === 1');
+    await browser.value('showKeyboard()');
+    assert.equal(await browser.value('document.activeElement.id'), 'typed');
+    await browser.value(`for (const text of [' 20.sorx', ' 20.sor', ' 20.sort.1']) { typed.value = text; typed.dispatchEvent(new InputEvent('input', {isComposing: true})); }`);
+    await browser.key('Enter');
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+  },
+  async 'a finger scrolls a list and does not press its rows'({open}) {
+    const browser = await open('', {mobile: true, width: 390, height: 844});
+    await browser.settled();
+    const before = await shown(browser);
+    await browser.touch([[[200, 700], [200, 300]]]);
+    await browser.settled();
+    assert.equal(await title(browser), 'Spiraling Edge');
+    assert.notEqual(await shown(browser), before);
+    await browser.picture(path.join(pictures, 'scrolled.png'));
+  },
+  async 'work that is not saved is asked about'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    const asks = `(() => { const event = new Event('beforeunload', {cancelable: true}); dispatchEvent(event); return event.defaultPrevented; })()`;
+    assert.equal(await browser.value(asks), false);
+    await browser.key('Ctrl+b');
+    await browser.settled();
+    assert.equal(await browser.value(asks), true);
+  },
+  async 'the answer to a question reaches the page around'({browser, server}) {
+    const {address} = await server({pages: {'/around': `<script>window.heard = []; addEventListener('message', e => heard.push(e.data));</script>
+      <iframe src="/${version}/#lesson=class&step=2&layout=present" width="900" height="600"></iframe>`}});
+    const opened = await browser();
+    await opened.call('Page.navigate', {url: address + 'around'});
+    await opened.until(`heard.length > 0`);
+    for (const type of ['mousePressed', 'mouseReleased']) await opened.mouse(type, 450, 200, {button: 'left', clickCount: 1});
+    await sleep(300);
+    for (const key of ['b', 'Enter']) { await opened.key(key); await sleep(300); }
+    await opened.until(`heard.some(each => each.answered === 2 && each.result.answers[0].given[0] === '3')`);
+  },
+  async 'the theme of the system is followed until one is chosen'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    const light = await shown(browser);
+    const scheme = value => browser.call('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value}]});
+    await scheme('dark');
+    await sleep(300);
+    const dark = await shown(browser);
+    assert.notEqual(dark, light);
+    await browser.key('t');
+    await browser.until(`Object.values(localStorage).some(each => /"theme": ?"light"/.test(each))`);
+    const chosen = await shown(browser);
+    await scheme('light');
+    await sleep(300);
+    await scheme('dark');
+    await sleep(300);
+    assert.equal(await shown(browser), chosen);
+  },
   async 'one file opens from a disk'({browser}) {
     const opened = await browser();
     await opened.open(`file://${oneFile}#scene=torus&goto=137.sphere.3`);

@@ -6,11 +6,11 @@ const path = require('path');
 
 const kTypes = {'.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
 
-/// Serves a folder at a free port; missing: names that it does not have; pages: texts by path.
-function serve(folder, {missing = [], pages = {}} = {}) {
+/// Serves a folder at a free port; missing: names that it does not have; pages: their texts by path, with `headers`.
+function serve(folder, {missing = [], pages = {}, headers = {}} = {}) {
   const server = http.createServer((request, answer) => {
     let name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
-    if (name in pages) return answer.writeHead(200, {'Content-Type': 'text/html'}).end(pages[name]);
+    if (name in pages) return answer.writeHead(200, {'Content-Type': 'text/html', ...headers}).end(pages[name]);
     if (name.endsWith('/')) name += 'index.html';
     const file = path.join(folder, name);
     if (!file.startsWith(folder) || missing.includes(path.basename(name)) || !fs.existsSync(file) || fs.statSync(file).isDirectory())
