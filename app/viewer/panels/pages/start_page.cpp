@@ -181,7 +181,8 @@ std::string_view partOf(const SceneTile& tile) {
     return galleryScene(tile.id) != nullptr ? "What goes wrong, and why" : "Scenes";
 }
 
-void drawTiles(const PanelContext& context) {
+/// The tiles above a margin at the bottom.
+void drawTiles(const PanelContext& context, float below) {
     const float em = context.em;
     heading(context, "Start here");
     if (!context.rects.phone) {
@@ -192,7 +193,7 @@ void drawTiles(const PanelContext& context) {
     StartPage& page = context.state<StartPage>();
     page.prepare();
     page.poll();
-    if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
+    if (ImGui::BeginChild("##tiles", {0, -below}, false, ImGuiWindowFlags_NavFlattened)) {
         const float gap = 0.7F * em;
         const float width = ImGui::GetContentRegionAvail().x;
         const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
@@ -325,18 +326,22 @@ void drawBesides(const PanelContext& context, float side) {
         ImGui::TableNextColumn();
         drawSide(context);
         ImGui::TableNextColumn();
-        drawTiles(context);
+        drawTiles(context, 0.0F);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
 }
 
-/// In a phone's shape the tiles are below, and nothing is said about keys.
+/// In a phone's shape the tiles come first, and nothing is said about keys and dropping.
 void drawBelow(const PanelContext& context) {
     drawMessage(context);
-    drawDropHint(context);
-    ImGui::Spacing();
-    drawTiles(context);
+    const float button = ImGui::GetFrameHeight();
+    drawTiles(context, button + ImGui::GetStyle().ItemSpacing.y);
+    if (ImGui::Button("Open a file...", {-1.0F, button})) context.run("file.open");
+    nameItem(
+        context, hasKeyboard() ? "chosen start file.open" : "start file.open",
+        listText(pointFormats(), &PointFormat::name, "") + "; " + std::string(kSessionExtension));
+    if (context.state<KeyWalk>().offer(KeyStop::Files)) takeKeyboard();
 }
 
 }  // namespace
