@@ -109,8 +109,9 @@ function copyByHand(text) {
   field.value = text;
   document.body.append(field);
   field.select();
-  document.execCommand('copy');
+  const done = document.execCommand('copy');
   field.remove();
+  if (!done) prompt('Copy this:', text);
   canvas.focus();
 }
 addEventListener('paste', event => {
