@@ -37,7 +37,6 @@ constexpr float kLowBelow = 32.0F;
 
 /// Narrower and higher than wide: a phone's shape.
 constexpr float kPhoneBelow = 36.0F;
-constexpr float kPhoneMenu = 2.6F;
 constexpr float kPhoneRail = 3.2F;
 constexpr float kPhoneButtons = 3.8F;
 constexpr float kPhoneCaption = 4.8F;
@@ -241,7 +240,7 @@ PanelRects computePanelRects(glm::vec2 size, float em, const WindowState& state)
     if (present) {
         layOutPresent(l, cut, state, size);
     } else if (ems.x < kPhoneBelow && ems.y > ems.x) {
-        l.menu = cut.top(cut.px(kPhoneMenu));
+        l.menu = cut.top(cut.px(kFinger));
         layOutPhone(l, cut, state);
     } else {
         l.menu = cut.top(cut.px(kMenu));

@@ -73,6 +73,8 @@ struct WindowState {
 /// as the area of the controls. No other area has a size.
 PanelRects computePageRects(glm::vec2 size, float em);
 
+/// Least height of what a finger taps, in em: 44 pixels of a phone.
+inline constexpr float kFinger = 2.75F;
 /// Height of the title above each of two views, in em.
 inline constexpr float kViewTitle = 1.7F;
 /// Width of the line between two views of a picture, in em.

@@ -126,9 +126,7 @@ void drawBlankScreen(const PanelContext& context) {
     ImGui::GetForegroundDrawList()->AddRectFilled({0.0F, 0.0F}, ImGui::GetIO().DisplaySize, color);
 }
 
-}  // namespace
-
-void drawPanels(const PanelContext& context) {
+void drawAll(const PanelContext& context) {
     context.state<Navigation>().pointedAt = kNone;
     context.state<VerdictPart>().pointedAt = false;
     context.state<KeyWalk>().begin();
@@ -168,6 +166,18 @@ void drawPanels(const PanelContext& context) {
     drawSubjectMenu(context);
     drawLeaveQuestion(context);
     drawBlankScreen(context);
+}
+
+}  // namespace
+
+void drawPanels(const PanelContext& context) {
+    // In a phone's shape buttons and fields are as high as a finger needs.
+    const float usual = ImGui::GetStyle().FramePadding.y;
+    const float finger = 0.5F * (kFinger * context.em - ImGui::GetTextLineHeight());
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetStyle().FramePadding.x, context.rects.phone ? finger : usual});
+    drawAll(context);
+    ImGui::PopStyleVar();
 }
 
 }  // namespace se::view

@@ -269,18 +269,16 @@ std::string fittingNote(const PanelContext& context, float room) {
 void drawMenuBar(const PanelContext& context) {
     const PanelRects& rects = context.rects;
     const float em = context.em;
-    // In a phone's shape the bar is as high as a finger, and has one menu.
-    if (rects.phone)
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                            {0.6F * em, 0.5F * (rects.menu.size.y - ImGui::GetTextLineHeight())});
-    const bool open = ImGui::BeginMainMenuBar();
-    if (rects.phone) ImGui::PopStyleVar();
-    if (!open) return;
+    if (!ImGui::BeginMainMenuBar()) return;
+    // In a phone's shape the bar has one menu.
     if (!rects.phone) {
         drawMenus(context);
     } else if (const bool menu = ImGui::BeginMenu("Menu"); nameItem(context, "menu"), menu) {
+        const float between = kFinger * em - ImGui::GetTextLineHeight();
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, between});
         drawMenuRows(context, kPhone);
         drawMenus(context);
+        ImGui::PopStyleVar();
         ImGui::EndMenu();
     }
     float from = ImGui::GetCursorScreenPos().x;
