@@ -8,6 +8,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "application.h"
 #include "document/document.h"
@@ -17,6 +18,7 @@
 #include "options.h"
 #include "panel_state/settings.h"
 #include "run/strings.h"
+#include "session/session.h"
 #include "start_settings.h"
 #include "teach/result.h"
 #include "window.h"
@@ -31,7 +33,9 @@ struct Program {
     ViewSettings kept;
     std::unique_ptr<Window> window;
     std::unique_ptr<Application> application;
-    std::string answers;  ///< To the questions of the lesson, as the page has them.
+    // As the page has them.
+    std::string answers;  ///< To the questions of the lesson.
+    std::string notice;   ///< What the program last said beside its sentences.
 
     UiState& ui() { return application->context().ui; }
 };
@@ -79,6 +83,15 @@ void sendAnswers(Program& program) {
     program.answers = std::move(answers);
     EM_ASM({ Module.tellAround({answered : $0, result : JSON.parse(UTF8ToString($1))}); },
            static_cast<int>(walk.step() + 1), program.answers.c_str());
+}
+
+/// Sends what the program says beside the sentences of steps: a notice, or why nothing was opened.
+void sendNotice(Program& program) {
+    const Session& session = program.application->session();
+    const bool failed = session.input().phase() == SessionPhase::Failed;
+    const std::string& now = failed ? session.input().error() : session.messages().notice();
+    if (std::exchange(program.notice, now) == now || now.empty()) return;
+    EM_ASM({ Module.read(UTF8ToString($0)); }, se::printable(now).c_str());
 }
 
 /// The innermost list that scrolls at a position of the screen; null if there is none.
@@ -142,6 +155,7 @@ EMSCRIPTEN_KEEPALIVE int webTurn() {
         const bool notice = !program.application->session().messages().notice().empty();
         next = again ? kAgain : notice ? kLater : kSleep;
         sendAnswers(program);
+        sendNotice(program);
     });
     return next;
 }

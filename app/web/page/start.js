@@ -142,10 +142,12 @@ addEventListener('hashchange', () => {
 
 /// For the page around: an address and the sentence about it, or the answer to a question of a lesson.
 function tellAround(message) { if (framed) window.parent.postMessage(message, '*'); }
-/// An address and the sentence about it, also for a screen reader.
+/// For a screen reader.
+function read(text) { document.getElementById('sentence').textContent = text; }
+/// An address and the sentence about it.
 function narrated(line) {
   const [address, sentence] = line.split('\t');
-  document.getElementById('sentence').textContent = sentence ?? line;
+  read(sentence ?? line);
   if (sentence) tellAround({address, sentence});
 }
 
@@ -199,7 +201,7 @@ async function begin() {
       preRun: [module => { program = module; openStore(module); }],
       failed: fail,
       stopped,
-      sendSize, setCursor, setFullScreen, copied, tellAround,
+      sendSize, setCursor, setFullScreen, copied, tellAround, read,
       pick() { document.getElementById('picker').click(); },
       print: narrated,
       printErr(text) { console.warn(text); },

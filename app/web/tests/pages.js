@@ -342,10 +342,28 @@ const tests = {
     await browser.until(`/tours/.test(document.body.innerText + document.getElementById('sentence').textContent)`);
   },
   async 'memory that is used up is said'({open}) {
+    const browser = await open('#scene=torus', {script: `WebAssembly.Memory.prototype.grow = () => { throw new RangeError('no more'); };`});
+    await browser.settled();
+    await browser.value(`while (program._malloc(1e6)); go('#sample=torus,n=20000')`);
+    await browser.until(`/Out of memory/.test(document.getElementById('sentence').textContent)`);
+    assert.equal(await browser.value('failedWith'), null);
+  },
+  async 'graphics that stop are said'({open}) {
     const browser = await open('#scene=torus');
     await browser.settled();
-    await browser.value(`program._webTurn = () => { throw new RangeError('WebAssembly.Memory.grow(): Maximum memory size exceeded'); }, wake()`);
-    assert.match(await refused(browser), /memory that a browser gives is used up/);
+    await browser.value(`canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()`);
+    assert.match(await refused(browser), /graphics of this browser have stopped/);
+  },
+  async 'little motion is respected'({open}) {
+    const browser = await open('#scene=torus&goto=137.sphere.3');
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.call('Emulation.setEmulatedMedia', {features: [{name: 'prefers-reduced-motion', value: 'reduce'}]});
+    await browser.settled();
+    const before = await browser.value('frames.count');
+    await browser.key('ArrowRight');
+    await browser.until(`document.title.startsWith('137.sphere.4')`);
+    await browser.settled();
+    assert.ok(await browser.value('frames.count') - before < 12, 'frames of a step without motion');
   },
   async 'the phone, the laptop and the large screen'({open}) {
     for (const [width, height, ratio, mobile] of [[390, 844, 1, true], [1366, 768, 1], [1920, 1080, 1], [2560, 1440, 2]])
