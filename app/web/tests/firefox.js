@@ -59,7 +59,17 @@ class Firefox {
   key(value) {
     return this.call('WebDriver:PerformActions', {actions: [{type: 'key', id: 'keyboard', actions: [{type: 'keyDown', value}, {type: 'keyUp', value}]}]});
   }
-  async picture(file) { fs.writeFileSync(file, Buffer.from((await this.call('WebDriver:TakeScreenshot', {full: false})).value, 'base64')); }
+  /// A pointer along a path, pressed: [[x, y], ...]; type: mouse or touch.
+  async drag(pointerType, path) {
+    const moves = path.map(([x, y]) => ({type: 'pointerMove', x, y, duration: 60, origin: 'viewport'}));
+    const actions = [moves[0], {type: 'pointerDown', button: 0}, ...moves.slice(1), {type: 'pointerUp', button: 0}];
+    await this.call('WebDriver:PerformActions', {actions: [{type: 'pointer', id: pointerType, parameters: {pointerType}, actions}]});
+  }
+  wheel(x, y, deltaY) {
+    return this.call('WebDriver:PerformActions', {actions: [{type: 'wheel', id: 'wheel', actions: [{type: 'scroll', x, y, deltaX: 0, deltaY, origin: 'viewport'}]}]});
+  }
+  async screen() { return (await this.call('WebDriver:TakeScreenshot', {full: false})).value; }
+  async picture(file) { fs.writeFileSync(file, Buffer.from(await this.screen(), 'base64')); }
   async end() {
     this.process.kill();
     await new Promise(done => this.process.on('exit', done));
@@ -71,7 +81,13 @@ class Firefox {
   const [site, oneFile, pictures] = process.argv.slice(2, 5).map(each => path.resolve(each));
   fs.mkdirSync(pictures, {recursive: true});
   const server = await serve(site);
+  const lacking = await serve(site, {missing: ['viewer.wasm']});
   const version = fs.readdirSync(site).find(name => fs.statSync(path.join(site, name)).isDirectory());
+  const listens = `<title></title><script>addEventListener('message', e => { document.title = JSON.stringify(e.data); });</script>`;
+  const around = await serve(site, {pages: {
+    '/around': `${listens}<iframe src="/${version}/#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`,
+    '/sandbox': `${listens}<iframe sandbox="allow-scripts" src="/one#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`,
+    '/one': fs.readFileSync(oneFile, 'utf8')}});
   const browser = await Firefox.start(1280, 800);
   let code = 0;
   const test = async (name, run) => {
@@ -99,7 +115,58 @@ class Firefox {
     await open(`file://${oneFile}#scene=torus&goto=20.sort.1`);
     await browser.until(`document.title.startsWith('20.sort.1')`);
   });
+  const runs = `document.body.classList.contains('runs')`;
+  await test('the mouse turns, the wheel zooms, a finger turns', async () => {
+    await open(`${server.address}${version}/?hand#scene=torus&goto=137.sphere.3`);
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    const seen = new Set();
+    for (const act of [async () => {}, () => browser.drag('mouse', [[450, 400], [500, 380], [540, 360]]), () => browser.wheel(450, 400, -300),
+      () => browser.drag('touch', [[450, 400], [470, 430], [520, 470]])]) {
+      await act();
+      await sleep(1500);
+      seen.add(await browser.screen());
+    }
+    if (seen.size !== 4) throw new Error(`${seen.size} of 4 pictures differ`);
+  });
+  await test('a dropped file runs', async () => {
+    await open(`${server.address}${version}/?drop`);
+    await browser.until(runs);
+    const sheet = fs.readFileSync(path.resolve(__dirname, '../../../assets/points/sheet.ply')).toString('base64');
+    await browser.value(`(() => { const all = new DataTransfer(); all.items.add(new File([Uint8Array.from(atob('${sheet}'), c => c.charCodeAt(0))], 'sheet.ply'));
+      document.getElementById('canvas').dispatchEvent(new DragEvent('drop', {dataTransfer: all, bubbles: true, cancelable: true})); return 1; })()`);
+    await browser.until(`/sheet\\.ply/.test(document.title)`);
+  });
+  await test('a chosen theme stays for the next visit', async () => {
+    await open(`${server.address}${version}/?theme#scene=torus`);
+    await browser.until(runs);
+    await browser.key('t');
+    await browser.until(`Object.keys(localStorage).some(name => /"theme"/.test(localStorage[name]))`);
+  });
+  await test('a page around hears of steps and moves the frame', async () => {
+    await open(around.address + 'around');
+    await browser.until(`/"address":"137.sphere.3","sentence":"Point 242 lies/.test(document.title)`);
+    await browser.value(`(frames[0].postMessage({go: '20.sort.1'}, '*'), 1)`);
+    await browser.until(`/"address":"20.sort.1"/.test(document.title)`);
+  });
+  await test('a sandboxed frame runs the one file', async () => {
+    await open(around.address + 'sandbox');
+    await browser.until(`/"address":"137.sphere.3"/.test(document.title)`);
+  });
+  await test('a wrong name, and a file that is not there, are said', async () => {
+    await open(`${server.address}${version}/?wrong#scene=torus&gto=1`);
+    await browser.until(`/gto.*goto/s.test(document.getElementById('why').textContent)`);
+    await open(`${lacking.address}${version}/`);
+    await browser.until(`/viewer\\.wasm of the program is not there/.test(document.getElementById('why').textContent)`);
+  });
+  await test('it opens without a network after the first visit', async () => {
+    await open(`${server.address}${version}/#scene=torus`);
+    await browser.until(runs);
+    await browser.until(`(window.kept ??= 0, caches.keys().then(([name]) => caches.open(name)).then(cache => cache.keys()).then(all => { window.kept = all.length; }), window.kept >= 4)`);
+    await server.stop();
+    await open(`${server.address}${version}/?again#scene=torus&goto=20.sort.1`);
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+  });
   await browser.end();
-  await server.stop();
+  for (const each of [around, lacking]) await each.stop();
   process.exit(code);
 })();
