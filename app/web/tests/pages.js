@@ -153,6 +153,25 @@ const tests = {
     assert.match(link, /rules=robust.*goto=137\.sphere\.3.*camera=|goto=137\.sphere\.3.*camera=.*rules=robust/);
     assert.ok(link.length < 250, link);
   },
+  async 'a link to a failure holds its points, and opens on it'({open}) {
+    const browser = await open('#scene=noise');
+    await browser.settled();
+    await browser.value(`window.said = '', navigator.clipboard.writeText = async text => { window.said = text; }`);
+    await browser.key('F8');
+    await browser.until(`/fault|Place/.test(document.getElementById('sentence').textContent)`);
+    await browser.key('Ctrl+p');
+    await browser.settled();
+    await browser.type('link to this failure');
+    await browser.settled();
+    await browser.key('Enter');
+    await browser.until(`said.includes('pack=')`);
+    const link = await browser.value('said');
+    assert.ok(link.length < 8000, link);
+    await browser.open(link.replace('#', '?again#'));
+    await browser.until(`/\\.ply/.test(document.title)`);
+    await browser.settled();
+    await browser.picture(path.join(pictures, 'failure.png'));
+  },
   async 'a page around hears of steps and moves the frame'({browser, server}) {
     const {address} = await server({pages: {'/around': `<title></title><script>addEventListener('message', e => { document.title = JSON.stringify(e.data); });</script>
       <iframe src="/${version}/#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`}});
