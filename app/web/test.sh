@@ -9,8 +9,9 @@ cd "$root"
 app/web/build.sh "$@"
 .ci/packages.sh web-test
 if [ ! -f build/build.ninja ]; then cmake --preset release >/dev/null; fi
-cmake --build build --target spiraling-edge
+cmake --build build --target spiraling-edge spiraling-edge-viewer
 app/web/tests/hashes.sh build/bin/spiraling-edge build-web/build/bin/spiraling-edge.js
 app/web/tests/size.sh build-web/site
+xvfb-run -a node app/web/tests/warm.js build/bin/spiraling-edge-viewer build-web/site
 node app/web/tests/pages.js build-web/site build-web/spiraling-edge.html build-web/pictures
 xvfb-run -a node app/web/tests/firefox.js build-web/site build-web/spiraling-edge.html build-web/pictures

@@ -44,7 +44,8 @@ function placeInWords(hash) {
   return [input, link.get('goto') && `at ${link.get('goto')}`, link.get('step') && `step ${link.get('step')}`].filter(Boolean).join(', ');
 }
 
-/// Bytes of one file of the program: from this page if it holds them, else from beside it.
+/// One file of the program, from this page if it holds it, else from beside it: its bytes, or what they compile to.
+/// Browsers keep that for the next visit, if it is compiled while it arrives.
 async function load(name, progress) {
   const packed = document.getElementById('packed-' + name);
   if (packed) {
@@ -55,9 +56,11 @@ async function load(name, progress) {
   const answer = await fetch(name).catch(() => null);
   if (!answer) throw new Error(`The file ${name} of the program could not be fetched. Check the connection, and load the page again.`);
   if (!answer.ok) throw new Error(`The file ${name} of the program is not there (${answer.status}). Whoever set up this page has to add it.`);
+  const arriving = answer.clone();
+  const compiled = answer.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(answer) : null;
   const whole = new Uint8Array(kBytes[name]);
   let at = 0;
-  for (const reader = answer.body.getReader(); ;) {
+  for (const reader = arriving.body.getReader(); ;) {
     const {done, value} = await reader.read();
     if (done) break;
     if (at + value.length > whole.length) throw new Error(`The file ${name} is of another version. Load the page again, without its cache.`);
@@ -66,7 +69,7 @@ async function load(name, progress) {
     progress(value.length);
   }
   if (at !== whole.length) throw new Error(`The file ${name} is incomplete. Load the page again.`);
-  return whole.buffer;
+  return compiled ?? whole.buffer;
 }
 
 async function loadAll() {
@@ -196,7 +199,10 @@ async function begin() {
     script.textContent = new TextDecoder().decode(code);
     document.head.append(script);
     await spiralingEdge({
-      wasmBinary: wasm,
+      instantiateWasm(imports, done) {
+        WebAssembly.instantiate(wasm, imports).then(made => done(made.instance ?? made), stopped);
+        return {};
+      },
       getPreloadedPackage: () => data,
       preRun: [module => { program = module; openStore(module); }],
       failed: fail,
