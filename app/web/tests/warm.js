@@ -1,5 +1,5 @@
-// Time to the first picture of a scene: of the page on a second visit against the native program, in the
-// same run and on the same display. warm.js VIEWER SITE; fails above twice the native time.
+// Time to the first frame of the window with a scene: of the page on a later visit against the native
+// program, in the same run. Shaders may still be compiled then, in Chromium by another process. warm.js VIEWER SITE; fails above twice the native time.
 'use strict';
 const {execFileSync} = require('child_process');
 const fs = require('fs');
@@ -28,6 +28,7 @@ async function pageTimes(site) {
   for (let i = 0; i <= kTimes; ++i) {
     await browser.open(`${server.address}${version}/?${i}#scene=torus`);
     await browser.until('window.shown');
+    await browser.settled();
     if (i > 0) times.push(await browser.value('window.shown'));
     else await browser.until(`navigator.serviceWorker.ready.then(() => true)`);
   }
@@ -40,6 +41,6 @@ async function pageTimes(site) {
   const [viewer, site] = process.argv.slice(2, 4).map(each => path.resolve(each));
   const native = median(nativeTimes(viewer));
   const page = median(await pageTimes(site));
-  console.log(`first picture: native ${native.toFixed(0)} ms, page on a later visit ${page.toFixed(0)} ms, ratio ${(page / native).toFixed(2)}, at most 2`);
+  console.log(`first frame: native ${native.toFixed(0)} ms, page on a later visit ${page.toFixed(0)} ms, ratio ${(page / native).toFixed(2)}, at most 2`);
   process.exit(page <= 2 * native ? 0 : 1);
 })();
