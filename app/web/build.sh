@@ -18,6 +18,8 @@ app/web/parts.sh build-web/parts
 export NODE_PATH=/usr/share/nodejs  # where Debian's Emscripten finds its parser
 cmake --preset web >build-web/configure.log 2>&1 || { cat build-web/configure.log >&2; exit 1; }
 cmake --build --preset web --parallel "$jobs"
+if [ ! -f build/build.ninja ]; then cmake --preset release >/dev/null; fi
+cmake --build build --target spiraling-edge spiraling-edge-viewer --parallel "$jobs"  # draws the pages before the program
 version=$(sed -n 's/^project(spiraling_edge VERSION \([0-9]*\.[0-9]*\).*/\1/p' CMakeLists.txt)
-/usr/bin/python3 app/web/site.py build-web/build/bin build-web/site build-web/spiraling-edge.html "$version"
+/usr/bin/python3 app/web/site.py build-web/build/bin build-web/site build-web/spiraling-edge.html "$version" build/bin/spiraling-edge
 echo "build-web/site and build-web/spiraling-edge.html"

@@ -8,8 +8,6 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
 app/web/build.sh "$@"
 .ci/packages.sh web-test
-if [ ! -f build/build.ninja ]; then cmake --preset release >/dev/null; fi
-cmake --build build --target spiraling-edge spiraling-edge-viewer
 app/web/tests/hashes.sh build/bin/spiraling-edge build-web/build/bin/spiraling-edge.js
 app/web/tests/size.sh build-web/site
 xvfb-run -a node app/web/tests/warm.js build/bin/spiraling-edge-viewer build-web/site

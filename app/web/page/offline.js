@@ -2,7 +2,7 @@
 // before the old one goes. Other versions on this server keep theirs.
 const kOfVersion = 'spiraling-edge ' + registration.scope + ' ';
 const kCache = kOfVersion + '{{digest}}';
-const kFiles = ['./', 'viewer.js', 'viewer.wasm', 'viewer.data'];
+const kFiles = ['./', 'page.css', 'page.js', 'viewer.js', 'viewer.wasm', 'viewer.data'];
 addEventListener('install', event => {
   skipWaiting();
   const fresh = kFiles.map(name => new Request(name, {cache: 'reload'}));

@@ -3,6 +3,7 @@
 const canvas = document.getElementById('canvas');
 const framed = window.parent !== window;
 const onePage = document.getElementById('packed-viewer.wasm') !== null;  // this page holds all of the program
+const root = document.currentScript.src && new URL('.', document.currentScript.src).href;  // of the files, where they are not inside
 let program = null;  // Emscripten's module, once it runs
 let failedWith = null;
 
@@ -11,7 +12,7 @@ function fail(sentence) {
   if (failedWith) return console.error(sentence);
   failedWith = sentence;
   document.body.classList.remove('runs');
-  document.getElementById('share').hidden = true;
+  document.getElementById('share').hidden = document.getElementById('stay').hidden = true;
   const why = document.getElementById('why');
   why.textContent = sentence;
   why.hidden = false;
@@ -53,7 +54,7 @@ async function load(name, progress) {
     packed.remove();
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
   }
-  const answer = await fetch(name).catch(() => null);
+  const answer = await fetch(root + name).catch(() => null);
   if (!answer) throw new Error(`The file ${name} of the program could not be fetched. Check the connection, and load the page again.`);
   if (!answer.ok) throw new Error(`The file ${name} of the program is not there (${answer.status}). Whoever set up this page has to add it.`);
   const arriving = answer.clone();
@@ -188,9 +189,33 @@ light.addEventListener('change', () => send('webTheme', light.matches ? 'light' 
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 still.addEventListener('change', () => guarded(() => program._webMotion(still.matches ? 0 : 1)));
 
+const kPages = 'spiraling-edge pages';  // in the store: stay or start
+/// The reader stays with the pages before the program: chosen, or of a browser that is to save data.
+function stays() {
+  const saves = matchMedia('(prefers-reduced-data: reduce)').matches ? 'stay' : 'start';
+  return store !== null && (store.getItem(kPages) ?? saves) === 'stay';
+}
+/// Whether the program is to come. Its picture and sentence stand here where the link is that of a page.
+function comesAfterPage(link) {
+  if (location.hash.length > 1) document.querySelectorAll('.page').forEach(part => part.remove());
+  if (!document.querySelector('.page')) {
+    document.getElementById('place').textContent = placeInWords(link);
+    return true;
+  }
+  const stay = document.getElementById('stay');
+  stay.hidden = !store;
+  stay.textContent = stays() ? 'Start the program' : 'Stay with the page';
+  stay.addEventListener('click', () => {
+    store.setItem(kPages, stays() ? 'start' : 'stay');
+    location.reload();
+  });
+  document.getElementById('share').hidden = stays();
+  return !stays();
+}
+
 async function begin() {
   const link = linkOf();
-  document.getElementById('place').textContent = placeInWords(link);
+  if (!comesAfterPage(link)) return;
   const lacks = lacking();
   if (lacks) return fail(lacks);
   try {
@@ -214,7 +239,7 @@ async function begin() {
       onAbort: stopped,
     });
     await fetchFileOf(link);
-    if (send('webBegin', location.href.split('#')[0], link, light.matches ? 'light' : 'dark') !== 0) return;
+    if (send('webBegin', root || location.href.split('#')[0], link, light.matches ? 'light' : 'dark') !== 0) return;
     program._webMotion(still.matches ? 0 : 1);
     saveAsDownloads(program);
     if (!framed) canvas.focus();
@@ -228,7 +253,7 @@ async function begin() {
 /// Keeps the program for visits without a network, but for the page that holds all of itself.
 function keepOffline() {
   if (store && window.isSecureContext && navigator.serviceWorker && !onePage)
-    navigator.serviceWorker.register('offline.js').catch(() => {});
+    navigator.serviceWorker.register(root + 'offline.js').catch(() => {});
 }
 
 /// The page around may move the program, {go: "137.sphere.3"} or a link, and choose its theme, {theme: "dark"}.

@@ -54,6 +54,45 @@ const tests = {
     await browser.settled();
     await browser.picture(path.join(pictures, 'lesson.png'));
   },
+  async 'a page shows picture and sentence, and the program takes their place'({open}) {
+    const browser = await open('scene/torus/', {
+      script: `{ const come = new Promise(done => { window.release = done; }), get = fetch; window.fetch = async name => { await come; return get(name); }; }`});
+    assert.match(await browser.value('wait.innerText'), /Torus.*Point 916 is met again.*Back.*All pages.*Next.*Stay with the page/s);
+    assert.ok(await browser.value(`document.querySelector('#picture svg').clientWidth > 300`));
+    await browser.picture(path.join(pictures, 'page-loads.png'));
+    await browser.value('release()');
+    await browser.until(`document.title.startsWith('200.split.1')`);
+    await browser.settled();
+    assert.equal(await browser.value('location.pathname'), `/${version}/scene/torus/`);
+    assert.equal(await browser.value('getComputedStyle(wait).display'), 'none');
+    assert.match(await sentence(browser), /Point 916 is met again/);
+    await browser.picture(path.join(pictures, 'page-runs.png'));
+  },
+  async 'without WebGL the page stays, and leads through a lesson'({open}) {
+    for (const [width, height, mobile] of [[1280, 800], [390, 844, true]]) {
+      const browser = await open('lesson/removal/2/', {width, height, mobile, arguments: ['--disable-3d-apis']});
+      assert.match(await refused(browser), /no WebGL 2/);
+      await browser.picture(path.join(pictures, `page-stays-${width}.png`));
+      for (const [way, heading] of [['next', 'step 3: Inside is kept?'], ['prev', 'step 2: Which of them go?'], ['prev', 'step 1: Four candidates']]) {
+        await browser.value(`document.querySelector('[rel=${way}]').click()`);
+        await browser.until(`document.querySelector('h1').textContent.endsWith(${JSON.stringify(heading)}) && picture.querySelector('svg').clientWidth > 300`);
+      }
+      await browser.end();
+    }
+  },
+  async 'a reader stays with the pages, until the program is asked for'({open}) {
+    const browser = await open('figure/8/', {script: `addEventListener('DOMContentLoaded', () => { if (!localStorage['spiraling-edge pages']) setTimeout(() => stay.click()); });`});
+    await browser.until(`stay.textContent === 'Start the program'`);
+    assert.equal(await browser.value('share.hidden'), true);
+    await browser.picture(path.join(pictures, 'page-chosen.png'));
+    await browser.value('stay.click()');
+    await browser.until(`document.title.startsWith('9.sphere.2')`);
+  },
+  async 'a link in the address of a page comes before the page'({open}) {
+    const browser = await open('scene/torus/#scene=sphere&goto=20.sort.1');
+    assert.equal(await browser.value(`document.querySelector('.page')`), null);
+    await browser.until(`document.title.startsWith('20.sort.1')`);
+  },
   async 'keys step forward and back'({open}) {
     const browser = await open('#scene=torus&goto=137.sphere.3');
     await browser.until(`document.title.startsWith('137.sphere.3')`);
@@ -332,7 +371,7 @@ const tests = {
     await opened.open(address + version + '/#scene=torus&goto=137.sphere.3');
     await opened.until(`document.title.startsWith('137.sphere.3')`);
     await opened.until(`navigator.serviceWorker.ready.then(() => caches.keys()).then(names => names.length === 1)`);
-    await opened.until(`caches.keys().then(([name]) => caches.open(name)).then(cache => cache.keys()).then(all => all.length === 4)`);
+    await opened.until(`caches.keys().then(([name]) => caches.open(name)).then(cache => cache.keys()).then(all => all.length === 6)`);
     await stop();
     await opened.open(address + version + '/?again#scene=torus&goto=20.sort.1');
     await opened.until(`document.title.startsWith('20.sort.1')`);

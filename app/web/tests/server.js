@@ -4,7 +4,7 @@ const fs = require('fs');
 const http = require('http');
 const path = require('path');
 
-const kTypes = {'.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
+const kTypes = {'.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm'};
 
 /// Serves a folder at a free port; missing: names that it does not have; pages: their texts by path, with `headers`.
 function serve(folder, {missing = [], pages = {}, headers = {}} = {}) {
