@@ -74,6 +74,15 @@ async function openFiles(files) {
   send('webDropped', paths.join('\n'));
 }
 
+/// Puts the files that this page has inside where the program opens them.
+async function unpackFiles() {
+  for (const element of document.querySelectorAll('script[data-file]')) {
+    const path = kFiles + element.dataset.file;
+    program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+    program.FS.writeFile(path, new Uint8Array(await unpack(element)));
+  }
+}
+
 /// Fetches the file that a link names by its address on the web. Throws a sentence.
 async function fetchFileOf(link) {
   const address = link.includes('#') ? new URLSearchParams(link.slice(link.indexOf('#') + 1).replace(/\+/g, '%2B')).get('file') : null;

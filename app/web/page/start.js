@@ -45,15 +45,17 @@ function placeInWords(hash) {
   return [input, link.get('goto') && `at ${link.get('goto')}`, link.get('step') && `step ${link.get('step')}`].filter(Boolean).join(', ');
 }
 
+/// Bytes that an element of this page holds, which goes.
+async function unpack(element) {
+  const bytes = Uint8Array.from(atob(element.textContent), c => c.charCodeAt(0));
+  element.remove();
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
+}
 /// One file of the program, from this page if it holds it, else from beside it: its bytes, or what they compile to.
 /// Browsers keep that for the next visit, if it is compiled while it arrives.
 async function load(name, progress) {
   const packed = document.getElementById('packed-' + name);
-  if (packed) {
-    const bytes = Uint8Array.from(atob(packed.textContent), c => c.charCodeAt(0));
-    packed.remove();
-    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
-  }
+  if (packed) return unpack(packed);
   const answer = await fetch(root + name).catch(() => null);
   if (!answer) throw new Error(`The file ${name} of the program could not be fetched. Check the connection, and load the page again.`);
   if (!answer.ok) throw new Error(`The file ${name} of the program is not there (${answer.status}). Whoever set up this page has to add it.`);
@@ -238,6 +240,7 @@ async function begin() {
       printErr(text) { console.warn(text); },
       onAbort: stopped,
     });
+    await unpackFiles();
     await fetchFileOf(link);
     if (send('webBegin', root || location.href.split('#')[0], link, light.matches ? 'light' : 'dark') !== 0) return;
     program._webMotion(still.matches ? 0 : 1);

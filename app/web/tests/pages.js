@@ -6,6 +6,7 @@ const crypto = require('crypto');
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
+const zlib = require('zlib');
 const {Browser, sleep} = require('./chromium.js');
 const {serve} = require('./server.js');
 
@@ -349,6 +350,26 @@ const tests = {
     const opened = await browser();
     await opened.open(`file://${oneFile}#scene=torus&goto=137.sphere.3`);
     await opened.until(`document.title.startsWith('137.sphere.3')`);
+  },
+  async 'a page opens from a disk at the lesson inside it'({browser}) {
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'page-'));
+    const inside = (link, files = {}) => fs.readFileSync(oneFile, 'utf8').replace('<meta name="start" content="">', () =>
+      `<meta name="start" content="${link}">` + Object.entries(files).map(([name, bytes]) =>
+        `\n<script type="text/plain" data-file="${name}">${zlib.deflateRawSync(bytes).toString('base64')}</script>`).join(''));
+    const lesson = '# Mine\n```se lesson\nversion = 1\ninput = "data/sheet.ply"\n```\n## One\nText.\n```se step\nat = "5"\n```\n';
+    fs.writeFileSync(path.join(folder, 'removal.html'), inside('lesson=removal&amp;step=2'));
+    fs.writeFileSync(path.join(folder, 'mine.html'),
+      inside('file=mine.lesson.md', {'mine.lesson.md': lesson, 'data/sheet.ply': fs.readFileSync(path.join(assets, 'points/sheet.ply'))}));
+    const opened = await browser();
+    await opened.open(`file://${folder}/removal.html`);
+    await opened.until(`/scene:figure-8/.test(document.title)`);
+    await opened.settled();
+    await opened.picture(path.join(pictures, 'inside.png'));
+    await opened.open(`file://${folder}/mine.html`);
+    await opened.until(`/^5\..*sheet\.ply/.test(document.title)`);
+    await opened.open(`file://${folder}/removal.html#scene=torus&goto=137.sphere.3`);
+    await opened.until(`document.title.startsWith('137.sphere.3')`);
+    fs.rmSync(folder, {recursive: true});
   },
   async 'one file runs in a sandboxed frame'({browser, server}) {
     const {address} = await server({pages: {
