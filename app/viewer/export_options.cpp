@@ -3,6 +3,7 @@
 #include "export/formats.h"
 #include "lesson/lesson_frames.h"
 #include "options.h"
+#include "spiraling_edge/base/files.h"
 
 namespace se::view {
 
@@ -12,10 +13,18 @@ constexpr const char* kHidden = "";
 
 void requireExport(const CLI::App& app, const RawExport& raw) {
     for (const char* name : {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions",
-                             "--fps", "--dial"}) {
+                             "--fps", "--dial", "--viewer"}) {
         if (raw.path.empty() && app.count(name) > 0)
             throw CLI::ValidationError(name, "is for spiraling-edge export");
     }
+}
+
+/// Throws unless links of the page can lead there.
+void requireViewer(const CLI::App& app, const RawExport& raw) {
+    if (app.count("--viewer") > 0 && lowerExtension(raw.path) != ".html")
+        throw CLI::ValidationError("--viewer", "is for pages; name a file that ends in .html");
+    if (const Status good = checkViewerAddress(raw.viewer); !good)
+        throw CLI::ValidationError("--viewer", good.error().message);
 }
 
 FrameRange rangeOf(const RawExport& raw) {
@@ -41,6 +50,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     add("--captions", raw.captions)->check(CLI::IsMember({"on", "off"}));
     add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));
     add("--fps", raw.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
+    add("--viewer", raw.viewer);
 }
 
 void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
@@ -49,8 +59,10 @@ void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
     const bool ranged = !raw.from.empty() || !raw.around.empty() || !raw.steps.empty();
     if (ranged && app.count("--goto") > 0)
         throw CLI::ValidationError("--goto", "is one frame; --from, --around and --steps are more");
+    requireViewer(app, raw);
     ExportOrder order;
     order.path = raw.path;
+    order.viewer = raw.viewer;
     if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);
     order.perSecond = raw.perSecond;
     order.dial = raw.dial == "on";

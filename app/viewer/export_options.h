@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "document/link.h"
 #include "document/start_options.h"
 
 namespace se::view {
@@ -19,6 +20,7 @@ struct RawExport {
     std::string captions;
     std::string dial;
     double perSecond = 2.0;
+    std::string viewer{webAddress()};
 };
 
 /// Options without a line in the help: `spiraling-edge export --help` has them.

@@ -11,6 +11,8 @@
 
 #include "compare/compared_titles.h"
 #include "document/camera_actions.h"
+#include "document/link.h"
+#include "document/link_actions.h"
 #include "lesson/lesson_frames.h"
 #include "picture_frames.h"
 #include "render/context.h"
@@ -21,6 +23,8 @@
 namespace se::view {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Frames in which the layout comes to rest.
 constexpr int kFirstFrames = 4;
@@ -241,6 +245,7 @@ Status ExportRun::addFrame(const FrameStep* step, bool answer) {
     frame.address = session().event() != nullptr ? toString(session().address()) : "";
     frame.caption = caption();
     if (step != nullptr) frame.title = step->lesson.steps[step->step].title;
+    frame.link = linkToProgram();
     // Below two views stands the sentence of each.
     const bool two = application_->otherSession() != nullptr;
     ui().picture.captionText = two ? "" : frame.title;
@@ -248,6 +253,27 @@ Status ExportRun::addFrame(const FrameStep* step, bool answer) {
     draw(1);
     frame.pixels = std::move(pixels_);
     return writer_->add(frame);
+}
+
+/// Links to the program at addresses of the open run; null if there are none.
+std::function<std::string(const std::string&)> ExportRun::linkToProgram() {
+    if (order_.viewer.empty() || format_->content != FrameContent::BothThemes) return {};
+    Options there;
+    there.input = session().input().spec();
+    const LinkedSource linked = linkedSource(there.input.source);
+    const bool whole = linked.notice.empty() && there.input.start.empty();
+    if (!whole) {
+        notice_ = "addresses of " + fs::path(there.input.source).filename().string() +
+                  " are no links: " +
+                  (there.input.start.empty() ? "its points are too many for a link, or not a file"
+                                             : "a link has no --start");
+        return {};
+    }
+    there.input.source = linked.source;
+    return [there, viewer = order_.viewer](const std::string& address) mutable {
+        there.goTo = address;
+        return viewer + "#" + linkText(there);
+    };
 }
 
 /// Shapes of a frame; for both themes it is made in the other one first.

@@ -1,6 +1,7 @@
 /// An export: a program of its own, without a window, goes to each frame, and a writer takes it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ class ExportRun {
     /// Frames made so far, and of all; 0 until that is known.
     std::size_t made() const { return made_; }
     std::size_t total() const { return plan_.places.size(); }
+    /// What the file lacks, in a sentence; empty: nothing.
+    const std::string& notice() const { return notice_; }
     /// The sentence at the end: "Saved 29 frames as out.gif.".
     std::string doneText() const;
 
@@ -65,6 +68,7 @@ class ExportRun {
     FrameShapes shapesOf(const Session& run, const DrawList& list, const Rect& view,
                          const std::optional<DrawList>& other);
     std::string caption();
+    std::function<std::string(const std::string&)> linkToProgram();
     void draw(int frames);
     void fail(int code, std::string message);
     Session& session() { return application_->session(); }
@@ -90,6 +94,7 @@ class ExportRun {
     Picture pixels_;
     Phase phase_ = Phase::Starting;
     std::size_t made_ = 0;
+    std::string notice_;
     std::optional<ExportFailure> failure_;
 };
 

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "application.h"
@@ -86,7 +88,8 @@ int runExport(const Options& options) {
         run.advance(true);
         showProgress(run);
     }
-    return run.failure() ? fail(run.failure()->code, run.failure()->message) : kExitGood;
+    if (run.failure()) return fail(run.failure()->code, run.failure()->message);
+    return run.notice().empty() ? kExitGood : fail(kExitGood, run.notice());
 }
 
 void printTimes(const char* what, std::vector<double> seconds) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "document/document.h"
+#include "document/link.h"
 #include "document/ui_state.h"
 #include "export_run.h"
 #include "lesson/lesson_frames.h"
@@ -70,6 +71,7 @@ void WindowExport::begin() {
         options.input = options.session->input;
     }
     options.exported = std::move(order.value());
+    options.exported->viewer = webAddress();
     settings.width = pictureSize(form.size)->x;
     settings.height = pictureSize(form.size)->y;
     settings.uiScale = 0.0;

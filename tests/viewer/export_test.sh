@@ -321,6 +321,28 @@ the_old_file_stays_if_the_new_one_fails() {
     is "$(cat a.png)" old "the old file"
 }
 
+addresses_of_a_page_lead_to_the_program() {
+    expect 0 scene:figure-8 --rules robust --goto 9.sphere.2 -o a.html --viewer https://example.org/se/
+    says a.html '<a href="https://example.org/se/#scene=figure-8&amp;rules=robust&amp;goto=9.sphere.2"'
+    expect 0 scene:figure-8 --goto 9.sphere.2 -o a.html
+    ! grep -q 'href="[^#]' a.html || fail "links, unasked"
+    printf '# A\n```se lesson\nversion = 1\ninput = "scene:figure-8"\n```\n## B\nText, [so](se:9.sphere.3).\n```se step\nat = "9.sphere.2"\n```\n' >a.lesson.md
+    expect 0 a.lesson.md -o b.html --viewer ../viewer.html
+    says b.html 'href="../viewer.html#scene=figure-8&amp;goto=9.sphere.2"'
+    says b.html 'href="../viewer.html#scene=figure-8&amp;goto=9.sphere.3"'
+    "$program" sample sphere -n 2000 -q -o many.ply
+    expect 0 many.ply --goto 9 -o c.html --viewer https://example.org/se/
+    says err "addresses of many.ply are no links: its points are too many for a link"
+    ! grep -q 'example.org' c.html || fail "a link to a file that is not there"
+    local wrong
+    for wrong in 'javascript:alert(1)' 'https://a b/' 'a"b' 'ftp://example.org/' 'a.html#x'; do
+        expect 2 scene:figure-8 --goto 9 -o a.html --viewer "$wrong"
+        says err "expected the address of a page"
+    done
+    expect 2 scene:figure-8 --goto 9 -o a.png --viewer https://example.org/
+    says err "--viewer: is for pages"
+}
+
 grep -qx "$2() {" "$here/export_test.sh" || fail "there is no case $2"
 [ "$failed" = 1 ] || "$2"
 [ "$failed" = 0 ] && echo "ok: $2"

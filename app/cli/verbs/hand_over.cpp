@@ -71,6 +71,8 @@ constexpr std::array kExportOptions{
     PassedOption{"--captions", "on|off",
                  "Sentences: in captions.txt, below an animation, on a page (default on)"},
     PassedOption{"--fps", "N", "Frames a second of an animation (default 2)"},
+    PassedOption{"--viewer", "URL",
+                 "On a page, addresses of decisions are links to the program at this address"},
 };
 
 /// Adds the options that were given, and those that this program does not know.

@@ -549,9 +549,8 @@ std::string linkText(const Options& options) {
     return link;
 }
 
-std::string_view linkBase() {
-    constexpr std::string_view kAddress = SE_WEB_ADDRESS;
-    return kAddress.empty() ? "spiraling-edge.html" : kAddress;
-}
+std::string_view webAddress() { return SE_WEB_ADDRESS; }
+
+std::string_view linkBase() { return webAddress().empty() ? kPageName : webAddress(); }
 
 }  // namespace se::view

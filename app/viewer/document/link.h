@@ -43,7 +43,12 @@ Result<Options> optionsFromLink(std::string_view text);
 /// has four digits. Options that no link has are left out.
 std::string linkText(const Options& options);
 
-/// Where links begin: the address of the page, or the file of the page beside the reader.
+/// File of the program as one page.
+inline constexpr std::string_view kPageName = "spiraling-edge.html";
+
+/// The address of the page that the build names; empty: none.
+std::string_view webAddress();
+/// Where links begin: webAddress(), or the file of the page beside the reader.
 std::string_view linkBase();
 
 }  // namespace se::view

@@ -29,12 +29,6 @@ namespace {
 /// Larger files are not tried.
 constexpr std::uintmax_t kMostTried = std::uintmax_t{256} << 10U;
 
-/// A source as it stands in a link.
-struct LinkedSource {
-    std::string source;
-    std::string notice;  ///< What is missing; empty: nothing.
-};
-
 /// A file by its name alone.
 LinkedSource named(const std::string& path) {
     const std::string name = std::filesystem::path(path).filename().string();
@@ -52,16 +46,6 @@ std::string packedIfShort(const std::string& path) {
     const bool alone =
         !isLessonFile(path) || fileOfLesson(teach::readLesson(bytes.value(), path).lesson).empty();
     return alone ? source : std::string{};
-}
-
-LinkedSource linkedSource(const std::string& source) {
-    if (isStandardInput(source))
-        return {{}, "The points came from standard input: the link has no input."};
-    const bool elsewhere = source.starts_with("https:") || source.starts_with("http:");
-    const bool lesson = isLesson(source) && !isLessonFile(source);
-    if (elsewhere || lesson || !isFilePath(source)) return {source, {}};
-    std::string packed = packedIfShort(source);
-    return packed.empty() ? named(source) : LinkedSource{std::move(packed), {}};
 }
 
 /// The text of --with for the run beside the open one; empty if no text stands for it.
@@ -137,6 +121,16 @@ PresentLink presentLink(const CommandContext& c) { return linkTo(c, linkBase(c))
 std::string_view linkBase(const CommandContext& context) {
     const std::string& page = context.ui.pageAddress;
     return page.empty() ? linkBase() : std::string_view(page);
+}
+
+LinkedSource linkedSource(const std::string& source) {
+    if (isStandardInput(source))
+        return {{}, "The points came from standard input: the link has no input."};
+    const bool elsewhere = source.starts_with("https:") || source.starts_with("http:");
+    const bool lesson = isLesson(source) && !isLessonFile(source);
+    if (elsewhere || lesson || !isFilePath(source)) return {source, {}};
+    std::string packed = packedIfShort(source);
+    return packed.empty() ? named(source) : LinkedSource{std::move(packed), {}};
 }
 
 PresentLink linkTo(const CommandContext& context, std::string_view base) {

@@ -17,6 +17,13 @@ inline constexpr std::size_t kMostLetters = 7500;
 /// Where copied links begin: at the page that is the program, else as linkBase() says.
 std::string_view linkBase(const CommandContext& context);
 
+/// A source as it stands in a link: a file is inside where that stays short.
+struct LinkedSource {
+    std::string source;
+    std::string notice;  ///< What is missing, in a sentence; empty: nothing.
+};
+LinkedSource linkedSource(const std::string& source);
+
 /// A link to what is shown.
 struct PresentLink {
     std::string text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <span>
@@ -63,6 +64,8 @@ struct ExportFrame {
     glm::vec2 size{1.0F};             ///< Pixels, for formats of shapes.
     bool answer = false;              ///< The answer to the question of the frame before.
     const FrameStep* step = nullptr;  ///< Null: of a run.
+    /// The link to the program at an address of the run; null: there are no links.
+    std::function<std::string(const std::string& address)> link;
 };
 
 }  // namespace se::view

@@ -35,6 +35,20 @@ std::optional<FrameUnit> frameUnitFromName(std::string_view name) {
     return static_cast<FrameUnit>(found - kUnits.begin());
 }
 
+Status checkViewerAddress(const std::string& address) {
+    const std::string scheme = address.substr(0, address.find_first_of(":/"));
+    const bool known = scheme == "http" || scheme == "https" || scheme == "file";
+    const bool relative = scheme.size() == address.size() || address[scheme.size()] == '/';
+    const bool plain = std::all_of(address.begin(), address.end(), [](char sign) {
+        return sign > ' ' && sign != '\x7f' &&
+               std::string_view("\"'<>#").find(sign) == std::string_view::npos;
+    });
+    if (plain && (known || relative)) return success();
+    return Error{address +
+                 ": expected the address of a page by http, https or file, or a path relative to "
+                 "the new page, without spaces, quotes, < > and #"};
+}
+
 std::optional<glm::ivec2> pictureSize(const std::string& text) {
     glm::ivec2 size(0);
     char rest = 0;

@@ -58,11 +58,15 @@ struct ExportOrder {
     std::string stepsText;                     ///< As typed, before the lesson is read.
     double perSecond = 2.0;                    ///< Frames of an animation.
     bool captions = true;
-    bool dial = false;  ///< The dial of the pivot, beside the view.
+    bool dial = false;     ///< The dial of the pivot, beside the view.
+    std::string viewer;    ///< Address of the program, for links of a page; empty: no links.
 
     /// More than one frame is possible.
     bool several() const { return range.has_value() || lesson != nullptr; }
 };
+
+/// Fails with a sentence unless pages can link to a program at that address.
+Status checkViewerAddress(const std::string& address);
 
 /// Reads "1280x800"; empty unless both sides are within the limits of a picture.
 std::optional<glm::ivec2> pictureSize(const std::string& text);

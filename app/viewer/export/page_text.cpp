@@ -35,11 +35,11 @@ std::string linked(const TextSpan& span, const std::string& text, const PageLink
         const auto step = links.steps.find(address);
         if (step != links.steps.end())
             return fmt::format("<a href=\"#{}\">{}</a>", step->second, text);
+        if (links.toProgram) return linkToOutside(links.toProgram(address), text);
         return fmt::format("<span title=\"{}\">{}</span>", escapedXml(address), text);
     }
     if (!span.link.starts_with("https://") && !span.link.starts_with("http://")) return text;
-    return fmt::format("<a href=\"{}\" rel=\"noopener noreferrer\" target=\"_blank\">{}</a>",
-                       escapedXml(span.link), text);
+    return linkToOutside(span.link, text);
 }
 
 std::string spansText(const TextBlock& block, const PageLinks& links) {
@@ -93,6 +93,11 @@ std::string_view tagOf(TextBlockKind kind) {
 }
 
 }  // namespace
+
+std::string linkToOutside(const std::string& address, const std::string& text) {
+    return fmt::format("<a href=\"{}\" rel=\"noopener noreferrer\" target=\"_blank\">{}</a>",
+                       escapedXml(address), text);
+}
 
 std::string pageText(const std::vector<TextBlock>& blocks, const PageLinks& links) {
     std::string text;

@@ -41,7 +41,15 @@ struct PageStep {
     std::string after;  ///< Drawing of the answer; empty: none.
     std::string afterCaption;
     std::vector<teach::TextBlock> text;
-    std::string question;  ///< Form; empty: none.
+    std::string question;                                 ///< Form; empty: none.
+    std::function<std::string(const std::string&)> link;  ///< As ExportFrame::link.
+
+    /// The address as HTML, a link if there is one.
+    std::string addressText() const {
+        return link && !address.empty() ? linkToOutside(link(address), escapedXml(address))
+                                        : escapedXml(address);
+    }
+    std::string titleText() const { return title == address ? addressText() : escapedXml(title); }
 };
 
 /// The question of a step, for page.js.
@@ -116,6 +124,7 @@ class PageWriter : public FrameWriter {
         step.caption = frame.caption;
         step.address = frame.address;
         step.drawing = svg;
+        step.link = frame.link;
         if (frame.step != nullptr) addLesson(*frame.step, step);
         if (!step.address.empty()) links_.steps.emplace(step.address, steps_.size() + 1);
         steps_.push_back(std::move(step));
@@ -146,27 +155,29 @@ class PageWriter : public FrameWriter {
             svgBackground(frame, classes_), elements);
     }
 
+    /// `address`: HTML.
     std::string captionOf(const std::string& address, const std::string& caption) const {
         if (!target_.captions) return {};
-        return fmt::format("<figcaption>{}{}{}</figcaption>\n", escapedXml(address),
+        return fmt::format("<figcaption>{}{}{}</figcaption>\n", address,
                            address.empty() ? "" : ": ", escapedXml(caption));
     }
 
-    std::string sectionOf(const PageStep& step, std::size_t number) const {
+    std::string sectionOf(const PageStep& step, std::size_t number) {
+        links_.toProgram = step.link;
         std::string figures = "<div class=\"before\">" + step.drawing +
-                              captionOf(step.address, step.caption) + "</div>\n";
+                              captionOf(step.addressText(), step.caption) + "</div>\n";
         if (!step.after.empty())
             figures += "<div class=\"after\" hidden>" + step.after +
                        captionOf("", step.afterCaption) + "</div>\n";
         return fmt::format(
             "<section class=\"step\" data-step=\"{0}\" data-title=\"{1}\" aria-label=\"{1}\">\n"
-            "<h2>{2}. {1}</h2>\n<figure>{3}</figure>\n<div class=\"text\">{4}{5}</div>\n"
+            "<h2>{2}. {3}</h2>\n<figure>{4}</figure>\n<div class=\"text\">{5}{6}</div>\n"
             "</section>\n",
-            step.number, escapedXml(step.title), number, figures, pageText(step.text, links_),
-            step.question);
+            step.number, escapedXml(step.title), number, step.titleText(), figures,
+            pageText(step.text, links_), step.question);
     }
 
-    std::string page() const {
+    std::string page() {
         std::string sections;
         for (std::size_t i = 0; i < steps_.size(); ++i) sections += sectionOf(steps_[i], i + 1);
         const Json lesson{{"title", target_.name},

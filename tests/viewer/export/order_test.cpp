@@ -20,6 +20,15 @@ TEST_CASE("The range around a decision is its whole pivot") {
     CHECK_FALSE(rangeAround("50%"));
 }
 
+TEST_CASE("The program is linked to by an address of the web, of a file, or beside the page") {
+    for (const char* good : {"", "https://a.org/se/", "http://localhost:8000/0.2/?x=1",
+                             "file:///srv/se.html", "../se.html", "se.html", "/se/"})
+        CHECK(checkViewerAddress(good).ok());
+    for (const char* wrong : {"javascript:alert(1)", "data:text/html,x", "ftp://a.org/", "a b",
+                              "a\"b", "a'b", "<a>", "a.html#x", "a\nb"})
+        CHECK_FALSE(checkViewerAddress(wrong).ok());
+}
+
 TEST_CASE("Units of frames are found by their names alone") {
     CHECK(frameUnitFromName("sub-step") == FrameUnit::SubStep);
     CHECK(frameUnitFromName("pivot") == FrameUnit::Pivot);

@@ -17,12 +17,17 @@ TEST_CASE("Text of a lesson is paragraphs and lists, with HTML shown as text") {
           "<p>&lt;b&gt;x&lt;/b&gt;</p>\n");
 }
 
-TEST_CASE("Links lead to steps of the page and to the web alone") {
+TEST_CASE("Links lead to steps of the page, to the web, and to the program if it has an address") {
     PageLinks links;
     links.steps.emplace("9.sphere.2", 3);
     CHECK(pageText(textBlocks("[a](se:9.sphere.2)"), links) == "<p><a href=\"#3\">a</a></p>\n");
     CHECK(pageText(textBlocks("[a](se:9.sphere.3)"), links) ==
           "<p><span title=\"9.sphere.3\">a</span></p>\n");
+    links.toProgram = [](const std::string& address) { return "v.html#a=b&goto=" + address; };
+    CHECK(pageText(textBlocks("[a](se:9.sphere.2)"), links) == "<p><a href=\"#3\">a</a></p>\n");
+    CHECK(pageText(textBlocks("[a](se:9.sphere.3)"), links) ==
+          "<p><a href=\"v.html#a=b&amp;goto=9.sphere.3\" rel=\"noopener noreferrer\" "
+          "target=\"_blank\">a</a></p>\n");
     CHECK(pageText(textBlocks("[a](javascript:x)"), links) == "<p>a</p>\n");
     CHECK(pageText(textBlocks("[a](https://b.org)"), links) ==
           "<p><a href=\"https://b.org\" rel=\"noopener noreferrer\" target=\"_blank\">a</a></p>\n");
