@@ -106,6 +106,16 @@ docs_command_line_is_current() {
     "$here/../../docs/make-lists.py" --check "$program" || fail "see above"
 }
 
+docs_link_to_the_program_if_it_has_an_address() {
+    command -v python3 >/dev/null || return 0
+    "$here/../../docs/link-pages.py" '' plain "$program" || fail "no copies"
+    diff -r "$here/../../docs" plain || fail "links without an address"
+    "$here/../../docs/link-pages.py" https://example.org/ linked "$program" || fail "no copies with links"
+    says linked/paper-map.md '[Figure 8](https://example.org/#scene=figure-8&goto=9.sphere.2)'
+    says linked/paper-map.md '| 12 | [74.join.1](https://example.org/#scene=figure-12&goto=74.join.1) |'
+    ! grep -n 'example.org/#[^)]*\[' linked/*.md || fail "a link in a link"
+}
+
 unknown_verb_is_wrong_usage() {
     expect 2 triangulate
     says err "triangulate: neither a verb nor a file"
