@@ -13,10 +13,24 @@ constexpr const char* kHidden = "";
 
 void requireExport(const CLI::App& app, const RawExport& raw) {
     for (const char* name : {"--from", "--to", "--around", "--unit", "--lesson-steps", "--captions",
-                             "--fps", "--dial", "--viewer"}) {
+                             "--fps", "--dial", "--app", "--viewer"}) {
         if (raw.path.empty() && app.count(name) > 0)
             throw CLI::ValidationError(name, "is for spiraling-edge export");
     }
+}
+
+/// The program has neither frames nor links to a program elsewhere.
+void requireNoFrames(const CLI::App& app) {
+    for (const char* name :
+         {"--from", "--around", "--lesson-steps", "--captions", "--fps", "--dial", "--size",
+          "--scale", "--supersample", "--background", "--labels"}) {
+        if (app.count(name) > 0)
+            throw CLI::ValidationError(
+                name == std::string_view("--lesson-steps") ? "--steps" : name,
+                "is for frames; --app writes the program, which draws them");
+    }
+    if (app.count("--viewer") > 0)
+        throw CLI::ValidationError("--viewer", "is for pages of frames; --app writes the program");
 }
 
 /// Throws unless links of the page can lead there.
@@ -51,6 +65,7 @@ void addExportOptions(CLI::App& app, RawExport& raw) {
     add("--dial", raw.dial)->check(CLI::IsMember({"on", "off"}));
     add("--fps", raw.perSecond)->check(CLI::Range(kLeastPerSecond, kMostPerSecond));
     add("--viewer", raw.viewer);
+    app.add_flag("--app", raw.program)->group(kHidden);
 }
 
 void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
@@ -59,9 +74,11 @@ void takeOverExport(const CLI::App& app, const RawExport& raw, Options& o) {
     const bool ranged = !raw.from.empty() || !raw.around.empty() || !raw.steps.empty();
     if (ranged && app.count("--goto") > 0)
         throw CLI::ValidationError("--goto", "is one frame; --from, --around and --steps are more");
+    if (raw.program) requireNoFrames(app);
     requireViewer(app, raw);
     ExportOrder order;
     order.path = raw.path;
+    order.program = raw.program;
     order.viewer = raw.viewer;
     if (!raw.from.empty() || !raw.around.empty()) order.range = rangeOf(raw);
     order.perSecond = raw.perSecond;
@@ -82,7 +99,8 @@ Status adoptLesson(Options& o, int& code) {
     order.lesson = lesson.value();
     code = kExitUsage;
     if (order.lesson && (order.range || !o.goTo.empty()))
-        return Error{"--goto, --from and --around are for a run; a lesson has --steps"};
+        return Error{std::string("--goto, --from and --around are for a run; a lesson has ") +
+                     (order.program ? "--step" : "--steps")};
     if (!order.lesson && !order.stepsText.empty())
         return Error{"--steps is for lessons; a run has --from and --to"};
     if (!order.stepsText.empty()) {
@@ -91,7 +109,8 @@ Status adoptLesson(Options& o, int& code) {
         if (!steps) return Error{"--steps " + steps.error().message};
         order.steps = std::move(steps.value());
     }
-    const bool placed = order.lesson || order.range || o.session || o.camera || !o.alert.empty();
+    const bool placed =
+        order.lesson || order.range || order.program || o.session || o.camera || !o.alert.empty();
     if (!placed && o.goTo.empty()) o.goTo = "100%";
     if (order.range) o.goTo = "0";
     return checkExport(order, o.picture.cutOut);

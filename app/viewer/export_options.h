@@ -20,6 +20,7 @@ struct RawExport {
     std::string captions;
     std::string dial;
     double perSecond = 2.0;
+    bool program = false;
     std::string viewer{webAddress()};
 };
 

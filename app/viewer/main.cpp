@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "application.h"
+#include "document/app_page.h"
 #include "export_options.h"
 #include "export_run.h"
 #include "offscreen.h"
@@ -23,6 +25,7 @@
 #include "scene/picking.h"
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/freed_memory.h"
 #include "start_settings.h"
 #include "window.h"
@@ -90,6 +93,26 @@ int runExport(const Options& options) {
     }
     if (run.failure()) return fail(run.failure()->code, run.failure()->message);
     return run.notice().empty() ? kExitGood : fail(kExitGood, run.notice());
+}
+
+/// Writes the program as a page with the order's content inside.
+int writeProgram(const Options& options) {
+    const auto content = contentOf(options);
+    if (!content) return fail(kExitInput, content.error().message);
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto path = findPage(self.parent_path());
+    if (!path) return fail(kExitNoDisplay, path.error().message);
+    const std::array inputs{se::NamedFile{"the program", path.value()}};
+    const std::array outputs{se::NamedFile{"-o", options.exported->path}};
+    if (const auto kept = se::requireKept(inputs, outputs); !kept && !options.force)
+        return fail(kExitUsage, kept.error().message);
+    auto empty = se::readBytes(path.value());
+    if (!empty) return fail(kExitNoDisplay, empty.error().message);
+    const auto page = pageWith(content.value(), std::move(empty.value()));
+    if (!page) return fail(kExitNoDisplay, path.value().string() + ": " + page.error().message);
+    const auto written = se::writeFileAtomically(options.exported->path, page.value());
+    return written ? kExitGood : fail(kExitInternal, written.error().message);
 }
 
 void printTimes(const char* what, std::vector<double> seconds) {
@@ -274,6 +297,7 @@ int main(int argc, char** argv) {
         if (const auto status = requireInputsKept(options); !status)
             return fail(kExitUsage, status.error().message);
         if (options.benchFrames > 0) return runBench(options);
+        if (options.exported && options.exported->program) return writeProgram(options);
         if (options.exported) return runExport(options);
         return options.screenshot.empty() ? runWindow(options) : runPicture(options);
     } catch (const std::exception& e) {

@@ -22,4 +22,5 @@ if [ ! -f build/build.ninja ]; then cmake --preset release >/dev/null; fi
 cmake --build build --target spiraling-edge spiraling-edge-viewer --parallel "$jobs"  # draws the pages before the program
 version=$(sed -n 's/^project(spiraling_edge VERSION \([0-9]*\.[0-9]*\).*/\1/p' CMakeLists.txt)
 /usr/bin/python3 app/web/site.py build-web/build/bin build-web/site build-web/spiraling-edge.html "$version" build/bin/spiraling-edge
+cp build-web/spiraling-edge.html build/bin/  # for `export --app`
 echo "build-web/site and build-web/spiraling-edge.html"

@@ -343,6 +343,39 @@ addresses_of_a_page_lead_to_the_program() {
     says err "--viewer: is for pages"
 }
 
+the_program_is_a_page_with_content() {
+    expect 2 scene:torus --app -o a.png
+    says err "expected a name that ends in .html"
+    expect 2 removal --app -o a.html --steps 2
+    says err "--steps: is for frames"
+    expect 2 scene:torus --app -o a.html --viewer https://example.org/
+    says err "--viewer: is for pages of frames"
+    expect 2 removal --app -o a.html --goto 5
+    says err "a lesson has --step"
+    # Programs of a folder of their own: without the page, and with it.
+    mkdir bin
+    cp "$program" "$(dirname "$program")/spiraling-edge-viewer" bin/
+    program=$PWD/bin/spiraling-edge
+    expect 4 removal --app -o a.html
+    says err "app/web/build.sh makes it"
+    printf '<meta name="start" content="">\n<title>Spiraling Edge</title>\n' >bin/spiraling-edge.html
+    expect 0 removal --app -o a.html
+    says a.html '<meta name="start" content="lesson=removal">'
+    expect 0 scene:torus --rules robust --goto 137.sphere.3 --app -o a.html
+    says a.html 'content="scene=torus&amp;rules=robust&amp;goto=137.sphere.3"'
+    "$program" sample sphere -n 200 -q -o points.ply
+    expect 0 points.ply --app -o a.html --alert first
+    says a.html 'content="file=points.ply&amp;alert=first"'
+    says a.html '<script type="text/plain" data-file="points.ply">'
+    expect 3 missing.ply --app -o b.html
+    expect 2 removal --app -o bin/spiraling-edge.html
+    says err "--force"
+    echo old >bin/spiraling-edge.html
+    expect 4 removal --app -o b.html
+    says err "it is no page of this version"
+    [ ! -e b.html ] || fail "a page in spite of the error"
+}
+
 grep -qx "$2() {" "$here/export_test.sh" || fail "there is no case $2"
 [ "$failed" = 1 ] || "$2"
 [ "$failed" = 0 ] && echo "ok: $2"

@@ -47,7 +47,7 @@ bool isSession(const std::string& input) {
 /// An option that is passed on as it stands; the viewer checks its value.
 struct PassedOption {
     const char* name;
-    const char* type;
+    const char* type;  ///< Empty: it has no value.
     const char* help;
 };
 constexpr std::array kExportOptions{
@@ -73,6 +73,9 @@ constexpr std::array kExportOptions{
     PassedOption{"--fps", "N", "Frames a second of an animation (default 2)"},
     PassedOption{"--viewer", "URL",
                  "On a page, addresses of decisions are links to the program at this address"},
+    PassedOption{"--app", "",
+                 "Write the program itself as one page (.html) that begins with IN; it needs no "
+                 "network"},
 };
 
 /// Adds the options that were given, and those that this program does not know.
@@ -82,7 +85,7 @@ void forward(const CLI::App& app, Arguments& arguments) {
         // The viewer has the steps of the sampler as well.
         const bool steps = each.name == std::string_view("--steps");
         arguments.emplace_back(steps ? "--lesson-steps" : each.name);
-        arguments.push_back(app[each.name]->as<std::string>());
+        if (*each.type != '\0') arguments.push_back(app[each.name]->as<std::string>());
     }
     for (const std::string& word : app.remaining()) arguments.push_back(word);
 }
@@ -138,7 +141,11 @@ ExitCode exportVerb(const Arguments& words) {
         ->required();
     for (std::size_t i = 0; i < kExportOptions.size(); ++i) {
         const PassedOption& each = kExportOptions[i];
-        app.add_option(each.name, values[i], each.help)->type_name(each.type);
+        if (*each.type == '\0') {
+            app.add_flag(each.name, each.help);
+        } else {
+            app.add_option(each.name, values[i], each.help)->type_name(each.type);
+        }
     }
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;

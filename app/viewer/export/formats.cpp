@@ -58,6 +58,10 @@ Status checkExport(const ExportOrder& order, bool cutOut) {
         return Error{order.path.string() + ": expected a name that ends in " + exportExtensions()};
     if (namesFolder(order.path) && !order.several())
         return Error{order.path.string() + ": a folder is for several frames; name a file"};
+    const bool page = format->content == FrameContent::BothThemes;
+    if (order.program && !page)
+        return Error{order.path.string() +
+                     ": the program is a page; expected a name that ends in .html"};
     if (cutOut && !format->transparent)
         return Error{order.path.string() + ": has no transparent background; .png and .svg have"};
     if (const Status possible = format->possible(); !possible)

@@ -59,6 +59,7 @@ struct ExportOrder {
     double perSecond = 2.0;                    ///< Frames of an animation.
     bool captions = true;
     bool dial = false;     ///< The dial of the pivot, beside the view.
+    bool program = false;  ///< The program itself as a page, which begins there; no frames.
     std::string viewer;    ///< Address of the program, for links of a page; empty: no links.
 
     /// More than one frame is possible.

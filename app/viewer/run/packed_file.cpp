@@ -22,21 +22,6 @@ Bytef* zlibBytes(const char* bytes) {
     return reinterpret_cast<Bytef*>(const_cast<char*>(bytes));  // NOLINT
 }
 
-std::string deflated(std::string_view bytes) {
-    z_stream stream{};
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) != Z_OK)
-        return {};
-    std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
-    stream.next_in = zlibBytes(bytes.data());
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = zlibBytes(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    deflate(&stream, Z_FINISH);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    return packed;
-}
-
 Result<std::string> inflated(std::string_view packed) {
     constexpr std::size_t kPiece = std::size_t{1} << 16U;
     z_stream stream{};
@@ -62,6 +47,21 @@ Result<std::string> inflated(std::string_view packed) {
 }
 
 }  // namespace
+
+std::string deflated(std::string_view bytes) {
+    z_stream stream{};
+    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+        return {};
+    std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+    stream.next_in = zlibBytes(bytes.data());
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = zlibBytes(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
+}
 
 std::string packedSource(const PackedFile& file) {
     std::string name = std::filesystem::path(file.name).filename().string();

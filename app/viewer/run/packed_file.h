@@ -21,6 +21,9 @@ inline bool isPacked(std::string_view source) { return source.starts_with(kPackP
 /// Most bytes that a packed file unpacks to.
 inline constexpr std::size_t kMostUnpacked = std::size_t{4} << 20U;
 
+/// Bytes packed by deflate, without a header.
+std::string deflated(std::string_view bytes);
+
 struct PackedFile {
     std::string name;  ///< Without folders.
     std::string bytes;

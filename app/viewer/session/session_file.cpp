@@ -92,18 +92,6 @@ Complaint readHeader(const json& object) {
     return std::nullopt;
 }
 
-/// A source; its path, if it has one, is changed by `move`.
-template <typename Move>
-std::string movedSource(const std::string& source, const Move& move) {
-    if (isScene(source) || isPractice(source) || isPacked(source)) return source;
-    if (!isSample(source)) return move(source);
-    Result<SampleSpec> sample = sampleFromSource(source);
-    // Errors in the path are reported when it is opened.
-    if (!sample || !isVolumePath(sample.value().surface)) return source;
-    sample.value().surface = move(sample.value().surface);
-    return sampleSource(sample.value());
-}
-
 Complaint unfit(const std::string& field, const fs::path& path) {
     return expected(field, "a regular file; " + path.string() + " is none");
 }
@@ -316,6 +304,17 @@ json comparisonToJson(const CompareWith& with, const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string movedSource(const std::string& source,
+                        const std::function<std::string(const std::string&)>& move) {
+    if (isScene(source) || isPractice(source) || isPacked(source)) return source;
+    if (!isSample(source)) return move(source);
+    Result<SampleSpec> sample = sampleFromSource(source);
+    // Errors in the path are reported when it is opened.
+    if (!sample || !isVolumePath(sample.value().surface)) return source;
+    sample.value().surface = move(sample.value().surface);
+    return sampleSource(sample.value());
+}
 
 bool looksLikeSession(const fs::path& path) {
     if (lowerExtension(path) == kSessionExtension) return true;

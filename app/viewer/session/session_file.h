@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,10 @@ struct SessionFile {
     /// JSON that it was read from: unknown fields are written back. Empty for a new session.
     std::string original;
 };
+
+/// A source; its path, if it has one, is changed by `move`.
+std::string movedSource(const std::string& source,
+                        const std::function<std::string(const std::string&)>& move);
 
 /// Decided by extension, otherwise by the first character: no point file begins with a brace.
 bool looksLikeSession(const std::filesystem::path& path);
