@@ -53,8 +53,7 @@ web_library(PkgConfig::CMARK FOLDERS ${c} ${made} SOURCES ${cmark_sources})
 set(i "${web_sources}/imgui")
 web_library(PkgConfig::IMGUI FOLDERS ${i} ${i}/misc/cpp ${web_include}/stb ${web_include} SOURCES
     ${i}/imgui.cpp ${i}/imgui_draw.cpp ${i}/imgui_tables.cpp ${i}/imgui_widgets.cpp ${i}/misc/cpp/imgui_stdlib.cpp
-    ${i}/backends/imgui_impl_glfw.cpp ${i}/backends/imgui_impl_opengl3.cpp "${CMAKE_CURRENT_LIST_DIR}/platform/stb.c"
-    "${CMAKE_CURRENT_LIST_DIR}/platform/gl_state.cpp")
+    ${i}/backends/imgui_impl_glfw.cpp ${i}/backends/imgui_impl_opengl3.cpp "${CMAKE_CURRENT_LIST_DIR}/platform/stb.c")
 target_compile_definitions(web_PkgConfig_IMGUI PUBLIC IMGUI_IMPL_OPENGL_ES3)
 set_source_files_properties(${i}/backends/imgui_impl_opengl3.cpp PROPERTIES
     COMPILE_DEFINITIONS glGetIntegerv=pageGetIntegerv)  # platform/gl_state.cpp
