@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "jobs/thread.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "jobs/thread.h"
 #include "open_session.h"
 
 using namespace se;
