@@ -57,6 +57,7 @@ class Application {
     /// Files from the desktop: the first is opened; a notice reports the others.
     void drop(const std::vector<std::string>& paths);
     /// The window is to be closed: at once, or after a question.
+    const Document& document() const { return document_; }
     void requestQuit() { document_.quit(); }
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();

@@ -27,9 +27,10 @@ ViewSettings settingsFor(const Options& options, ViewSettings settings) {
 ViewSettings settingsToKeep(const Options& options, const Application& application,
                             const ViewSettings& before) {
     ViewSettings keep = application.settings();
-    if (options.theme) keep.theme = before.theme;
-    if (options.meshStyle) keep.meshStyle = before.meshStyle;
-    if (options.pointTint) keep.pointTint = before.pointTint;
+    const Looks& linked = application.document().linkedLooks();
+    if (options.theme || keep.theme == linked.theme) keep.theme = before.theme;
+    if (options.meshStyle || keep.meshStyle == linked.meshStyle) keep.meshStyle = before.meshStyle;
+    if (options.pointTint || keep.pointTint == linked.pointTint) keep.pointTint = before.pointTint;
     if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
     if (options.session && options.session->layers) keep.layers = before.layers;
     if (options.size) keep.width = before.width;

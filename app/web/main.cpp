@@ -1,10 +1,10 @@
 // The viewer's program in a page: options from its address, then a window whose turns the page
-// calls. Every function that the page calls says in the page what it throws.
+// calls. What these functions throw ends the program with a sentence in the page.
 #include <emscripten/emscripten.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <cstring>
+#include <cfloat>
 #include <exception>
 #include <memory>
 #include <string>
@@ -179,7 +179,9 @@ EMSCRIPTEN_KEEPALIVE void webSay(const char* text) {
 /// Takes the theme of the page around, unless the reader has chosen one.
 EMSCRIPTEN_KEEPALIVE void webTheme(const char* name) {
     withProgram([name](Program& program) {
-        const Theme theme = themeFromName(name).value_or(Theme::Dark);
+        const auto known = themeFromName(name);
+        if (!known) return;
+        const Theme theme = *known;
         if (program.options.theme || program.ui().settings.theme != program.kept.theme ||
             keptSettings(program.options, theme).theme != theme)
             return;
@@ -204,7 +206,9 @@ EMSCRIPTEN_KEEPALIVE int webScroll(float x, float y, float by) {
     withProgram([&list, x, y, by](Program& program) {
         list = listAt({x, y});
         if (list == nullptr || by == 0.0F) return;
-        ImGui::SetScrollY(list, list->Scroll.y - by);
+        // Several moves may come before the next frame.
+        const bool scrolls = list->ScrollTarget.y < FLT_MAX;
+        ImGui::SetScrollY(list, (scrolls ? list->ScrollTarget.y : list->Scroll.y) - by);
         program.window->wake();
     });
     return list != nullptr ? 1 : 0;

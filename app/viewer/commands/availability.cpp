@@ -6,6 +6,7 @@
 #include "compare/comparison.h"
 #include "document/actions.h"
 #include "document/edit_history.h"
+#include "document/failure_link.h"
 #include "document/ui_state.h"
 #include "session/session.h"
 
@@ -59,7 +60,7 @@ constexpr auto kCommandNeeds = std::to_array<Need>({
     {"run.start", isAfterStart, "This is the start of the run."},
     {"step.alert.", isChecked, "The mesh is not checked yet."},
     {"step.alert.", hasPlaces, "The mesh has no faults."},
-    {"step.copyfailure", showsAlert, "Choose an alert first."},
+    {"step.copyfailure", showsAlert, kNoAlertShown},
     {"edit.undo", canUndo, "There is nothing to undo."},
     {"edit.redo", canRedo, "There is nothing to redo."},
     {"edit.rules.reset", hasChangedRules, kNoChangedRules},

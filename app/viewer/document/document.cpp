@@ -168,9 +168,12 @@ void Document::applyLooks(const Options& link) {
     UiState& ui = c_.ui;
     if (link.layout && link.layout != ui.layoutPreset) actions::applyLayoutPreset(c_, *link.layout);
     if (link.lessons) ui.column.choose(Task::Lesson);
-    if (link.theme) ui.settings.theme = *link.theme;
-    if (link.meshStyle) ui.settings.meshStyle = *link.meshStyle;
-    if (link.pointTint) ui.settings.pointTint = *link.pointTint;
+    const auto take = [](const auto& from, auto& linked, auto& to) {
+        if (from) linked = to = *from;
+    };
+    take(link.theme, linkedLooks_.theme, ui.settings.theme);
+    take(link.meshStyle, linkedLooks_.meshStyle, ui.settings.meshStyle);
+    take(link.pointTint, linkedLooks_.pointTint, ui.settings.pointTint);
 }
 
 void Document::openLinkNow(const Options& link) {
@@ -275,7 +278,7 @@ void Document::checkEnd() {
     if (!end || std::exchange(endOfLink_, std::nullopt) == end->stateHash) return;
     warnLater(
         "The link is from another version of the program or of the points: there the run ends "
-        "otherwise, and its addresses may refer to other decisions.");
+        "differently, and its addresses may refer to other decisions.");
 }
 
 void Document::arrive() {
@@ -440,10 +443,10 @@ void Document::drop(const std::vector<std::string>& paths) {
         return path.ends_with(kSessionExtension);
     });
     Leave to{LeaveFor::Open, session != paths.end() ? *session : paths.front(), {}};
-    if (paths.size() > 1 && session == paths.end()) {
-        to.notice = std::to_string(paths.size()) +
-                    " files were dropped; only the first was opened: " +
-                    std::filesystem::path(paths.front()).filename().string() + ".";
+    const std::size_t together = session != paths.end() ? 2 : 1;
+    if (paths.size() > together) {
+        to.notice = std::to_string(paths.size()) + " files were dropped; only one was opened: " +
+                    std::filesystem::path(to.path).filename().string() + ".";
     }
     askToLeave(std::move(to));
 }

@@ -91,6 +91,8 @@ class Document {
     std::string atStake() const;
     /// Takes layout, colors and styles that a link names.
     void applyLooks(const Options& link);
+    /// Those that were taken last. They are the link's: settings are kept without them.
+    const Looks& linkedLooks() const { return linkedLooks_; }
     /// Says so once the open run ends in another state than the one of a link.
     void expectEnd(std::optional<std::uint64_t> stateHash);
     /// Seconds in which the newly opened input is to be played, once; 0: it is not.
@@ -169,7 +171,8 @@ class Document {
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;
-    std::optional<std::uint64_t> endOfLink_;  ///< State hash of the end of the run, of a link.
+    Looks linkedLooks_;
+    std::optional<std::uint64_t> endOfLink_;  ///< Expected state hash at the end, from a link.
     std::uint32_t linked_ = 0;                ///< Generation of the session with that end.
     bool placed_ = false;
     bool ofSession_ = false;

@@ -18,7 +18,7 @@ namespace {
 /// What opens the reduced points: rules and lists of the run, and the class of the alert.
 Options optionsOf(const CommandContext& c, const Reduced& reduced, const FailureClass& kind) {
     Options o;
-    o.input = c.session.input().spec();
+    o.input = withFixesAsOptions(c.session.input().spec());
     // Numbers of points were those of the whole input.
     o.input.piece = {};
     o.input.leftOut = {};
@@ -35,7 +35,7 @@ Options optionsOf(const CommandContext& c, const Reduced& reduced, const Failure
 std::string_view reasonAgainstFailureLink(const CommandContext& context) {
     const Session& session = context.session;
     const RunFailure* alert = session.ready() ? session.alerts().shown() : nullptr;
-    if (alert == nullptr || !session.runEnd()) return "Choose an alert first.";
+    if (alert == nullptr || !session.runEnd()) return kNoAlertShown;
     if (alert->failure.kind->find == nullptr) return "Points do not keep what this alert is about.";
     if (session.alerts().reduction().busy()) return "The points are being reduced.";
     const RunSpec& spec = session.input().spec();
@@ -50,9 +50,7 @@ void finishFailureLink(CommandContext& context) {
     Messages& messages = context.session.messages();
     const std::optional<Reduced> reduced = job.takeAnswer();
     if (!reduced) return;
-    const RunFailure* alert = context.session.alerts().shown();
-    if (alert == nullptr) return;
-    const FailureClass& kind = *alert->failure.kind;
+    const FailureClass& kind = *context.session.alerts().reducedClass();
     const std::string points = counted(reduced->kept.size(), "point");
     const Options options = optionsOf(context, *reduced, kind);
     if (options.input.source.size() > kMostLetters)
@@ -60,9 +58,8 @@ void finishFailureLink(CommandContext& context) {
             "The failure needs " + points +
             ", too many for a link: save the points and use spiraling-edge reduce.");
     context.ui.clipboard.copy(std::string(linkBase(context)) + "#" + linkText(options));
-    messages.say("Link copied: " + points + " of " +
-                 std::to_string(context.session.model().points.size()) + " still end in a " +
-                 std::string(kind.singular) + ".");
+    messages.say("Link copied: " + points + " still end in: " + std::string(kind.singular) + "." +
+                 (reduced->complete ? "" : " Fewer may be possible: the effort was used up."));
 }
 
 namespace actions {

@@ -7,6 +7,8 @@
 
 namespace se::view {
 
+inline constexpr std::string_view kNoAlertShown = "Choose an alert first.";
+
 /// Why the alert that is shown has no link of its own; empty: it can have one.
 std::string_view reasonAgainstFailureLink(const CommandContext& context);
 

@@ -351,7 +351,7 @@ const std::array kLinkParts{
     LinkPart{"with", "TEXT", "Compare with another run, as --with does.", false, setWith,
              [](const Options& o) { return textIf(!o.withText.empty(), o.withText); }},
     LinkPart{"hash", "HEX",
-             "State hash of the end of the run; if it ends otherwise here, the program says so.",
+             "State hash of the end of the run; if it ends differently here, the program says so.",
              false, setHash, hashText},
     LinkPart{"layout", "NAME", "Layout: debug, learn, present or compare.", false, setLayout,
              layoutText},

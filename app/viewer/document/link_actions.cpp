@@ -108,8 +108,8 @@ bool isOfOpenInput(const CommandContext& c, const Options& o) {
 
 Status moveTo(CommandContext& c, const ViewPosition& place) {
     if (place.camera) c.camera.setPose(*place.camera);
-    const std::string address = place.address.empty() ? "0" : place.address;
-    if (const Status status = c.session.moves().goToText(address); !status) return status;
+    if (place.address.empty()) return success();
+    if (const Status status = c.session.moves().goToText(place.address); !status) return status;
     if (!place.camera) c.ui.frame = FrameRequest::Decision;
     return success();
 }
@@ -155,8 +155,7 @@ Status followLink(CommandContext& context, std::string_view text) {
     if (o.lesson.empty() && isOfOpenInput(context, o)) {
         context.document.applyLooks(o);
         context.document.expectEnd(o.stateHash);
-        const bool moves = !o.goTo.empty() || o.camera;
-        return moves ? moveTo(context, {o.goTo, o.camera}) : success();
+        return moveTo(context, {o.goTo, o.camera});
     }
     if (o.lesson.empty() && !o.session && o.input.source.empty())
         return Error{"The link names no input, and none is open."};

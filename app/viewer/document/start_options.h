@@ -20,6 +20,13 @@
 
 namespace se::view {
 
+/// Colors and styles; nothing: the user's own.
+struct Looks {
+    std::optional<Theme> theme;
+    std::optional<MeshStyle> meshStyle;
+    std::optional<PointTint> pointTint;
+};
+
 struct Options {
     /// Start of the program, from which the time to the first frame is counted.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
@@ -37,7 +44,7 @@ struct Options {
         alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.
     bool atDifference = false;               ///< --goto difference.
     std::string withText;                    ///< Text of --with.
-    std::optional<std::uint64_t> stateHash;  ///< State hash of the end of the run, of a link.
+    std::optional<std::uint64_t> stateHash;  ///< Expected at the end of the run, from a link.
     std::optional<CompareWith> with;
     std::optional<CameraPose> camera;  ///< Camera of --place.
     bool resetLayout = false;

@@ -164,7 +164,9 @@ void RunAlerts::seekRemedies() {
 void RunAlerts::reduce(const RunSpec& spec, std::shared_ptr<const PointFile> input,
                        std::shared_ptr<const RunEnd> end) {
     assert(shown() != nullptr && shown()->failure.kind->find != nullptr);
-    reduction_.startSlices([spec, model = model_, input = std::move(input), end = std::move(end),
+    reducedClass_ = shown()->failure.kind;
+    reduction_.startSlices([spec = withFixesAsOptions(spec), model = model_,
+                            input = std::move(input), end = std::move(end),
                             failure = shown()->failure,
                             made = std::shared_ptr<Reduction>()](double& share) mutable {
         std::optional<Result<Reduced>> answer;

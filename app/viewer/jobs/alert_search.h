@@ -148,6 +148,8 @@ class RunAlerts {
     /// an alert is shown whose class a mesh alone can have.
     void reduce(const RunSpec& spec, std::shared_ptr<const PointFile> input,
                 std::shared_ptr<const RunEnd> end);
+    /// The class of the alert of the current or last reduction; null before the first.
+    const FailureClass* reducedClass() const { return reducedClass_; }
     BackgroundQuery<Reduced>& reduction() { return reduction_; }
     const BackgroundQuery<Reduced>& reduction() const { return reduction_; }
     /// The alert of the current or last search.
@@ -163,6 +165,7 @@ class RunAlerts {
     bool news_ = false;
     std::optional<std::size_t> remediesOf_;
     BackgroundQuery<Remedies> remedies_;
+    const FailureClass* reducedClass_ = nullptr;
     BackgroundQuery<Reduced> reduction_;
     std::uint32_t revision_ = 0;
 };

@@ -171,8 +171,8 @@ class BackgroundQuery {
     /// A slice of the work of a query: sets its share, in [0, 1], and returns the answer at its
     /// end.
     using Slice = std::function<std::optional<Result<Answer>>(double& share)>;
-    /// Starts a query in slices, each of no longer than sliceTime(); the previous one is cancelled
-    /// and its answer discarded.
+    /// Starts a query in slices, which should take no longer than sliceTime(); the previous one is
+    /// cancelled and its answer discarded.
     void startSlices(Slice slice) {
         cancel();
         job_.startSlices([slice = std::move(slice)](Results& results) {

@@ -13,6 +13,12 @@ function filesUnder(FS, folder) {
   });
 }
 
+/// Writes a file of the program, and makes its folder.
+function writeFile(path, bytes) {
+  program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+  program.FS.writeFile(path, bytes);
+}
+
 /// Puts the kept settings where the program reads them, and the program's files into a folder.
 function openStore({FS, ENV}) {
   ENV.HOME = kHome.slice(0, -1);
@@ -21,9 +27,7 @@ function openStore({FS, ENV}) {
   for (let i = 0; store && i < store.length; ++i) {
     const name = store.key(i);
     if (!name.startsWith(kStored)) continue;
-    const path = kHome + name.slice(kStored.length);
-    FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    FS.writeFile(path, store.getItem(name));
+    writeFile(kHome + name.slice(kStored.length), store.getItem(name));
   }
 }
 
@@ -39,7 +43,7 @@ function keepSettings() {
 }
 /// What another tab has kept: the program merges its own into it.
 addEventListener('storage', event => {
-  if (program && event.key?.startsWith(kStored) && event.newValue !== null) program.FS.writeFile(kHome + event.key.slice(kStored.length), event.newValue);
+  if (program && event.key?.startsWith(kStored) && event.newValue !== null) writeFile(kHome + event.key.slice(kStored.length), event.newValue);
 });
 addEventListener('pagehide', keepSettings);
 
@@ -60,16 +64,16 @@ function saveAsDownloads({FS}) {
 
 /// Opens files of the reader's machine: the first, as when it is dropped on the window.
 async function openFiles(files) {
-  if (!program || files.length === 0) return;
+  if (!begun || files.length === 0) return;
   const paths = [];
-  try {
-    for (const file of files) {
-      const path = kFiles + file.name.replace(/[\n/]/g, '_');
-      program.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
-      paths.push(path);
+  for (const file of files) {
+    const path = kFiles + file.name.replace(/[\n/]/g, '_');
+    try {
+      writeFile(path, new Uint8Array(await file.arrayBuffer()));
+    } catch (error) {
+      return send('webSay', `${file.name} could not be read: a folder, or a file that is gone or too large for a browser.`);
     }
-  } catch (error) {
-    return stopped(error);
+    paths.push(path);
   }
   send('webDropped', paths.join('\n'));
 }
@@ -77,9 +81,7 @@ async function openFiles(files) {
 /// Puts the files that this page has inside where the program opens them.
 async function unpackFiles() {
   for (const element of document.querySelectorAll('script[data-file]')) {
-    const path = kFiles + element.dataset.file;
-    program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    program.FS.writeFile(path, new Uint8Array(await unpack(element)));
+    writeFile(kFiles + element.dataset.file, new Uint8Array(await unpack(element)));
   }
 }
 
@@ -87,15 +89,15 @@ async function unpackFiles() {
 async function fetchFileOf(link) {
   const address = link.includes('#') ? new URLSearchParams(link.slice(link.indexOf('#') + 1).replace(/\+/g, '%2B')).get('file') : null;
   if (!/^https?:/.test(address ?? '')) return;
+  // The program opens the address as a path: it may lead nowhere else.
+  const plain = URL.canParse?.(address) ?? true ? new URL(address).href : '';
+  if (plain !== address || address.endsWith('/')) throw new Error(`${address} is no address of a file${plain && plain !== address ? `: did you mean ${plain}?` : '.'}`);
   const path = kFiles + address;
   if (program.FS.analyzePath(path).exists) return;
-  const answer = await fetch(address).catch(() => null);
+  const answer = await fetch(address, {credentials: 'omit', referrerPolicy: 'no-referrer'}).catch(() => null);
   if (!answer) throw new Error(`The file ${address} could not be fetched: there is no network, or its server does not let other pages read it (CORS). Download it, and drop it here.`);
   if (!answer.ok) throw new Error(`The file ${address} is not there (${answer.status}).`);
-  const bytes = new Uint8Array(await answer.arrayBuffer());
-  // The program opens the address as a path.
-  program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-  program.FS.writeFile(path, bytes);
+  writeFile(path, new Uint8Array(await answer.arrayBuffer()));
 }
 document.getElementById('picker').addEventListener('change', event => {
   openFiles([...event.target.files]);
@@ -112,17 +114,16 @@ function copied(text) {
   if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => copyByHand(text));
   else copyByHand(text);
 }
-/// Where a page may not write the clipboard by itself: in a frame, or without https.
+/// Where a page may not write the clipboard by itself, as in many frames: the text is shown, selected.
 function copyByHand(text) {
-  const field = document.createElement('textarea');
+  const sheet = document.getElementById('copy');
+  const field = sheet.querySelector('textarea');
   field.value = text;
-  document.body.append(field);
+  sheet.showModal();
   field.select();
-  const done = document.execCommand('copy');
-  field.remove();
-  if (!done) prompt('Copy this:', text);
-  canvas.focus();
+  if (document.execCommand('copy')) sheet.close();
 }
+document.getElementById('copy').addEventListener('close', () => canvas.focus({preventScroll: true}));
 addEventListener('paste', event => {
   if (event.target !== typed) send('webPasted', event.clipboardData.getData('text'));
 });

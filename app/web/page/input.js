@@ -31,7 +31,7 @@ function keyNumber(event) {
   if (/^Numpad\d$/.test(event.code)) return 320 + Number(event.code.slice(6));
   return kKeys[event.code] ?? kKeys[event.key] ?? 0;
 }
-/// Keys that stay with the browser: zoom, reload, tabs, its address and its tools; Tab in a frame, until it is clicked.
+/// Keys that stay with the browser: Ctrl with R, L, T, W, N and the zoom, its tools; Tab in a frame, until it is clicked.
 function isBrowsers(event, mods) {
   if (event.key === 'F12' || event.isComposing || (event.key === 'Tab' && !engaged)) return true;
   if (apple ? event.ctrlKey : event.metaKey) return true;
@@ -39,7 +39,7 @@ function isBrowsers(event, mods) {
 }
 
 function onKey(event) {
-  if (!program) return;
+  if (!program || event.keyCode === 229) return;  // of a keyboard on the screen: its text comes by an event of its own
   const mods = modsOf(event);
   sendMods(mods);
   const down = event.type === 'keydown';
@@ -50,7 +50,7 @@ function onKey(event) {
   if (down && isBrowsers(event, mods)) return wake();
   const character = [...event.key].length === 1 ? event.key.codePointAt(0) : 0;
   // Text in the field of the page comes by its own event.
-  const ofField = event.target === typed && (mods & 6) === 0 && (character !== 0 || event.key === 'Backspace');
+  const ofField = event.target === typed && ((mods & 6) === 0 || (mods & 2 && /v/i.test(event.key))) && (character !== 0 || event.key === 'Backspace');
   const key = down ? keyNumber(event) : held.keys.get(event.code) ?? 0;
   if (key !== 0 && !ofModifier && !ofField) {
     program._webKey(key, !down ? kRelease : event.repeat ? kRepeat : kPress, mods);
@@ -65,6 +65,7 @@ function releaseAll() {
   if (!program) return;
   for (const key of held.keys.values()) program._webKey(key, kRelease, 0);
   held.keys.clear();
+  held.control = false;
   sendMods(0);
 }
 
@@ -85,13 +86,18 @@ typed.addEventListener('input', event => {
   wasTyped = typed.value;
   wake();
 });
+typed.addEventListener('blur', event => {
+  typed.value = wasTyped = ' ';
+  if (event.relatedTarget !== canvas) leaveProgram();
+});
 /// Shows the keyboard of the screen while a text field of the program has the focus; called in an event of a finger,
 /// in which alone a browser shows it.
 function showKeyboard() {
-  for (let i = 0; i < 5; ++i) turnNow();
+  for (let i = 0; i < 5; ++i) turnNow();  // a field has the focus in the fourth frame after the tap
   if (program._webTyping()) typed.focus({preventScroll: true});
-  else if (document.activeElement === typed) canvas.focus({preventScroll: true});
+  else hideKeyboard();
 }
+function hideKeyboard() { if (document.activeElement === typed) canvas.focus({preventScroll: true}); }
 for (const type of ['keydown', 'keyup']) {
   canvas.addEventListener(type, onKey);
   typed.addEventListener(type, onKey);
@@ -99,11 +105,15 @@ for (const type of ['keydown', 'keyup']) {
 canvas.addEventListener('focus', () => { program?._webFocus(1); wake(); });
 canvas.addEventListener('blur', event => {
   releaseAll();
-  if (event.relatedTarget === typed) return;
+  if (event.relatedTarget !== typed) leaveProgram();
+});
+/// The keyboard is of something else.
+function leaveProgram() {
+  releaseAll();
   engage(false);
   program?._webFocus(0);
   wake();
-});
+}
 
 /// In a page of others wheel, Tab and a finger are of that page, until the picture has been clicked.
 let engaged = !framed;
@@ -193,7 +203,7 @@ function begins(does, event) {
   if (does === 'tap') touch.began = touch.at;
   if (does === 'scroll' || does === 'nothing') return;
   toScreen(touch.at);
-  if (does === 'tap') touch.hold = setTimeout(() => { holdButton(event, 1); begins('nothing', event); }, kHold);
+  if (does === 'tap' && engaged) touch.hold = setTimeout(() => { holdButton(event, 1); begins('nothing', event); }, kHold);
   if (does === 'move') holdButton(event, 1);
 }
 /// Scrolls the list where the finger began, if one is there.
@@ -203,6 +213,7 @@ function scrollList(by) {
 }
 /// What a finger does that has begun to move: a list scrolls across its rows, a slider is drawn along them.
 function fingerMoves(event, dx, dy) {
+  if (!engaged) return begins('nothing', event);
   const list = Math.abs(dy) > Math.abs(dx) && scrollList(0);
   begins(list ? 'scroll' : 'drag', event);
   if (!list) holdButton(event, 0);
@@ -244,11 +255,11 @@ function onTouch(event) {
   if (!program || event.pointerType !== 'touch') return;
   if (event.type === 'pointerdown') {
     fingers.set(event.pointerId, {clientX: event.clientX, clientY: event.clientY});
-    begins(['tap', 'move'][fingers.size - 1] ?? 'nothing', event);
+    begins(['tap', engaged ? 'move' : 'nothing'][fingers.size - 1] ?? 'nothing', event);
   } else if (fingers.has(event.pointerId)) {
     event.type === 'pointermove' ? onFingerMove(event) : onFingerUp(event);
   }
-  if (engaged) event.preventDefault();
+  event.preventDefault();  // no presses of a mouse follow; what scrolls the page around is chosen by touchAction
   wake();
 }
 for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointercancel']) canvas.addEventListener(type, onTouch);

@@ -4,13 +4,11 @@ const kOfVersion = 'spiraling-edge ' + registration.scope + ' ';
 const kCache = kOfVersion + '{{digest}}';
 const kFiles = ['./', 'page.css', 'page.js', 'viewer.js', 'viewer.wasm', 'viewer.data'];
 addEventListener('install', event => {
-  skipWaiting();
   const fresh = kFiles.map(name => new Request(name, {cache: 'reload'}));
   event.waitUntil(caches.open(kCache).then(cache => cache.addAll(fresh)));
 });
 addEventListener('activate', event => event.waitUntil(caches.keys()
-  .then(names => Promise.all(names.filter(name => name.startsWith(kOfVersion) && name !== kCache).map(name => caches.delete(name))))
-  .then(() => clients.claim())));
+  .then(names => Promise.all(names.filter(name => name.startsWith(kOfVersion) && name !== kCache).map(name => caches.delete(name))))));
 addEventListener('fetch', event => {
   if (event.request.method !== 'GET' || !event.request.url.startsWith(registration.scope)) return;
   event.respondWith(caches.open(kCache)

@@ -4,7 +4,9 @@ const canvas = document.getElementById('canvas');
 const framed = window.parent !== window;
 const onePage = document.getElementById('packed-viewer.wasm') !== null;  // this page holds all of the program
 const root = document.currentScript.src && new URL('.', document.currentScript.src).href;  // of the files, where they are not inside
-let program = null;  // Emscripten's module, once it runs
+let program = null;    // Emscripten's module, once it is made
+let loading = false;   // the program is to come, or runs
+let begun = false;     // it has a window
 let failedWith = null;
 
 /// Says in the page why there is no program. The first reason counts.
@@ -59,20 +61,23 @@ async function load(name, progress) {
   const answer = await fetch(root + name).catch(() => null);
   if (!answer) throw new Error(`The file ${name} of the program could not be fetched. Check the connection, and load the page again.`);
   if (!answer.ok) throw new Error(`The file ${name} of the program is not there (${answer.status}). Whoever set up this page has to add it.`);
-  const arriving = answer.clone();
-  const compiled = answer.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(answer) : null;
+  const copy = answer.clone();
+  const compiled = answer.headers.get('Content-Type') === 'application/wasm' ? WebAssembly.compileStreaming(answer).catch(() => null) : null;
+  const whole = await readWhole(name, copy.body.getReader(), progress);
+  return await compiled ?? whole.buffer;
+}
+/// All bytes of a file of the program.
+async function readWhole(name, reader, progress) {
   const whole = new Uint8Array(kBytes[name]);
-  let at = 0;
-  for (const reader = arriving.body.getReader(); ;) {
-    const {done, value} = await reader.read();
-    if (done) break;
+  for (let at = 0; ;) {
+    const {done, value} = await reader.read().catch(() => ({done: true}));
+    if (done && at === whole.length) return whole;
+    if (done) throw new Error(`The file ${name} is incomplete. Check the connection, and load the page again.`);
     if (at + value.length > whole.length) throw new Error(`The file ${name} is of another version. Load the page again, without its cache.`);
     whole.set(value, at);
     at += value.length;
     progress(value.length);
   }
-  if (at !== whole.length) throw new Error(`The file ${name} is incomplete. Load the page again.`);
-  return compiled ?? whole.buffer;
 }
 
 async function loadAll() {
@@ -86,7 +91,7 @@ async function loadAll() {
 const frames = {asked: false, later: 0, count: 0};
 /// Asks for a turn of the program's loop, if none is to come.
 function wake() {
-  if (!program || frames.asked || document.hidden) return;
+  if (!begun || frames.asked || document.hidden) return;
   clearTimeout(frames.later);
   frames.asked = true;
   requestAnimationFrame(turn);
@@ -97,6 +102,7 @@ function turn() {
   if (next === undefined) return;
   ++frames.count;
   document.body.classList.add('runs');
+  if (document.activeElement === typed && !program._webTyping()) hideKeyboard();
   if (next === 1) return wake();
   keepSettings();
   if (next === 2) frames.later = setTimeout(wake, 250);
@@ -131,18 +137,21 @@ function send(name, ...texts) {
 }
 document.addEventListener('visibilitychange', wake);
 
-/// Goes to an address, or where a link leads. A file that it names is fetched first.
+let wanted = null;  // where to go, of several the last
+/// Goes to an address, or where a link leads, once the program has begun. A file that it names is fetched first.
 async function go(link) {
+  wanted = link;
+  if (!begun) return;
   try {
     await fetchFileOf(link);
-    send('webGo', link);
+    if (wanted === link) send('webGo', link);
   } catch (error) {
     send('webSay', error.message);
   }
 }
 /// Another link in the same page moves the program there; none begins again.
 addEventListener('hashchange', () => {
-  if (!program || failedWith || location.hash.length < 2) return location.reload();
+  if (!loading || failedWith || location.hash.length < 2) return location.reload();
   go(location.hash);
 });
 
@@ -183,7 +192,11 @@ canvas.addEventListener('webglcontextlost', event => {
   fail('The graphics of this browser have stopped. Load the page again.');
 });
 /// Work that is not saved: the browser asks before it goes.
-addEventListener('beforeunload', event => { if (guarded(() => program._webUnsaved())) event.preventDefault(); });
+addEventListener('beforeunload', event => {
+  if (!guarded(() => program._webUnsaved())) return;
+  event.preventDefault();
+  event.returnValue = true;  // older browsers
+});
 
 // Until the reader has chosen a theme, that of the page around, or of the system.
 const light = matchMedia('(prefers-color-scheme: light)');
@@ -220,6 +233,7 @@ async function begin() {
   if (!comesAfterPage(link)) return;
   const lacks = lacking();
   if (lacks) return fail(lacks);
+  loading = true;
   try {
     const [code, wasm, data] = await loadAll();
     const script = document.createElement('script');
@@ -245,8 +259,10 @@ async function begin() {
     if (send('webBegin', root || location.href.split('#')[0], link, light.matches ? 'light' : 'dark') !== 0) return;
     program._webMotion(still.matches ? 0 : 1);
     saveAsDownloads(program);
+    begun = true;
     if (!framed) canvas.focus();
     wake();
+    if (wanted) go(wanted);
     keepOffline();
   } catch (error) {
     failedWith || (error instanceof WebAssembly.RuntimeError || error instanceof RangeError ? stopped(error) : fail(error.message));
@@ -261,7 +277,7 @@ function keepOffline() {
 
 /// The page around may move the program, {go: "137.sphere.3"} or a link, and choose its theme, {theme: "dark"}.
 addEventListener('message', ({source, data}) => {
-  if (!framed || source !== window.parent || !program) return;
+  if (!framed || source !== window.parent) return;
   if (typeof data?.go === 'string') go(data.go);
   if (typeof data?.theme === 'string') send('webTheme', data.theme);
 });

@@ -73,6 +73,7 @@ bool Reduction::advance() {
 }
 
 double Reduction::share() const {
+    if (file_.position.empty()) return 1.0;
     return 1.0 - std::log1p(static_cast<double>(kept_.size())) /
                      std::log1p(static_cast<double>(file_.position.size()));
 }

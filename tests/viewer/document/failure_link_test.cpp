@@ -53,16 +53,24 @@ TEST_CASE("A link to a failure holds the fewest points that still end in it") {
 
     FailureApp reader(read.value().input.source.c_str(), "lost_points");
     CHECK(reader.session.model().points.size() < whole / 4);
-    CHECK(app.session.messages().notice().starts_with(
-        "Link copied: " + std::to_string(reader.session.model().points.size()) + " points of " +
-        std::to_string(whole)));
+    CHECK(app.session.messages().notice() ==
+          "Link copied: " + std::to_string(reader.session.model().points.size()) +
+              " points still end in: lost point.");
 }
 
-TEST_CASE("Without an alert, or with what-ifs, there is no link to a failure, and a reason") {
+TEST_CASE("Without an alert there is no link to a failure, and a reason") {
     FailureApp app("scene:noise", "lost_points");
     app.session.alerts().choose({});
     CHECK(reasonAgainstFailureLink(app.context) == "Choose an alert first.");
     actions::copyFailureLink(app.context);
     CHECK(app.session.messages().notice() == "Choose an alert first.");
     CHECK_FALSE(app.session.alerts().reduction().busy());
+}
+
+TEST_CASE("A link is to the alert that was shown when its reduction began") {
+    FailureApp app("scene:noise", "lost_points");
+    actions::copyFailureLink(app.context);
+    app.session.alerts().choose({});
+    app.settle();
+    CHECK(app.ui.clipboard.copied().find("&alert=lost_points:1") != std::string::npos);
 }

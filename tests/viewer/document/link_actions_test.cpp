@@ -114,7 +114,7 @@ TEST_CASE("A link to another input, or by other rules, opens it at its place") {
 TEST_CASE("A link from a run that ends otherwise says so, and one from this run does not") {
     const std::string sentence =
         "The link is from another version of the program or of the points: there the run ends "
-        "otherwise, and its addresses may refer to other decisions.";
+        "differently, and its addresses may refer to other decisions.";
     LinkApp app;
     app.openInstead("scene:torus");
     app.run("step.copy");
@@ -144,6 +144,26 @@ TEST_CASE("A link to the open input takes its looks, and moves only to a place t
     CHECK(app.ui.settings.theme == Theme::Light);
     CHECK(app.ui.settings.meshStyle == MeshStyle::Wire);
     CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+}
+
+TEST_CASE("A link with a camera alone moves the camera alone") {
+    LinkApp app;
+    app.openInstead("scene:torus");
+    app.goTo("12.sort.2");
+    app.paste("#scene=torus&camera=0.125,-0.25,0.5,1.5,33.5,12.25,orthographic");
+    CHECK(app.place() == "12.sort.2");
+    CHECK(app.camera.pose() == roundedPose());
+}
+
+TEST_CASE("A run by other rules than those of the link may end differently, without a warning") {
+    LinkApp app;
+    app.openInstead("scene:sphere");
+    app.paste("#scene=torus&hash=0123456789abcdef");
+    app.document.run(changed({"scene:torus"}, specChange({{"rules", "robust"}})));
+    app.settle();
+    app.document.poll();
+    app.document.poll();
+    CHECK(app.session.messages().notice().find("differently") == std::string::npos);
 }
 
 TEST_CASE("A copied frame is HTML with the link in it") {

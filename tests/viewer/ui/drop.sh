@@ -35,7 +35,7 @@ says input scene:torus; says address "137\.sphere\.3"
 # Of two the first is opened, and a message reports it.
 drop "$work/four points.xyz" "$work/torus.sesession"
 says input "four points.xyz"
-says message "2 files were dropped; only the first was opened.*"
+says message "2 files were dropped; only one was opened.*"
 
 # With an unsaved bookmark the program asks first.
 says alert_search done; says busy false
