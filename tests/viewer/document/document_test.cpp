@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+
+#include "spiraling_edge/spec/spec_fields.h"
 
 using namespace se;
 using namespace se::view;
@@ -69,6 +72,23 @@ TEST_CASE("An input that has changed since is a warning, not an error") {
     app.document.poll();
     CHECK(app.session.input().phase() == SessionPhase::Ready);
     CHECK(app.session.messages().last().find("has changed") != std::string::npos);
+}
+
+TEST_CASE("A session opened at the start warns of other options, and only of these") {
+    const auto noticeOf = [](const RunSpec& input) {
+        DocumentApp app;
+        Options options;
+        options.session = SessionFile{};
+        options.session->input = {"scene:sphere"};
+        options.input = input;
+        app.document.begin(options);
+        app.waitUntilDone();
+        app.document.poll();
+        return app.session.messages().notice();
+    };
+    CHECK(noticeOf({"scene:sphere"}).find("other options") == std::string::npos);
+    const RunSpec robust = changed({"scene:sphere"}, specChange({{"rules", "robust"}}));
+    CHECK(noticeOf(robust).starts_with("Opened with other options than the session has (robust"));
 }
 
 TEST_CASE("A bad session leaves the open input unchanged and gives the reason") {
