@@ -54,7 +54,8 @@ set(i "${web_sources}/imgui")
 web_library(PkgConfig::IMGUI FOLDERS ${i} ${i}/misc/cpp ${web_include}/stb ${web_include} SOURCES
     ${i}/imgui.cpp ${i}/imgui_draw.cpp ${i}/imgui_tables.cpp ${i}/imgui_widgets.cpp ${i}/misc/cpp/imgui_stdlib.cpp
     ${i}/backends/imgui_impl_glfw.cpp ${i}/backends/imgui_impl_opengl3.cpp "${CMAKE_CURRENT_LIST_DIR}/platform/stb.c")
-target_compile_definitions(web_PkgConfig_IMGUI PUBLIC IMGUI_IMPL_OPENGL_ES3)
+# Indices of 32 bits: WebGL cannot add an offset to those of 16.
+target_compile_definitions(web_PkgConfig_IMGUI PUBLIC IMGUI_IMPL_OPENGL_ES3 ImDrawIdx=unsigned)
 set_source_files_properties(${i}/backends/imgui_impl_opengl3.cpp PROPERTIES
     COMPILE_DEFINITIONS glGetIntegerv=pageGetIntegerv)  # platform/gl_state.cpp
 

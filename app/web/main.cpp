@@ -27,6 +27,8 @@ namespace {
 
 using namespace se::view;
 
+static_assert(sizeof(ImDrawIdx) == 4, "the start page of a large window has over 65,536 corners");
+
 /// The program of the page: it lives as long as the page does.
 struct Program {
     Options options;
