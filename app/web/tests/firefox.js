@@ -59,6 +59,11 @@ class Firefox {
   key(value) {
     return this.call('WebDriver:PerformActions', {actions: [{type: 'key', id: 'keyboard', actions: [{type: 'keyDown', value}, {type: 'keyUp', value}]}]});
   }
+  /// Keys that are held together.
+  keys(values) {
+    const actions = [...values.map(value => ({type: 'keyDown', value})), ...values.map(value => ({type: 'keyUp', value})).reverse()];
+    return this.call('WebDriver:PerformActions', {actions: [{type: 'key', id: 'keyboard', actions}]});
+  }
   /// A pointer along a path, pressed: [[x, y], ...]; type: mouse or touch.
   async drag(pointerType, path) {
     const moves = path.map(([x, y]) => ({type: 'pointerMove', x, y, duration: 60, origin: 'viewport'}));
@@ -141,6 +146,24 @@ class Firefox {
     await browser.until(runs);
     await browser.key('t');
     await browser.until(`Object.keys(localStorage).some(name => /"theme"/.test(localStorage[name]))`);
+  });
+  await test('a copied link leads back, and one to a failure opens on it', async () => {
+    const copies = `(window.said = '', navigator.clipboard.writeText = async text => { window.said = text; }, 1)`;
+    await open(`${server.address}${version}/?copy#scene=noise`);
+    await browser.until(runs);
+    await browser.value(`window.eval("${copies.replace(/"/g, '\\"')}")`);
+    await browser.key('\uE038');  // F8
+    await browser.until(`/fault|Place/.test(document.getElementById('sentence').textContent)`);
+    await browser.keys(['\uE009', 'c']);
+    await browser.until(`window.eval('said').includes('#scene=noise')`);
+    await browser.keys(['\uE009', 'p']);
+    await sleep(500);
+    for (const letter of 'link to this failure') await browser.key(letter);
+    await sleep(500);
+    await browser.key('\uE007');
+    await browser.until(`window.eval('said').includes('pack=')`);
+    await open((await browser.value(`window.eval('said')`)).replace('#', '?again#'));
+    await browser.until(`/\\.ply/.test(document.title)`);
   });
   await test('a page around hears of steps and moves the frame', async () => {
     await open(around.address + 'around');

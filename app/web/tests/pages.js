@@ -2,6 +2,7 @@
 // Each test opens a browser of its own. PICTURES: a folder for what they show. NAME: these tests alone.
 'use strict';
 const assert = require('assert');
+const {execFileSync} = require('child_process');
 const crypto = require('crypto');
 const fs = require('fs');
 const os = require('os');
@@ -13,6 +14,7 @@ const {serve} = require('./server.js');
 const [site, oneFile] = process.argv.slice(2, 4).map(each => path.resolve(each));
 const pictures = process.argv[4] ?? fs.mkdtempSync(path.join(os.tmpdir(), 'pictures-'));
 const wanted = process.argv.slice(5);
+const commandLine = path.resolve(site, '../build/bin/spiraling-edge.js');
 const assets = path.resolve(__dirname, '../../../assets');
 fs.mkdirSync(pictures, {recursive: true});
 
@@ -211,6 +213,38 @@ const tests = {
     await browser.until(`/\\.ply/.test(document.title)`);
     await browser.settled();
     await browser.picture(path.join(pictures, 'failure.png'));
+  },
+  async 'a pivot to practice opens by a link, and new points from a key'({open}) {
+    const browser = await open('#lesson=practice:7');
+    await browser.until(`/practice:7/.test(document.title)`);
+    await browser.value(`location.hash = '#scene=torus'`);
+    await browser.until(`/scene:torus/.test(document.title)`);
+    await browser.key('Alt+n');
+    await browser.until(`/^New points/.test(document.title)`);
+  },
+  async 'a trace of another program is dropped on its run'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    const trace = path.join(os.tmpdir(), `torus-${process.pid}.setrace`);
+    execFileSync('node', ['--no-experimental-fetch', commandLine, 'run', 'scene:torus', '--rules', 'robust', '-q', '--trace', trace]);
+    await browser.drop('torus.setrace', fs.readFileSync(trace));
+    fs.unlinkSync(trace);
+    await browser.until(`/setrace|differ|[Cc]ompare/.test(document.getElementById('sentence').textContent)`);
+    await browser.settled();
+    await browser.picture(path.join(pictures, 'trace.png'));
+  },
+  async 'a folder that is dropped is said, and the program goes on'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    await browser.value(`openFiles([{name: 'scans', arrayBuffer() { return Promise.reject(new Error()); }}])`);
+    await browser.until(`/scans could not be read/.test(document.getElementById('sentence').textContent)`);
+    assert.equal(await browser.value('failedWith'), null);
+  },
+  async 'an address of a file that leads elsewhere is refused'({open}) {
+    const browser = await open('#scene=torus');
+    await browser.settled();
+    await browser.value(`go('#file=https://example.org/x/../../../home/web_user/.config/a.ply')`);
+    await browser.until(`/is no address of a file/.test(document.getElementById('sentence').textContent)`);
   },
   async 'a page around hears of steps and moves the frame'({browser, server}) {
     const {address} = await server({pages: {'/around': `<title></title><script>addEventListener('message', e => { document.title = JSON.stringify(e.data); });</script>
