@@ -437,10 +437,24 @@ void Document::answer(LeaveAnswer answer) {
     });
 }
 
+namespace {
+
+/// The points of a session are among the files.
+bool hasPointsOfSession(const std::vector<std::string>& paths, const std::string& session) {
+    const Result<SessionFile> read = readSessionFile(session);
+    if (!read) return false;
+    const std::filesystem::path points = read.value().input.source;
+    return std::any_of(paths.begin(), paths.end(), [&points](const std::filesystem::path& path) {
+        return path.filename() == points.filename();
+    });
+}
+
+}  // namespace
+
 void Document::drop(const std::vector<std::string>& paths) {
     // Points that are dropped with their session are opened by it.
-    const auto session = std::find_if(paths.begin(), paths.end(), [](const std::string& path) {
-        return path.ends_with(kSessionExtension);
+    const auto session = std::find_if(paths.begin(), paths.end(), [&paths](const auto& path) {
+        return path.ends_with(kSessionExtension) && hasPointsOfSession(paths, path);
     });
     Leave to{LeaveFor::Open, session != paths.end() ? *session : paths.front(), {}};
     const std::size_t together = session != paths.end() ? 2 : 1;

@@ -61,6 +61,30 @@ TEST_CASE("A saved session is restored: position, camera, layers, layout, select
     CHECK(other.ui.sessionPath == path);
 }
 
+TEST_CASE("A session that is dropped with its points is opened, and one with others is not") {
+    DocumentApp app;
+    const std::string points = (app.folder / "plane.xyz").string();
+    const std::string others = (app.folder / "others.xyz").string();
+    for (const std::string& path : {points, others}) {
+        std::ofstream file(path);
+        for (int i = 0; i < 9; ++i) file << i % 3 << ' ' << i / 3 << " 0 0 0 1\n";
+    }
+    app.open(points);
+    app.ui.notes = "mine";
+    const std::string session = (app.folder / "a.sesession").string();
+    app.save(session);
+    app.open("scene:sphere");
+    app.document.drop({points, session});
+    app.waitUntilDone();
+    CHECK(app.ui.notes == "mine");
+    CHECK(app.session.messages().notice().find("were dropped") == std::string::npos);
+    app.open("scene:sphere");
+    app.document.drop({others, session});
+    app.waitUntilDone();
+    CHECK(app.session.input().spec().source == others);
+    CHECK(app.session.messages().notice().starts_with("2 files were dropped; only one was"));
+}
+
 TEST_CASE("An input that has changed since is a warning, not an error") {
     DocumentApp app;
     app.open("scene:sphere");
