@@ -19,7 +19,7 @@ void CompareForm::take(const RunSpec& spec, const Model& model) {
 
 void CompareForm::follow(const RunSpec& before, const RunSpec& now, const Model& model) {
     // With the rules of `now` only the preparation remains to differ.
-    if (differenceText(withRulesOf(before, now), now) != "the same") {
+    if (differenceText(withRulesOf(before, now), now) != kNoDifference) {
         prepare.take(now, model);
         prepare.open = false;
     }

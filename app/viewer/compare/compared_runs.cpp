@@ -35,7 +35,7 @@ void ComparedRuns::rememberBefore() {
     if (!same) {
         page.before.reset();
         page.form.take(run.input().spec(), run.model());
-    } else if (differenceText(*spec_, run.input().spec()) != "the same") {
+    } else if (differenceText(*spec_, run.input().spec()) != kNoDifference) {
         page.before = spec_;
         page.form.follow(*spec_, run.input().spec(), run.model());
     }

@@ -43,7 +43,7 @@ void Document::begin(const Options& options) {
     if (options.session) {
         takeLooks(*options.session, options.sessionPath);
         const std::string difference = differenceText(options.session->input, options.input);
-        if (difference != "the same")
+        if (difference != kNoDifference)
             warnLater("Opened with other options than the session has (" + difference +
                       "): addresses and bookmarks may refer to other decisions.");
     }

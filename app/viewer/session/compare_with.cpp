@@ -14,7 +14,7 @@ std::string runTitle(const RunSpec& spec) {
     RunSpec paper;
     paper.source = spec.source;
     const std::string text = differenceText(paper, spec);
-    return spec.rules == paper.rules ? "paper rules" + (text == "the same" ? "" : ", " + text)
+    return spec.rules == paper.rules ? "paper rules" + (text == kNoDifference ? "" : ", " + text)
                                      : text;
 }
 

@@ -484,7 +484,7 @@ std::string differenceText(const RunSpec& from, const RunSpec& to) {
         if (gone && !isReplaced(field, to)) addPart(text, field.without);
     }
     if (!(from.start == to.start)) addPart(text, "another start");
-    return text.empty() ? "the same" : text;
+    return text.empty() ? std::string(kNoDifference) : text;
 }
 
 std::vector<std::string> optionsOf(const SpecChange& change) {

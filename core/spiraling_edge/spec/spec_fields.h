@@ -95,8 +95,10 @@ SpecChange differenceOf(const RunSpec& from, const RunSpec& to);
 
 /// "robust rules, 10 neighbors"; "no change" without a value.
 std::string wordsOf(const SpecChange& change);
-/// What differs in `to`, also what is no longer set: "flip off, lists of the input"; "the same" if
-/// nothing does. Many single rules are counted.
+/// Text of no difference, as differenceText() gives it.
+inline constexpr std::string_view kNoDifference = "the same";
+/// Differences of `to`, also fields that are no longer set: "flip off, lists of the input";
+/// kNoDifference if there are none. Many single rules are counted.
 std::string differenceText(const RunSpec& from, const RunSpec& to);
 /// The options of a change: {"--rules robust", "--neighbors 10"}, as words of a shell. Fields
 /// without an option are passed over.

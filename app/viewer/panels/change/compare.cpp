@@ -55,7 +55,7 @@ std::string prepareNote(const PanelContext& context, const CompareForm& form) {
     const Result<RunSpec> there = form.prepare.spec(here);
     if (!there) return "a field is wrong";
     const std::string text = differenceText(here, there.value());
-    return text == "the same" ? "as in A" : text;
+    return text == kNoDifference ? "as in A" : text;
 }
 
 void drawPrepared(const PanelContext& context, CompareForm& form) {
@@ -135,7 +135,7 @@ void drawCompareForm(const PanelContext& context) {
         if (spec) context.commands.compare.begin(CompareWith::otherRun(spec.value()));
     }
     ImGui::SameLine();
-    dimText(difference == "the same" ? "B is the same as A" : difference);
+    dimText(difference == kNoDifference ? "B is the same as A" : difference);
     if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
     ImGui::Spacing();
     drawShortcuts(context);
