@@ -197,12 +197,12 @@ EMSCRIPTEN_KEEPALIVE void webMotion(int moves) {
     withProgram([moves](Program& program) { program.ui().reducedMotion = moves == 0; });
 }
 
-/// The page fills the screen, or does no more.
+/// Takes over that the page has entered or left full screen.
 EMSCRIPTEN_KEEPALIVE void webFullScreen(int full) {
     withProgram([full](Program& program) { program.ui().fullScreen = full != 0; });
 }
 
-/// Scrolls the list at a position by so many pixels; 0 if there is none.
+/// Scrolls the list at a position, by pixels; 0 if there is none.
 EMSCRIPTEN_KEEPALIVE int webScroll(float x, float y, float by) {
     ImGuiWindow* list = nullptr;
     withProgram([&list, x, y, by](Program& program) {

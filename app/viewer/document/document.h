@@ -87,7 +87,8 @@ class Document {
     const Status& placeStatus() const { return placeStatus_; }
     /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
     std::string unsaved() const;
-    /// What is lost by leaving, in words: unsaved annotations, and settings of the run; else empty.
+    /// Work that leaving would lose, in words: unsaved annotations, settings of the run; else
+    /// empty.
     std::string atStake() const;
     /// Takes layout, colors and styles that a link names.
     void applyLooks(const Options& link);

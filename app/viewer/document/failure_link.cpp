@@ -1,7 +1,6 @@
 #include "failure_link.h"
 
 #include <string>
-#include <utility>
 
 #include "link.h"
 #include "link_actions.h"
@@ -15,7 +14,7 @@ namespace se::view {
 
 namespace {
 
-/// What opens the reduced points: rules and lists of the run, and the class of the alert.
+/// Options that open the reduced points: rules and lists of the run, and the class of the alert.
 Options optionsOf(const CommandContext& c, const Reduced& reduced, const FailureClass& kind) {
     Options o;
     o.input = withFixesAsOptions(c.session.input().spec());

@@ -166,7 +166,7 @@ function narrated(line) {
   if (sentence) tellAround({address, sentence});
 }
 
-/// The program fills the screen, or does no more: when it asks for that, and when the reader leaves it.
+/// Enters or leaves full screen, as the program asks.
 function setFullScreen(full) {
   const asked = full ? document.documentElement.requestFullscreen?.() : document.fullscreenElement && document.exitFullscreen();
   asked?.catch(toldFullScreen);

@@ -215,7 +215,7 @@ EMSCRIPTEN_KEEPALIVE void webFocus(int focused) {
     w->focused = focused != 0;
     if (w->focus) w->focus(w, focused);
 }
-/// The page fills the screen, or does no more.
+/// Takes over that the page has entered or left full screen.
 EMSCRIPTEN_KEEPALIVE void webMonitor(int full) { theWindow()->full = full != 0; }
 EMSCRIPTEN_KEEPALIVE void webPasted(const char* text) { theWindow()->clipboard = text; }
 /// Paths in the file system of the page, one a line.
