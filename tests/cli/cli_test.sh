@@ -762,9 +762,9 @@ interrupt_leaves_no_file() {
     is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
 }
 
-# A height map of 150 by 150 points with normals, as XYZ.
+# height_map SIDE: a height map of SIDE by SIDE points with normals, as XYZ.
 height_map() {
-    awk 'BEGIN { for (x = 0; x < 150; ++x) for (y = 0; y < 150; ++y)
+    awk -v side="$1" 'BEGIN { for (x = 0; x < side; ++x) for (y = 0; y < side; ++y)
         print x, y, 0.3 * sin(x / 9) * cos(y / 7), 0, 0, 1 }'
 }
 
@@ -814,7 +814,8 @@ interrupted_after() {
 interrupts_end_every_verb_at_once() {
     mkfifo silence
     exec {never}<>silence
-    height_map >big.xyz
+    height_map 150 >big.xyz
+    height_map 400 >bigger.xyz
     expect 0 run big.xyz -q -o mesh.ply --trace run.setrace
     local files now code late
     files=$(ls | sort | tr '\n' ' ')
@@ -832,8 +833,8 @@ interrupts_end_every_verb_at_once() {
 4 run big.xyz -o new.ply --report new.json
 9 run big.xyz -o new.ply --report new.json
 14 run big.xyz -o new.ply --check --report new.json
-60 run big.xyz --best -o new.ply
-1 info big.xyz
+40 run big.xyz --best -o new.ply
+2 info bigger.xyz
 1 doctor big.xyz --fix new.ply
 6 doctor big.xyz --fix new.ply
 1 check mesh.ply
@@ -842,12 +843,12 @@ interrupts_end_every_verb_at_once() {
 20 sample sphere -n 100000 -o new.ply
 3 why big.xyz --failures
 20 why big.xyz --failures
-9 compare big.xyz --with --rules robust
+6 compare big.xyz --with --rules robust
 3 diff run.setrace big.xyz --rules robust
 12 reduce big.xyz --failure openings -o new.ply
 5 table1
 20 figures --check
-3 lesson check tour
+1 lesson check tour
 0 practice --answer -
 0 info -
 VERBS
@@ -928,9 +929,9 @@ promises_of_headers_take_no_memory() {
 an_ignored_interrupt_stays_ignored() {
     mkfifo silence
     exec {never}<>silence
-    height_map >big.xyz
+    height_map 400 >big.xyz
     local code late
-    interrupted_after 4 ignore run big.xyz -q -o new.ply
+    interrupted_after 1 ignore run big.xyz -q -o new.ply
     exec {never}>&-
     is "$code" 0 "exit code"
     empty err
