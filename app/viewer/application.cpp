@@ -43,7 +43,6 @@ Application::Application(const Options& options, const ViewSettings& settings)
       firstRun_(context_),
       export_(std::make_unique<WindowExport>(context_)),
       history_(context_) {
-    compare_.setShaders(options.shaders);
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
@@ -64,7 +63,10 @@ Status Application::start(float contentScale) {
             return std::string(text != nullptr ? text : "");
         },
         [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); });
-    if (const Status status = painter_.start(options_.shaders); !status) return status;
+    Result<std::shared_ptr<Shaders>> shaders = Shaders::load(options_.shaders);
+    if (!shaders) return shaders.error();
+    painter_.start(shaders.value());
+    compare_.setShaders(shaders.value());
     document_.begin(options_);
     alerts_.begin(options_);
     lesson_.begin(options_);

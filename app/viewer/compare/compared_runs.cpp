@@ -122,16 +122,13 @@ const DifferenceLook* ComparedRuns::look() {
 
 void ComparedRuns::fill(bool onPaper) {
     shown_ = false;
-    if (!inLayout() || !comparison_.chosen() || failed_) return;
+    if (!inLayout() || !comparison_.chosen()) return;
     Session* other = comparison_.other();
     const bool file = comparison_.with().isFile() && shaded_ != nullptr;
     if (other == nullptr && !file) return;
     if (!painter_) {
         painter_ = std::make_unique<ScenePainter>();
-        if (const Status status = painter_->start(shaders_); !status) {
-            failed_ = true;
-            return c_.session.messages().say(status.error().message);
-        }
+        painter_->start(shaders_);
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
     if (other != nullptr) {

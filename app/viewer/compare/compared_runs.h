@@ -2,8 +2,8 @@
 /// Independent of window and Dear ImGui.
 #pragma once
 
-#include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "comparison.h"
 #include "document/context.h"
@@ -15,8 +15,8 @@ class ComparedRuns {
   public:
     explicit ComparedRuns(CommandContext& context);
 
-    /// Sets the folder with the shaders of the second view; empty: the built-in ones.
-    void setShaders(const std::filesystem::path& folder) { shaders_ = folder; }
+    /// Sets the shaders of the second view. To be called before fill().
+    void setShaders(std::shared_ptr<Shaders> shaders) { shaders_ = std::move(shaders); }
     /// Sets the counterpart, with which the next open input is compared.
     void beginWith(CompareWith with) { waiting_ = std::move(with); }
     /// Takes the results of the threads. True if there is something new to draw.
@@ -84,9 +84,8 @@ class ComparedRuns {
     Comparison comparison_;
     std::optional<CompareWith> waiting_;
     std::string reportedRefusal_;
-    std::filesystem::path shaders_;
+    std::shared_ptr<Shaders> shaders_;
     std::unique_ptr<ScenePainter> painter_;
-    bool failed_ = false;  ///< The second view cannot be drawn.
     bool shown_ = false;
     std::optional<DecisionState> tracedState_;  ///< Of the trace in shaded_, at tracedAt_.
     TracePosition tracedAt_;

@@ -78,11 +78,8 @@ bool showsGhosts(const Session& session, const CameraMatrices& camera, const Dra
 
 }  // namespace
 
-Status ScenePainter::start(const std::filesystem::path& shaders) {
-    Result<std::unique_ptr<Renderer>> renderer = Renderer::create(shaders);
-    if (!renderer) return renderer.error();
-    renderer_ = std::move(renderer.value());
-    return success();
+void ScenePainter::start(std::shared_ptr<Shaders> shaders) {
+    renderer_ = std::make_unique<Renderer>(std::move(shaders));
 }
 
 /// Phase of the short animations at which the scene is drawn.

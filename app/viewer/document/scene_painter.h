@@ -1,7 +1,6 @@
 /// Draws the session into the texture of the view; only changes are drawn again.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 
 #include "context.h"
@@ -15,8 +14,8 @@ namespace se::view {
 
 class ScenePainter {
   public:
-    /// Call with a current OpenGL context. An empty folder: the built-in shaders.
-    Status start(const std::filesystem::path& shaders);
+    /// Call with a current OpenGL context.
+    void start(std::shared_ptr<Shaders> shaders);
 
     /// Uploads new data and makes the draw list, if something changed since
     /// the last time. In saved pictures, brief highlights are shown too. `look`: triangles that

@@ -30,13 +30,6 @@ constexpr float kHaloEms = 0.16F;
 
 }  // namespace
 
-Status LinePass::load(const std::filesystem::path& folder) {
-    Result<Shader> loaded = Shader::load("line.vert", "line.frag", folder);
-    if (!loaded) return loaded.error();
-    shader_ = std::move(loaded.value());
-    return success();
-}
-
 void LinePass::describeFrom(std::size_t first) {
     const std::size_t at = first * sizeof(LineInstance);
     batch_.describe(0, sizeof(LineInstance),

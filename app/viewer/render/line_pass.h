@@ -18,8 +18,8 @@ struct LineSizes {
 
 class LinePass {
   public:
-    /// Compiles the shader; see Renderer::create().
-    Status load(const std::filesystem::path& folder);
+    explicit LinePass(Shader& shader) : shader_(shader) {}
+
     /// The shader, whose camera has to be set before draw().
     Shader& shader() { return shader_; }
     /// Draws into the present target, whose depth is that of the mesh; it is lost.
@@ -32,7 +32,7 @@ class LinePass {
     /// Draws lines of the upload, from `first` up to `last`.
     void drawRange(std::size_t first, std::size_t last, Part part);
 
-    Shader shader_;
+    Shader& shader_;
     Batch batch_;
     LineSizes sizes_;
 };

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 namespace se::view {
 
@@ -24,18 +22,6 @@ void Relief::release() {
     glDeleteFramebuffers(1, &frame_);
     glDeleteTextures(1, &texture_);
     frame_ = texture_ = 0;
-}
-
-Status Relief::load(const std::filesystem::path& folder) {
-    for (const auto& [shader, fragment, defines] :
-         {std::tuple{&occlusionShader_, "occlusion.frag", ""},
-          std::tuple{&reliefShader_, "relief.frag", ""},
-          std::tuple{&outlineShader_, "relief.frag", "#define QUICK\n"}}) {
-        Result<Shader> loaded = Shader::load("screen.vert", fragment, folder, defines);
-        if (!loaded) return loaded.error();
-        *shader = std::move(loaded.value());
-    }
-    return success();
 }
 
 int Relief::reach(float em) { return static_cast<int>(std::ceil(kOcclusionEm * em)) + 6; }
@@ -80,8 +66,8 @@ void Relief::findOcclusion(const KeptPicture& picture, const PixelRect& rect,
     const PixelRect half = PixelRect{rect.min / 2, (rect.max + 1) / 2}.grown(2, size_);
     glEnable(GL_SCISSOR_TEST);
     glScissor(half.min.x, half.min.y, half.max.x - half.min.x, half.max.y - half.min.y);
-    useDepth(occlusionShader_, picture, camera);
-    occlusionShader_.set("uReach", kOcclusionEm * em);
+    useDepth(shaders_.occlusion, picture, camera);
+    shaders_.occlusion.set("uReach", kOcclusionEm * em);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -91,7 +77,7 @@ void Relief::shade(KeptPicture& picture, const PixelRect& rect, const CameraMatr
     glDisable(GL_BLEND);
     glDepthMask(GL_FALSE);
     picture.beginShading(rect);
-    Shader& shader = full ? reliefShader_ : outlineShader_;
+    Shader& shader = full ? shaders_.relief : shaders_.outline;
     useDepth(shader, picture, camera);
     shader.set("uStep", static_cast<int>(std::max(1.0F, std::round(kOutlineEm * em))));
     shader.set("uColor", 1);

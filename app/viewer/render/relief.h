@@ -2,22 +2,20 @@
 /// lighting), and ambient occlusion of surfaces.
 #pragma once
 
-#include <filesystem>
-
 #include "gl_objects.h"
 #include "kept_picture.h"
 #include "scene/camera.h"
+#include "shaders.h"
 
 namespace se::view {
 
 class Relief {
   public:
-    Relief() = default;
+    explicit Relief(Shaders& shaders) : shaders_(shaders) {}
     ~Relief();
     Relief(const Relief&) = delete;
     Relief& operator=(const Relief&) = delete;
 
-    Status load(const std::filesystem::path& folder);
     /// Pixels by which a change of the surfaces reaches beyond them. `em` in pixels.
     static int reach(float em);
     /// Finds the ambient occlusion of the surfaces in `rect`, which takes several times as long as
@@ -34,9 +32,7 @@ class Relief {
     void allocate(glm::ivec2 size);
     void release();
 
-    Shader occlusionShader_;
-    Shader reliefShader_;
-    Shader outlineShader_;
+    Shaders& shaders_;
     Batch nothing_;  ///< Vertices are made in the shader.
     glm::ivec2 size_{0};
     unsigned frame_ = 0;

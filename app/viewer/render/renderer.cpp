@@ -49,35 +49,13 @@ std::vector<glm::vec3> unitSphere() {
     return vertices;
 }
 
-Status loadInto(Shader& shader, const char* vertex, const char* fragment,
-                const std::filesystem::path& folder, const char* defines = "") {
-    Result<Shader> loaded = Shader::load(vertex, fragment, folder, defines);
-    if (!loaded) return loaded.error();
-    shader = std::move(loaded.value());
-    return success();
-}
-
 }  // namespace
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const std::filesystem::path& shaderFolder) {
-    std::unique_ptr<Renderer> renderer(new Renderer);
-    if (const Status status = renderer->loadShaders(shaderFolder); !status) return status.error();
-    renderer->describeBatches();
-    renderer->drawNothing({1, 1}, {});
-    return renderer;
-}
-
-Status Renderer::loadShaders(const std::filesystem::path& folder) {
-    for (const Status& status :
-         {surface_.load(folder), relief_.load(folder),
-          loadInto(spriteShader_, "sprite.vert", "point.frag", folder, "#define HALO\n"),
-          lines_.load(folder), loadInto(shellShader_, "shell.vert", "shell.frag", folder)}) {
-        if (!status) return status;
-    }
-    return success();
-}
-
-void Renderer::describeBatches() {
+Renderer::Renderer(std::shared_ptr<Shaders> shaders)
+    : shaders_(std::move(shaders)),
+      surface_(*shaders_),
+      relief_(*shaders_),
+      lines_(shaders_->line) {
     sprites_.describe(0, sizeof(SpriteVertex),
                       {{0, 3, offsetof(SpriteVertex, position)},
                        {1, 4, offsetof(SpriteVertex, color)},
@@ -86,6 +64,7 @@ void Renderer::describeBatches() {
     shell_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
     shell_.upload(0, sphere.data(), sphere.size() * sizeof(glm::vec3));
     shellVertices_ = sphere.size();
+    drawNothing({1, 1}, {});
 }
 
 void Renderer::draw(const DrawList& list, SurfaceView view, Finish finish) {
@@ -174,16 +153,16 @@ void Renderer::drawSheets(const DrawList& list, const CameraMatrices& camera) {
 
 void Renderer::drawSpheres(const DrawList& list, const CameraMatrices& camera) {
     if (list.spheres.empty()) return;
-    useCamera(shellShader_, camera, 0.0F);
+    useCamera(shaders_->shell, camera, 0.0F);
     shell_.bind();
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     // Drawn completely, also where the surface would hide it: it represents a test, not an object.
     glDisable(GL_DEPTH_TEST);
     for (const Sphere& sphere : list.spheres) {
-        shellShader_.set("uCenter", sphere.center);
-        shellShader_.set("uRadius", sphere.radius);
-        shellShader_.set("uColor", vec(sphere.color));
+        shaders_->shell.set("uCenter", sphere.center);
+        shaders_->shell.set("uRadius", sphere.radius);
+        shaders_->shell.set("uColor", vec(sphere.color));
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(shellVertices_));
     }
     glEnable(GL_DEPTH_TEST);
@@ -199,8 +178,8 @@ void Renderer::drawSprites(const DrawList& list, const CameraMatrices& camera,
                                   static_cast<float>(sprite.style.shape));
         vertices.push_back({sprite.position, vec(sprite.style.color), sizeShape});
     }
-    useCamera(spriteShader_, camera, 0.0F);
-    spriteShader_.set("uHalo", glm::vec3(background.r, background.g, background.b));
+    useCamera(shaders_->sprite, camera, 0.0F);
+    shaders_->sprite.set("uHalo", glm::vec3(background.r, background.g, background.b));
     sprites_.upload(0, vertices.data(), vertices.size() * sizeof(SpriteVertex));
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
 }

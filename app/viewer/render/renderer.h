@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
@@ -13,15 +12,15 @@
 #include "relief.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
+#include "shaders.h"
 #include "surface.h"
 
 namespace se::view {
 
 class Renderer {
   public:
-    /// Compiles the shaders; from `shaderFolder` unless it is empty. Call with a current OpenGL
-    /// context.
-    static Result<std::unique_ptr<Renderer>> create(const std::filesystem::path& shaderFolder);
+    /// Call with a current OpenGL context.
+    explicit Renderer(std::shared_ptr<Shaders> shaders);
 
     /// The triangles and points to draw.
     Surface& surface() { return surface_; }
@@ -36,24 +35,20 @@ class Renderer {
     unsigned texture() const { return picture_.texture(); }
 
   private:
-    Renderer() = default;
-    Status loadShaders(const std::filesystem::path& folder);
-    void describeBatches();
     void keep(const DrawList& list, SurfaceView view, Finish finish);
     void drawLines(const DrawList& list, const CameraMatrices& camera);
     void drawSheets(const DrawList& list, const CameraMatrices& camera);
     void drawSpheres(const DrawList& list, const CameraMatrices& camera);
     void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);
 
+    std::shared_ptr<Shaders> shaders_;
     Surface surface_;
     Relief relief_;
+    LinePass lines_;
     KeptPicture picture_;
     SurfaceView kept_;               ///< View of the kept surfaces.
     Finish finish_ = Finish::Quick;  ///< Finish of them.
-    Shader spriteShader_;
-    Shader shellShader_;
     Batch sprites_;
-    LinePass lines_;
     Batch shell_;
     std::size_t shellVertices_ = 0;
     float em_ = 16.0F;

@@ -123,20 +123,7 @@ void useCamera(Shader& shader, const CameraMatrices& camera, float bias) {
     shader.set("uBias", bias);
 }
 
-Status Surface::load(const std::filesystem::path& folder) {
-    for (const auto& [shader, vertex, fragment, defines] :
-         {std::tuple{&meshShader_, "mesh.vert", "mesh.frag", ""},
-          std::tuple{&shapeShader_, "cloud.vert", "point.frag", ""},
-          std::tuple{&dotShader_, "cloud.vert", "point.frag", "#define SOLID\n"}}) {
-        Result<Shader> loaded = Shader::load(vertex, fragment, folder, defines);
-        if (!loaded) return loaded.error();
-        *shader = std::move(loaded.value());
-    }
-    describeBatches();
-    return success();
-}
-
-void Surface::describeBatches() {
+Surface::Surface(Shaders& shaders) : shaders_(shaders) {
     cloud_.describe(
         0, sizeof(CloudVertex),
         {{0, 3, offsetof(CloudVertex, position)}, {1, 3, offsetof(CloudVertex, normal)}});
@@ -270,21 +257,21 @@ SurfaceChanges Surface::takeChanges(const DrawList& list) {
 void Surface::drawSolid(const DrawList& list, const SurfaceView& view) {
     glDisable(GL_BLEND);
     useMesh(list, view);
-    meshShader_.set("uGhost", ghost_);
-    meshShader_.set("uGhostsOnly", false);
+    shaders_.mesh.set("uGhost", ghost_);
+    shaders_.mesh.set("uGhostsOnly", false);
     drawFinished(list, view);
-    meshShader_.set("uGhost", glm::vec4(0.0F));
-    meshShader_.set("uSmooth", 0.0F);
-    meshShader_.set("uWire", false);
-    meshShader_.set("uByBirth", false);
+    shaders_.mesh.set("uGhost", glm::vec4(0.0F));
+    shaders_.mesh.set("uSmooth", 0.0F);
+    shaders_.mesh.set("uWire", false);
+    shaders_.mesh.set("uByBirth", false);
     // New triangles and faults are data: their color stays on the back too.
-    meshShader_.set("uSoft", 0.35F);
+    shaders_.mesh.set("uSoft", 0.35F);
     drawFaces(list.faces);
     if (!drawnSolid(view.dots)) return;
     // Shares of samples make the dots smooth; the picture itself stays opaque.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    drawPoints(dotShader_, list, view);
+    drawPoints(shaders_.dot, list, view);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
@@ -299,56 +286,56 @@ void Surface::drawGhosts(const DrawList& list, SurfaceView view) {
     if (ghost_.w <= 0.0F) return;
     view.rect = pixelsOf(view.camera, boundsOf(ghost_), view.size);
     useMesh(list, view);
-    meshShader_.set("uGhost", ghost_);
-    meshShader_.set("uGhostsOnly", true);
+    shaders_.mesh.set("uGhost", ghost_);
+    shaders_.mesh.set("uGhostsOnly", true);
     drawFinished(list, view);
-    meshShader_.set("uGhost", glm::vec4(0.0F));
+    shaders_.mesh.set("uGhost", glm::vec4(0.0F));
 }
 
 void Surface::drawShapes(const DrawList& list, const SurfaceView& view) {
-    if (!drawnSolid(view.dots)) drawPoints(shapeShader_, list, view);
+    if (!drawnSolid(view.dots)) drawPoints(shaders_.shape, list, view);
 }
 
 void Surface::drawSheets(const std::vector<Sheet>& sheets, const CameraMatrices& camera) {
-    useCamera(meshShader_, camera, 0.0F);
-    meshShader_.set("uLit", false);
-    meshShader_.set("uEdgeColor", glm::vec4(0.0F));
+    useCamera(shaders_.mesh, camera, 0.0F);
+    shaders_.mesh.set("uLit", false);
+    shaders_.mesh.set("uEdgeColor", glm::vec4(0.0F));
     drawFaces(sheets);
 }
 
 void Surface::useMesh(const DrawList& list, const SurfaceView& view) {
-    useCamera(meshShader_, view.camera, 0.0F);
-    meshShader_.set("uRight", glm::vec3(glm::row(view.camera.view, 0)));
-    meshShader_.set("uUp", glm::vec3(glm::row(view.camera.view, 1)));
-    meshShader_.set("uLit", true);
-    meshShader_.set("uHatch", 0.55F * view.em);
-    meshShader_.set("uCorner", glm::vec2(view.corner));
-    meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * view.em));
-    meshShader_.set("uSpacing", spacing_);
-    meshShader_.set("uPixel",
-                    2.0F / (view.camera.projection[1][1] * static_cast<float>(view.size.y)));
+    useCamera(shaders_.mesh, view.camera, 0.0F);
+    shaders_.mesh.set("uRight", glm::vec3(glm::row(view.camera.view, 0)));
+    shaders_.mesh.set("uUp", glm::vec3(glm::row(view.camera.view, 1)));
+    shaders_.mesh.set("uLit", true);
+    shaders_.mesh.set("uHatch", 0.55F * view.em);
+    shaders_.mesh.set("uCorner", glm::vec2(view.corner));
+    shaders_.mesh.set("uEdgeWidth", std::max(1.0F, 0.07F * view.em));
+    shaders_.mesh.set("uSpacing", spacing_);
+    shaders_.mesh.set("uPixel",
+                      2.0F / (view.camera.projection[1][1] * static_cast<float>(view.size.y)));
     const Color edge = list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F);
-    meshShader_.set("uEdgeColor", colorVector(edge));
+    shaders_.mesh.set("uEdgeColor", colorVector(edge));
 }
 
 /// Draws the finished triangles that can be seen in the part, each stretch in its color.
 void Surface::drawStretches(const DrawList& list, const SurfaceView& view) {
     const bool data = list.meshStyle >= MeshStyle::CreationOrder;
-    meshShader_.set("uSmooth", list.meshStyle == MeshStyle::Shaded ? 1.0F : 0.0F);
-    meshShader_.set("uWire", list.meshStyle == MeshStyle::Wire);
-    meshShader_.set("uByBirth", list.meshStyle == MeshStyle::CreationOrder);
-    meshShader_.set("uBirthEnd", static_cast<float>(list.creationEnd));
+    shaders_.mesh.set("uSmooth", list.meshStyle == MeshStyle::Shaded ? 1.0F : 0.0F);
+    shaders_.mesh.set("uWire", list.meshStyle == MeshStyle::Wire);
+    shaders_.mesh.set("uByBirth", list.meshStyle == MeshStyle::CreationOrder);
+    shaders_.mesh.set("uBirthEnd", static_cast<float>(list.creationEnd));
     // Colors that are data must stay distinguishable in the shade.
-    meshShader_.set("uSoft", data ? 0.6F : 0.0F);
+    shaders_.mesh.set("uSoft", data ? 0.6F : 0.0F);
     if (list.meshStyle == MeshStyle::Wire)
-        meshShader_.set("uEdgeColor", colorVector(list.meshEdgeColor));
+        shaders_.mesh.set("uEdgeColor", colorVector(list.meshEdgeColor));
     if (list.meshStyle == MeshStyle::CreationOrder) {
         std::array<glm::vec4, kScaleSteps> scale{};
         for (std::size_t i = 0; i < kScaleSteps; ++i) {
             const float share = static_cast<float>(i) / static_cast<float>(kScaleSteps - 1);
             scale[i] = colorVector(viridis(share));
         }
-        meshShader_.set("uScale", std::span<const glm::vec4>(scale));
+        shaders_.mesh.set("uScale", std::span<const glm::vec4>(scale));
     }
     const bool repaired = list.repaired != nullptr && list.repaired == uploadedRepaired_;
     repaired ? repaired_.bind() : mesh_.bind();
@@ -373,7 +360,7 @@ void Surface::drawRange(DrawPacer& pacer, const DrawList& list, BlockBounds::Ran
 
 /// Drawn over the finished triangles, at exactly the same depth.
 void Surface::drawTinted(const DrawList& list) {
-    meshShader_.set("uByBirth", false);
+    shaders_.mesh.set("uByBirth", false);
     DrawPacer pacer;
     for (std::size_t i = 0; i < tinted_.size(); ++i) {
         const TintedTriangles& tinted = list.tinted[i];

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "run/model.h"
 #include "scene/draw_list.h"
 #include "scene/screen_rect.h"
+#include "shaders.h"
 
 namespace se::view {
 
@@ -36,7 +36,8 @@ struct SurfaceChanges {
 
 class Surface {
   public:
-    Status load(const std::filesystem::path& folder);
+    /// Call with a current OpenGL context.
+    explicit Surface(Shaders& shaders);
 
     /// Uploads positions and normals. Discards all triangles.
     void setModel(const Model& model);
@@ -81,7 +82,6 @@ class Surface {
         friend bool operator==(const Looks&, const Looks&) = default;
     };
 
-    void describeBatches();
     void useMesh(const DrawList& list, const SurfaceView& view);
     void drawFinished(const DrawList& list, const SurfaceView& view);
     std::size_t meshCount(const DrawList& list) const;
@@ -92,9 +92,7 @@ class Surface {
     void drawPoints(Shader& shader, const DrawList& list, const SurfaceView& view);
     Bounds uploadStyles(const BlockList<std::uint8_t>& styles);
 
-    Shader meshShader_;
-    Shader shapeShader_;
-    Shader dotShader_;
+    Shaders& shaders_;
     Batch cloud_;
     Batch mesh_;
     Batch repaired_;

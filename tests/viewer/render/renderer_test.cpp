@@ -75,7 +75,7 @@ struct DrawnScene {
         auto made = Offscreen::create({64, 64});
         if (!made) return;
         display = std::move(made.value());
-        renderer = std::move(Renderer::create({}).value());
+        renderer = std::make_unique<Renderer>(Shaders::load({}).value());
         renderer->surface().setModel(*model);
         camera.set(ViewPreset::Front);
         camera.setPose({glm::vec3(0.0F), 4.0F, -90.0F, 0.0F});
