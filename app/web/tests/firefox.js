@@ -15,8 +15,10 @@ class Firefox {
     const made = new Firefox();
     made.profile = fs.mkdtempSync(path.join(os.tmpdir(), 'firefox-'));
     const port = 20000 + process.pid % 20000;
-    fs.writeFileSync(path.join(made.profile, 'user.js'), `user_pref('marionette.port', ${port});\nuser_pref('webgl.force-enabled', true);\n`);
-    made.process = spawn('firefox-esr', ['--marionette', '--no-remote', '--profile', made.profile, '--width', String(width), '--height', String(height)], {stdio: 'ignore'});
+    fs.writeFileSync(path.join(made.profile, 'user.js'), [
+      ['marionette.port', port], ['webgl.force-enabled', true], ['browser.download.folderList', 2],
+      ['browser.download.dir', `'${made.profile}'`]].map(([name, value]) => `user_pref('${name}', ${value});\n`).join(''));
+    made.process = spawn('firefox-esr', ['--marionette', '--remote-allow-system-access', '--no-remote', '--profile', made.profile, '--width', String(width), '--height', String(height)], {stdio: 'ignore'});
     for (let i = 0; !made.socket; ++i) {
       await sleep(200);
       made.socket = await new Promise(done => {
@@ -55,6 +57,12 @@ class Firefox {
     for (let i = 0; i < 600; ++i, await sleep(100)) if (await this.value(expression).catch(() => false)) return;
     throw new Error(`never: ${expression}; the page: ${await this.value('document.title + " | " + document.body.innerText').catch(String)}`);
   }
+  /// Sets a preference of the browser.
+  async prefer(name, value) {
+    await this.call('Marionette:SetContext', {value: 'chrome'});
+    await this.call('WebDriver:ExecuteScript', {script: `Services.prefs.setBoolPref('${name}', ${value})`, args: []});
+    await this.call('Marionette:SetContext', {value: 'content'});
+  }
   /// A key by its name, or by WebDriver's number.
   key(value) {
     return this.call('WebDriver:PerformActions', {actions: [{type: 'key', id: 'keyboard', actions: [{type: 'keyDown', value}, {type: 'keyUp', value}]}]});
@@ -89,7 +97,9 @@ class Firefox {
   const lacking = await serve(site, {missing: ['viewer.wasm']});
   const version = fs.readdirSync(site).find(name => fs.statSync(path.join(site, name)).isDirectory());
   const listens = `<title></title><script>addEventListener('message', e => { document.title = JSON.stringify(e.data); });</script>`;
+  const page = fs.readFileSync(path.join(site, version, 'index.html'), 'utf8');
   const around = await serve(site, {pages: {
+    [`/${version}/old`]: page.replace('<head>', '<head><script>WebAssembly.validate = () => false;</script>'),
     '/around': `${listens}<iframe src="/${version}/#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`,
     '/sandbox': `${listens}<iframe sandbox="allow-scripts" src="/one#scene=torus&goto=137.sphere.3" width="900" height="600"></iframe>`,
     '/one': fs.readFileSync(oneFile, 'utf8')}});
@@ -104,7 +114,11 @@ class Firefox {
       code = 1;
     }
   };
-  const open = url => browser.call('WebDriver:Navigate', {url});
+  // The page before may go on for a while: it, too, runs.
+  const open = async url => {
+    await browser.call('WebDriver:Navigate', {url});
+    await browser.until(`location.href.startsWith('${url.replace(/#.*/, '')}') && document.readyState === 'complete'`);
+  };
   await test('a link lands at its decision, and keys step', async () => {
     await open(`${server.address}${version}/#scene=torus&goto=137.sphere.3`);
     await browser.until(`document.title.startsWith('137.sphere.3')`);
@@ -133,13 +147,28 @@ class Firefox {
     }
     if (seen.size !== 4) throw new Error(`${seen.size} of 4 pictures differ`);
   });
+  const drop = (name, bytes) => browser.value(`(() => { const all = new DataTransfer();
+    all.items.add(new File([Uint8Array.from(atob('${bytes.toString('base64')}'), c => c.charCodeAt(0))], '${name}'));
+    document.getElementById('canvas').dispatchEvent(new DragEvent('drop', {dataTransfer: all, bubbles: true, cancelable: true})); return 1; })()`);
   await test('a dropped file runs', async () => {
     await open(`${server.address}${version}/?drop`);
     await browser.until(runs);
-    const sheet = fs.readFileSync(path.resolve(__dirname, '../../../assets/points/sheet.ply')).toString('base64');
-    await browser.value(`(() => { const all = new DataTransfer(); all.items.add(new File([Uint8Array.from(atob('${sheet}'), c => c.charCodeAt(0))], 'sheet.ply'));
-      document.getElementById('canvas').dispatchEvent(new DragEvent('drop', {dataTransfer: all, bubbles: true, cancelable: true})); return 1; })()`);
+    await drop('sheet.ply', fs.readFileSync(path.resolve(__dirname, '../../../assets/points/sheet.ply')));
     await browser.until(`/sheet\\.ply/.test(document.title)`);
+  });
+  await test('what is saved is a download, and opens again', async () => {
+    await open(`${server.address}${version}/?save#scene=torus&goto=137.sphere.3`);
+    await browser.until(`document.title.startsWith('137.sphere.3')`);
+    await browser.keys(['\uE009', 's']);
+    await sleep(500);
+    await browser.key('\uE007');
+    const file = path.join(browser.profile, 'torus.sesession');
+    for (let i = 0; i < 300 && !(fs.existsSync(file) && fs.statSync(file).size > 0); ++i) await sleep(100);
+    const saved = fs.readFileSync(file);
+    await open(`${server.address}${version}/?saved#scene=sphere`);
+    await browser.until(`/scene:sphere/.test(document.title)`);
+    await drop('torus.sesession', saved);
+    await browser.until(`/137\\.sphere\\.3/.test(document.title)`);
   });
   await test('a chosen theme stays for the next visit', async () => {
     await open(`${server.address}${version}/?theme#scene=torus`);
@@ -180,6 +209,25 @@ class Firefox {
     await browser.until(`/gto.*goto/s.test(document.getElementById('why').textContent)`);
     await open(`${lacking.address}${version}/`);
     await browser.until(`/viewer\\.wasm of the program is not there/.test(document.getElementById('why').textContent)`);
+  });
+  const says = sentence => browser.until(`${sentence}.test(document.getElementById('why').textContent)`);
+  await test('a browser without WebGL 2, or without exceptions of WebAssembly, is told what to do', async () => {
+    await browser.prefer('webgl.disabled', true);
+    await open(`${server.address}${version}/?flat#scene=torus`);
+    await says('/no WebGL 2.*hardware acceleration/');
+    await browser.prefer('webgl.disabled', false);
+    await open(`${around.address}${version}/old`);
+    await says('/too old/');
+  });
+  await test('memory that is used up, and graphics that stop, are said', async () => {
+    await open(`${server.address}${version}/?full#scene=torus`);
+    await browser.until(runs);
+    await browser.value(`window.eval("WebAssembly.Memory.prototype.grow = () => { throw new RangeError('no more'); }; while (program._malloc(1e6)); go('#sample=torus,n=20000')")`);
+    await browser.until(`/Out of memory/.test(document.getElementById('sentence').textContent)`);
+    await open(`${server.address}${version}/?lost#scene=torus`);
+    await browser.until(runs);
+    await browser.value(`window.eval("canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()")`);
+    await says('/graphics of this browser have stopped/');
   });
   await test('it opens without a network after the first visit', async () => {
     await open(`${server.address}${version}/#scene=torus`);
