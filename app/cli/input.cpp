@@ -9,6 +9,7 @@
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/why/what_if_check.h"
@@ -46,8 +47,9 @@ void refuseOtherThings(const std::string& input) {
 PointFile readInput(const std::string& input, const ByteLimit& limit) {
     refuseOtherThings(input);
     if (isScene(input)) return require(teach::buildScene(input), ExitCode::Input);
-    return require(isStandardInput(input) ? readStandardInput(limit)
-                                          : readPoints(std::filesystem::path(input), limit),
+    return require(isStandardInput(input)
+                       ? readStandardInput(limit, unpackGzip)
+                       : readPoints(std::filesystem::path(input), limit, unpackGzip),
                    ExitCode::Input);
 }
 

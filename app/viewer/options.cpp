@@ -21,6 +21,7 @@
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -377,7 +378,7 @@ Status adoptStandardInput(Options& o) {
     if (o.session || !isStandardInput(o.input.source)) return success();
     Status read = success();
     const Status good = guarded([&] {
-        Result<PointFile> points = readStandardInput(ByteLimit{o.input.maxBytes});
+        Result<PointFile> points = readStandardInput(ByteLimit{o.input.maxBytes}, unpackGzip);
         if (!points) {
             read = points.error();
             return;

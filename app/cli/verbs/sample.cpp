@@ -37,7 +37,7 @@ struct SampleArguments {
             "Name of a shape (see --list), or a volume: " + wordList(volumeExtensions(), "or"));
         addOutputOption(app, "-o,--output", output,
                         "Write the points to this file, as " +
-                            listText(meshFormats(), &MeshFormat::name, "or", isReadable) +
+                            listText(meshFormats(), &MeshFormat::name, "or", keepsPoints) +
                             " by its extension; - : PLY to standard output")
             ->type_name("OUT");
         auto* count =
@@ -83,9 +83,9 @@ struct SampleArguments {
         requireNoTerminal(output);
         // Points are made to be read again.
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
-        if (output != "-" && (format == nullptr || !isReadable(*format)))
+        if (output != "-" && (format == nullptr || !keepsPoints(*format)))
             throw Failure(ExitCode::Usage, "-o {}: points can be written as {}", output,
-                          listText(meshFormats(), &MeshFormat::extension, "or", isReadable));
+                          listText(meshFormats(), &MeshFormat::extension, "or", keepsPoints));
         const bool volume = isVolumePath(input);
         force.require({{"", volume ? input : ""},
                        {"the data file", volume ? dataFileOf(input).string() : ""}},

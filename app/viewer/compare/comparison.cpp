@@ -9,6 +9,7 @@
 #include <cassert>
 #include <utility>
 
+#include "spiraling_edge/sampling/gzip.h"
 #include "teach/trace/rule_guess.h"
 
 namespace se::view {
@@ -77,7 +78,7 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
 /// The run, and a mesh that is finished already.
 std::string compareMesh(Compared& found, const std::string& path, const ByteLimit& limit,
                         const Progress& progress) {
-    const Result<PointFile> file = readPoints(std::filesystem::path(path), limit);
+    const Result<PointFile> file = readPoints(std::filesystem::path(path), limit, unpackGzip);
     if (!file) return file.error().message;
     if (file.value().faces.empty()) return path + " has no triangles to compare with.";
     MatchedMesh matched = matchMesh(found.a->points.position, file.value());

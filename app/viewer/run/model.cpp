@@ -15,6 +15,7 @@
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/prepare/piece.h"
+#include "spiraling_edge/sampling/gzip.h"
 #include "strings.h"
 #include "teach/file_bytes.h"
 #include "teach/practice.h"
@@ -129,7 +130,7 @@ Result<PointFile> readSource(const RunSpec& spec, Model& model, LoadProgress& pr
         readHashed(source, ByteLimit{spec.maxBytes}, model.hash, progress);
     if (progress.cancelled) return openingCancelled();
     if (!bytes) return bytes.error();
-    return readPoints(bytes.value(), source);
+    return readPoints(bytes.value(), source, ByteLimit{spec.maxBytes}, unpackGzip);
 }
 
 float medianSpacing(const Model& model) {

@@ -31,6 +31,15 @@ inline std::string lineText(std::size_t number) { return "line " + std::to_strin
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
+/// The content of a line before its comment, which `sign` begins; not in "1.#QNAN", the word of
+/// older programs of Windows for a number that is none.
+inline std::string_view beforeComment(std::string_view line, char sign) {
+    std::size_t at = line.find(sign);
+    while (at != std::string_view::npos && at > 0 && line[at - 1] == '.')
+        at = line.find(sign, at + 1);
+    return line.substr(0, at);
+}
+
 /// Iterates over the lines of a text and their numbers, counted from 1.
 class LineReader {
   public:
@@ -51,7 +60,7 @@ class LineReader {
     /// `comment` on; '\0' means that the format has no comments.
     bool nextContent(char comment = '\0') {
         while (next()) {
-            if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
+            if (comment != '\0') line_ = beforeComment(line_, comment);
             if (!std::all_of(line_.begin(), line_.end(), isSpace)) return true;
         }
         line_ = {};
@@ -111,12 +120,19 @@ inline std::string_view withoutPlus(std::string_view field) {
     return secondSign ? std::string_view{} : field;
 }
 
-/// "nan", "inf" or "infinity" in any case, with or without a sign. False if it is none of them.
+/// "nan", "inf" or "infinity" in any case, with or without a sign, and the words of older runtime
+/// libraries of Windows: "1.#QNAN", "-1.#IND", "1.#INF", with zeros after them. False if it is none
+/// of them.
 inline bool parseNonFinite(std::string_view field, double& value) {
     const bool minus = !field.empty() && field.front() == '-';
     if (minus) field.remove_prefix(1);
     std::string lower;
-    for (const char c : field.substr(0, 9)) lower += static_cast<char>(c | 0x20);
+    for (const char c : field.substr(0, 12)) lower += static_cast<char>(c | 0x20);
+    if (field.starts_with("1.#")) {
+        lower.erase(0, 3);
+        lower.erase(std::min(lower.find('0'), lower.size()));
+        if (lower == "ind" || lower == "qnan" || lower == "snan") lower = "nan";
+    }
     if (lower == "nan") {
         value = std::numeric_limits<double>::quiet_NaN();
     } else if (lower == "inf" || lower == "infinity") {
@@ -152,7 +168,7 @@ inline bool parseDouble(std::string_view field, double& value) {
     const std::string_view digits = withoutPlus(field);
     const char* const end = digits.data() + digits.size();
     const auto [stop, problem] = std::from_chars(digits.data(), end, value);
-    if (problem == std::errc{}) return stop == end;
+    if (problem == std::errc{}) return stop == end || parseNonFinite(digits, value);
     if (problem != std::errc::result_out_of_range) return false;
 #endif
     return parseDoubleByStrtod(field, value);

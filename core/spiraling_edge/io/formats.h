@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/read_points.h"
@@ -19,7 +20,8 @@ namespace se::io {
 /// The clues to the format of a file.
 struct FileStart {
     std::string_view bytes;  ///< All bytes, without a byte order mark.
-    std::string_view word;   ///< The first word outside of comments.
+    std::string_view line;   ///< The first line outside of comments.
+    std::string_view word;   ///< The first word of it.
     std::string extension;   ///< ".off", in lower case.
 };
 
@@ -36,12 +38,38 @@ bool isOff(const FileStart& start);
 /// The keyword of the first line may be missing, as the format allows.
 Result<PointFile> readOff(std::string_view text, const std::string& name);
 
+bool isStl(const FileStart& start);
+/// Corners at the same place are one point, with the mean of the normals of its triangles.
+Result<PointFile> readStl(std::string_view bytes, const std::string& name);
+
+bool isLas(const FileStart& start);
+/// Versions 1.0 to 1.4, not packed: positions, intensity, classification and colors.
+Result<PointFile> readLas(std::string_view bytes, const std::string& name);
+
+bool isPtx(const FileStart& start);
+/// All scans of the file, each by its matrix; places without a return are not numbers.
+Result<PointFile> readPtx(std::string_view text, const std::string& name);
+
 bool isPcd(const FileStart& start);
-/// Version 0.7 and earlier, ascii and binary; packed colors become red, green and blue.
+/// Version 0.7 and earlier; packed colors become red, green and blue.
 Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 
 /// Appends the fan of a polygon around its first corner; none for fewer than three corners.
 void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
+
+/// Colors of points in text, as fractions of 1 or whole numbers up to 255.
+class TextColors {
+  public:
+    /// Takes the color of the next point from three fields; of a missing one nothing is kept.
+    void add(Fields& fields);
+    /// Adds the columns red, green and blue to `file`, from 0 to 255, if every point has a color;
+    /// otherwise a note if some have one.
+    void take(PointFile& file) const;
+
+  private:
+    std::vector<Vec3> colors_;
+    std::size_t missing_ = 0;
+};
 
 inline std::string lowerCase(std::string_view text) {
     std::string lower(text);

@@ -1,6 +1,12 @@
-// OBJ: `v`, `vn` and `f`; all other statements are ignored.
+// OBJ: `v` with colors, `vn` and `f`; other statements are left out.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/points/usable_points.h"
@@ -8,7 +14,7 @@
 namespace se::io {
 namespace {
 
-/// Reads OBJ: `v`, `vn` and `f`; all other statements are ignored.
+/// Reads OBJ statement by statement; a backslash at the end of a line continues one.
 class ObjReader : LineByLine {
   public:
     using LineByLine::LineByLine;
@@ -16,13 +22,17 @@ class ObjReader : LineByLine {
     Result<PointFile> read() {
         file_.positionType = file_.normalType = ScalarType::Double;
         while (lines_.nextContent('#')) {
-            Fields fields(lines_.line());
+            Fields fields(statement());
             if (!readStatement(fields.next(), fields)) return problem_;
         }
         if (file_.position.empty())
             return Error{name_ + ": holds no points (lines that begin with v)"};
         if (!checkReferences()) return problem_;
         takeNormals();
+        colors_.take(file_);
+        for (const auto& [keyword, text] : kLeftOut) {
+            if (leftOut_.contains(keyword)) file_.notes.push_back(std::string("left out: ") + text);
+        }
         return std::move(file_);
     }
 
@@ -34,13 +44,43 @@ class ObjReader : LineByLine {
         std::size_t line = 0;
     };
 
-    bool readStatement(std::string_view keyword, Fields& fields) {
-        if (keyword == "v") return readVector(fields, file_.position);
-        if (keyword == "vn") return readVector(fields, normals_);
-        return keyword != "f" || readFace(fields);
+    /// The line, with those that continue it.
+    std::string_view statement() {
+        const auto isContinued = [](std::string_view line) {
+            while (!line.empty() && isSpace(line.back())) line.remove_suffix(1);
+            return line.ends_with('\\');
+        };
+        if (!isContinued(lines_.line())) return lines_.line();
+        joined_.clear();
+        bool more = true;
+        while (more) {
+            more = isContinued(lines_.line());
+            const std::string_view line = lines_.line();
+            joined_ += line.substr(0, more ? line.rfind('\\') : line.size());
+            joined_ += ' ';
+            more = more && lines_.nextContent('#');
+        }
+        return joined_;
     }
 
-    /// Numbers after the first three (weights, colors) are ignored.
+    bool readStatement(std::string_view keyword, Fields& fields) {
+        if (keyword == "v") return readPoint(fields);
+        if (keyword == "vn") return readVector(fields, normals_);
+        if (keyword == "f") return readFace(fields);
+        for (const auto& [known, text] : kLeftOut) {
+            if (keyword == known) leftOut_.insert(known);
+        }
+        return true;
+    }
+
+    /// A color may follow the position; a weight is read over.
+    bool readPoint(Fields& fields) {
+        if (!readVector(fields, file_.position)) return false;
+        Fields weight = fields;
+        weight.next();
+        if (!weight.next().empty()) colors_.add(fields);
+        return true;
+    }
     bool readVector(Fields& fields, std::vector<Vec3>& target) {
         Vec3 vector{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -138,7 +178,19 @@ class ObjReader : LineByLine {
         Index normal;
     };
 
+    /// Statements that points and triangles do without, and their words.
+    static constexpr std::array<std::pair<std::string_view, const char*>, 5> kLeftOut{{
+        {"vt", "texture coordinates"},
+        {"mtllib", "materials"},
+        {"l", "lines"},
+        {"p", "lists of points"},
+        {"cstype", "free-form surfaces"},
+    }};
+
     PointFile file_;
+    TextColors colors_;
+    std::set<std::string_view> leftOut_;
+    std::string joined_;
     std::vector<Vec3> normals_;
     std::vector<NormalReference> normalReferences_;
     std::vector<Index> polygon_;

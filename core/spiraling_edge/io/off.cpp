@@ -4,8 +4,15 @@
 namespace se::io {
 namespace {
 
+/// A word without the digits at its end: some programs glue the first count to the keyword.
+std::string_view withoutCount(std::string_view word) {
+    while (!word.empty() && word.back() >= '0' && word.back() <= '9') word.remove_suffix(1);
+    return word;
+}
+
 /// OFF with any of the prefixes C, N, ST.
 bool isOffKeyword(std::string_view word) {
+    word = withoutCount(word);
     if (!word.ends_with("OFF")) return false;
     word.remove_suffix(3);
     if (word.starts_with("ST")) word.remove_prefix(2);
@@ -22,6 +29,9 @@ class OffReader : LineByLine {
     Result<PointFile> read() {
         file_.positionType = file_.normalType = ScalarType::Double;
         if (!readHeader() || !readPoints() || !readFaces()) return problem_;
+        colors_.take(file_);
+        if (hasTexture_) file_.notes.push_back("left out: texture coordinates");
+        if (hasFaceColors_) file_.notes.push_back("left out: colors of faces");
         if (lines_.nextContent('#')) {
             fail("the file goes on after the " + std::to_string(points_) + " points and " +
                  std::to_string(faces_) + " faces that it announces; correct the counts");
@@ -43,10 +53,13 @@ class OffReader : LineByLine {
         Fields fields(lines_.line());
         std::string_view field = fields.next();
         if (isOffKeyword(field)) {
-            field.remove_suffix(3);
-            hasNormals_ = field.find('N') != std::string_view::npos;
-            mayHaveMore_ = field.find_first_of("CS") != std::string_view::npos;
-            field = fields.next();
+            const std::string_view keyword = withoutCount(field);
+            const std::string_view prefix = keyword.substr(0, keyword.size() - 3);
+            hasNormals_ = prefix.find('N') != std::string_view::npos;
+            hasColors_ = prefix.find('C') != std::string_view::npos;
+            hasTexture_ = prefix.find('S') != std::string_view::npos;
+            const std::string_view glued = field.substr(keyword.size());
+            field = glued.empty() ? fields.next() : glued;
             if (field.empty()) {
                 if (!lines_.nextContent('#')) return failCut("counts", 0, 3);
                 fields = Fields(lines_.line());
@@ -62,8 +75,31 @@ class OffReader : LineByLine {
                fail("expected the numbers of points, faces and edges, found " + inQuotes(field));
     }
 
-    bool readNumber(Fields& fields, double& value) {
+    /// The next field of a row, which may go on in the lines after it: then it ends with the last
+    /// of them, and no color follows.
+    std::string_view nextOf(Fields& fields) {
         const std::string_view field = fields.next();
+        if (!field.empty() || hasColors_ || hasTexture_ || !lines_.nextContent('#')) return field;
+        fields = Fields(lines_.line());
+        goesOn_ = true;
+        return fields.next();
+    }
+    /// Begins a row in the next line.
+    bool beginRow(Fields& fields) {
+        goesOn_ = false;
+        if (!lines_.nextContent('#')) return false;
+        firstLine_ = lines_.number();
+        fields = Fields(lines_.line());
+        return true;
+    }
+    bool endRow(Fields& fields, const char* things) {
+        return !goesOn_ || fields.next().empty() ||
+               failIn(firstLine_, std::string("expected more numbers for ") + things +
+                                      ", found the end of the line");
+    }
+
+    bool readNumber(Fields& fields, double& value) {
+        const std::string_view field = nextOf(fields);
         if (parseDouble(field, value)) return true;
         return fail(std::string("expected ") + (hasNormals_ ? "six" : "three") +
                     " numbers per point, found " + inQuotes(field));
@@ -71,13 +107,16 @@ class OffReader : LineByLine {
 
     bool readPoints() {
         for (std::uint64_t i = 0; i < points_; ++i) {
-            if (!lines_.nextContent('#')) return failCut("points", i, points_);
-            Fields fields(lines_.line());
+            Fields fields({});
+            if (!beginRow(fields)) return failCut("points", i, points_);
             double n[6] = {};
             for (int column = 0; column < (hasNormals_ ? 6 : 3); ++column) {
                 if (!readNumber(fields, n[column])) return false;
             }
-            if (!mayHaveMore_ && !fields.next().empty()) {
+            if (!endRow(fields, "the point")) return false;
+            if (hasColors_) {
+                colors_.add(fields);
+            } else if (!hasTexture_ && !fields.next().empty()) {
                 return fail(
                     "the line holds more numbers than its kind of OFF has; colors need the "
                     "keyword COFF, normals NOFF");
@@ -92,8 +131,8 @@ class OffReader : LineByLine {
     bool readFaces() {
         std::vector<Index> polygon;
         for (std::uint64_t i = 0; i < faces_; ++i) {
-            if (!lines_.nextContent('#')) return failCut("faces", i, faces_);
-            Fields fields(lines_.line());
+            Fields fields({});
+            if (!beginRow(fields)) return failCut("faces", i, faces_);
             std::uint64_t corners = 0;
             const std::string_view field = fields.next();
             if (!parseCount(field, corners)) {
@@ -101,8 +140,10 @@ class OffReader : LineByLine {
             }
             polygon.clear();
             for (std::uint64_t corner = 0; corner < corners; ++corner) {
-                if (!readCorner(fields.next(), polygon)) return false;
+                if (!readCorner(nextOf(fields), polygon)) return false;
             }
+            if (!endRow(fields, "the face")) return false;
+            hasFaceColors_ = hasFaceColors_ || (!goesOn_ && !fields.next().empty());
             appendFan(polygon, file_.faces);
         }
         return true;
@@ -122,7 +163,12 @@ class OffReader : LineByLine {
     std::uint64_t points_ = 0;
     std::uint64_t faces_ = 0;
     bool hasNormals_ = false;
-    bool mayHaveMore_ = false;  // colors (C) or texture coordinates (ST), which are ignored
+    bool hasColors_ = false;
+    bool hasTexture_ = false;
+    bool hasFaceColors_ = false;
+    bool goesOn_ = false;        // The row goes on in a line after its first.
+    std::size_t firstLine_ = 0;  // Of the row.
+    TextColors colors_;
 };
 
 }  // namespace

@@ -2,7 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/base/float_bits.h"
@@ -19,9 +23,9 @@ struct PcdField {
     char kind = 'F';
     std::uint64_t count = 1;
 
-    /// Nothing for integers of eight bytes, which no double holds exactly.
+    /// Nothing for a kind that does not come in this size.
     std::optional<ScalarType> type() const {
-        constexpr std::string_view kKinds = "IUIUIUFF";  // By ScalarType.
+        constexpr std::string_view kKinds = "IUIUIUFFIU";  // By ScalarType.
         for (std::size_t i = 0; i < kKinds.size(); ++i) {
             const auto type = static_cast<ScalarType>(i);
             if (kind == kKinds[i] && size == sizeOf(type)) return type;
@@ -36,6 +40,34 @@ struct PcdField {
     }
 };
 
+/// The bytes of an LZF stream (Lehmann, LibLZF): of literals, and of references to bytes before. At
+/// most `size`; fewer if the stream is damaged.
+std::string unpackLzf(std::string_view packed, std::size_t size) {
+    std::string bytes;
+    bytes.reserve(std::min(size, 256 * packed.size()));
+    std::size_t at = 0;
+    const auto byte = [&] { return static_cast<std::uint8_t>(packed[at++]); };
+    while (at < packed.size()) {
+        const std::size_t control = byte();
+        if (control < 32) {
+            const std::size_t length = control + 1;
+            if (length > packed.size() - at || length > size - bytes.size()) break;
+            bytes.append(packed.substr(at, length));
+            at += length;
+            continue;
+        }
+        std::size_t length = control >> 5U;
+        if (packed.size() - at < (length == 7 ? 2U : 1U)) break;
+        if (length == 7) length += byte();
+        length += 2;
+        const std::size_t back = ((control & 31U) << 8U) + byte() + 1;
+        if (back > bytes.size() || length > size - bytes.size()) break;
+        // Byte by byte: a reference may reach into the bytes that it makes.
+        for (; length > 0; --length) bytes.push_back(bytes[bytes.size() - back]);
+    }
+    return bytes;
+}
+
 class PcdReader : LineByLine {
   public:
     PcdReader(std::string_view bytes, const std::string& name)
@@ -44,12 +76,15 @@ class PcdReader : LineByLine {
     Result<PointFile> read() {
         if (!readHeader() || !checkHeader()) return problem_;
         makeColumns();
-        if (!(binary_ ? readBinary() : readText())) return problem_;
+        if (!readRows()) return problem_;
+        rounded_.addNotes(file_.notes);
         splitColors();
         return std::move(file_);
     }
 
   private:
+    enum class Data : std::uint8_t { Text, Binary, Compressed };
+
     // ---- header -----------------------------------------------------------------------------
 
     bool readHeader() {
@@ -63,16 +98,13 @@ class PcdReader : LineByLine {
     }
 
     bool readData(std::string_view kind) {
-        if (kind == "ascii" || kind == "binary") {
-            binary_ = kind == "binary";
-            return true;
+        constexpr std::array<std::string_view, 3> kNames{"ascii", "binary", "binary_compressed"};
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            data_ = static_cast<Data>(i);
+            if (kind == kNames[i]) return true;
         }
-        if (kind == "binary_compressed") {
-            return fail(
-                "compressed PCD cannot be read; save it as binary, e.g. with "
-                "pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1");
-        }
-        return fail("expected ascii or binary after DATA, found " + inQuotes(kind));
+        return fail("expected ascii, binary or binary_compressed after DATA, found " +
+                    inQuotes(kind));
     }
 
     bool readEntry(std::string_view key, Fields& words) {
@@ -100,8 +132,19 @@ class PcdReader : LineByLine {
         if (key == "WIDTH") return readNumber(key, words, width_);
         if (key == "HEIGHT") return readNumber(key, words, height_);
         if (key == "POINTS") return readNumber(key, words, points_);
-        if (key == "VERSION" || key == "VIEWPOINT") return true;
+        if (key == "VIEWPOINT") return readViewpoint(words);
+        if (key == "VERSION") return true;
         return fail("expected a line of a PCD header (FIELDS, SIZE, ...), found " + inQuotes(key));
+    }
+
+    /// A place and a turn. The origin, which many programs write without a thought, tells nothing.
+    bool readViewpoint(Fields& words) {
+        Vec3 place{0.0};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!parseDouble(words.next(), place[axis])) return true;
+        }
+        if (isFinite(place) && place != Vec3(0.0)) file_.viewpoint = place;
+        return true;
     }
 
     bool readNames(Fields& words) {
@@ -160,9 +203,12 @@ class PcdReader : LineByLine {
             numbers += field.count;
         }
         // Checked before allocation: a number has at least two bytes in text, with its separator.
-        const std::uint64_t least = binary_ ? rowSize_ : 2 * numbers;
-        if (*points_ <= (lines_.rest().size() + 1) / least) return true;
-        if (binary_) return failCut(0);
+        // No byte of a compressed file unpacks to more than 256.
+        std::uint64_t room = lines_.rest().size() + 1;
+        if (data_ == Data::Compressed) room *= 256;
+        const std::uint64_t least = data_ == Data::Text ? 2 * numbers : rowSize_;
+        if (*points_ <= room / least) return true;
+        if (data_ != Data::Text) return failCut(0);
         // Without columns nothing is stored: this finds the line where the file is too short.
         columns_.assign(fields_.size(), {});
         return readText() && failCut(0);
@@ -170,7 +216,7 @@ class PcdReader : LineByLine {
 
     bool failCut(std::uint64_t found) {
         const std::string place =
-            binary_ ? "byte " + std::to_string(whole_) : lineText(lines_.number());
+            data_ != Data::Text ? "byte " + std::to_string(whole_) : lineText(lines_.number());
         return failAt(place, "the file ends after " + std::to_string(found) + " of " +
                                  std::to_string(*points_) +
                                  " points; it is cut short, or its header announces too many");
@@ -183,8 +229,13 @@ class PcdReader : LineByLine {
         columns_.assign(fields_.size(), {});
         takeVectors(kAxes, file_.position, file_.positionType);
         takeVectors(kNormals, file_.normal, file_.normalType);
+        if (file_.normal.empty()) takeVectors(kShortNormals, file_.normal, file_.normalType);
         for (std::size_t i = 0; n > 0 && i < fields_.size(); ++i) {
-            if (columns_[i].first != nullptr || !isAttribute(fields_[i])) continue;
+            if (columns_[i].first != nullptr || fields_[i].name == "_") continue;
+            if (!isAttribute(fields_[i])) {
+                file_.notes.push_back("left out: field " + fields_[i].name);
+                continue;
+            }
             // Moving the vector of attributes later does not move the values.
             file_.attributes.push_back(
                 {fields_[i].name, fields_[i].valueType(), std::vector<double>(n)});
@@ -194,6 +245,7 @@ class PcdReader : LineByLine {
 
     static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
     static constexpr std::array<const char*, 3> kNormals{"normal_x", "normal_y", "normal_z"};
+    static constexpr std::array<const char*, 3> kShortNormals{"nx", "ny", "nz"};
 
     /// Sends three fields to the components of `vectors`, if there are all of them.
     void takeVectors(const std::array<const char*, 3>& names, std::vector<Vec3>& vectors,
@@ -211,10 +263,12 @@ class PcdReader : LineByLine {
 
     /// True if a field that is no part of a position or normal is kept.
     static bool isAttribute(const PcdField& field) {
-        if (field.count != 1 || !field.type() || field.name == "_") return false;
-        // Whole numbers of this name are not normals here, but would be in PLY.
-        return field.kind == 'F' ||
-               std::find(kNormals.begin(), kNormals.end(), field.name) == kNormals.end();
+        if (field.count != 1 || !field.type()) return false;
+        // Whole numbers of these names are not normals here, but would be in PLY.
+        const auto isNamed = [&](const std::array<const char*, 3>& names) {
+            return std::find(names.begin(), names.end(), field.name) != names.end();
+        };
+        return field.kind == 'F' || !(isNamed(kNormals) || isNamed(kShortNormals));
     }
 
     bool readText() {
@@ -245,7 +299,7 @@ class PcdReader : LineByLine {
         }
         const PcdField& field = fields_[i];
         if (columns_[i].first == nullptr) return true;
-        if (!roundTo(*field.type(), value)) {
+        if (!rounded_.round(*field.type(), value, field.name)) {
             return fail(std::string(word) + " is no number of the type and size of field " +
                         inQuotes(field.name) + "; correct the line or the header");
         }
@@ -256,9 +310,15 @@ class PcdReader : LineByLine {
     /// In text a color of type F is the float that has its bits, one of type I their number with a
     /// sign.
     static double colorBits(const PcdField& field, double value) {
+        if (std::isnan(value)) return 0.0;
         if (field.kind == 'F') return bitsAs<std::uint32_t>(static_cast<float>(value));
         if (field.kind == 'I') return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
         return value;
+    }
+
+    bool readRows() {
+        if (data_ == Data::Text) return readText();
+        return data_ == Data::Compressed ? readCompressed() : readBinary();
     }
 
     bool readBinary() {
@@ -266,11 +326,11 @@ class PcdReader : LineByLine {
         const auto n = static_cast<std::size_t>(*points_);
         const std::size_t expected = rowSize_ * n;
         if (rows.size() < expected) return failCut(rows.size() / rowSize_);
-        constexpr bool kSwapped = std::endian::native == std::endian::big;  // Files are little.
         std::size_t at = 0;
         for (std::size_t i = 0; i < fields_.size(); ++i) {
             if (columns_[i].first != nullptr) {
-                columns_[i].load(fields_[i].valueType(), rows.data() + at, rowSize_, n, kSwapped);
+                columns_[i].load(fields_[i].valueType(), rows.data() + at, rowSize_, n,
+                                 kLittleIsSwapped);
             }
             at += fields_[i].size * fields_[i].count;
         }
@@ -282,6 +342,32 @@ class PcdReader : LineByLine {
         return failAt("byte " + std::to_string(whole_ - rest.size()),
                       "the file goes on after the " + std::to_string(n) +
                           " points that its header announces; correct POINTS");
+    }
+
+    /// Two sizes, packed and unpacked, then the packed bytes: all numbers of the first field, then
+    /// all of the second.
+    bool readCompressed() {
+        const std::string_view rest = lines_.rest();
+        const auto n = static_cast<std::size_t>(*points_);
+        if (rest.size() < 8) return failCut(0);
+        const auto packed = loadScalar<std::uint32_t>(rest.data(), kLittleIsSwapped);
+        const auto unpacked = loadScalar<std::uint32_t>(rest.data() + 4, kLittleIsSwapped);
+        if (packed > rest.size() - 8) return failCut(0);
+        const std::string bytes = unpackLzf(rest.substr(8, packed), unpacked);
+        if (bytes.size() != unpacked || unpacked != rowSize_ * n) {
+            return failAt("byte " + std::to_string(whole_ - rest.size() + 8),
+                          "the compressed points are damaged, or not the " + std::to_string(n) +
+                              " that the header announces");
+        }
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < fields_.size(); ++i) {
+            const std::size_t size = fields_[i].size * fields_[i].count;
+            if (columns_[i].first != nullptr)
+                columns_[i].load(fields_[i].valueType(), bytes.data() + at, size, n,
+                                 kLittleIsSwapped);
+            at += size * n;
+        }
+        return true;
     }
 
     /// Splits packed colors into the usual columns.
@@ -315,7 +401,8 @@ class PcdReader : LineByLine {
     std::vector<Column> columns_;
     std::optional<std::uint64_t> width_, height_, points_;
     std::size_t rowSize_ = 0;
-    bool binary_ = false;
+    Data data_ = Data::Text;
+    RoundedNumbers rounded_;
     PointFile file_;
 };
 

@@ -44,8 +44,8 @@ struct PlyHeader {
 };
 
 /// The other names of types than nameOf(), by ScalarType.
-constexpr std::array<std::string_view, 8> kSizedTypeNames{"int8",  "uint8",  "int16",   "uint16",
-                                                          "int32", "uint32", "float32", "float64"};
+constexpr std::array<std::string_view, 10> kSizedTypeNames{
+    "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64", "long", "ulong"};
 /// By PlyFormat.
 constexpr std::array<std::string_view, 3> kFormatNames{"ascii", "binary_little_endian",
                                                        "binary_big_endian"};
@@ -121,7 +121,9 @@ class HeaderReader : LineByLine {
             if (field == nameOf(type) || field == kSizedTypeNames[i]) return true;
         }
         return fail(
-            "expected a type: char, uchar, short, ushort, int, uint, float or double; found " +
+            "expected a type: char, uchar, short, ushort, int, uint, int64, uint64, float or "
+            "double; "
+            "found " +
             inQuotes(field));
     }
 
@@ -181,13 +183,16 @@ class RowsBase : protected FirstProblem {
     std::uint64_t row_ = 0;
 };
 
-/// One row per line.
+/// One row per line, or on several lines of which the last ends with the row.
 class AsciiRows : public RowsBase {
   public:
     AsciiRows(std::string_view bytes, const PlyHeader& header, const std::string& name)
         : RowsBase(name), lines_(bytes.substr(header.size), header.lines), fields_({}) {}
 
-    bool fail(const std::string& what) { return failAt(lineText(lines_.number()), what); }
+    /// Where a row goes on in lines that do not complete it, the line that is too short is wrong.
+    bool fail(const std::string& what) {
+        return broken_.property != nullptr ? failBroken() : failAt(lineText(lines_.number()), what);
+    }
 
     /// Checks that the file has room for the rows of `element`, before memory is allocated. A value
     /// takes at least two characters: a digit and a separator.
@@ -203,6 +208,7 @@ class AsciiRows : public RowsBase {
         enter(element, row);
         if (!lines_.nextContent()) return failCut(lineText(lines_.number()));
         fields_ = Fields(lines_.line());
+        broken_ = {};
         return true;
     }
     bool endRow() {
@@ -213,12 +219,17 @@ class AsciiRows : public RowsBase {
     }
     /// The next value of `property`, which is of `type` (its own, or that of its count).
     bool scalar(const PlyProperty& property, ScalarType type, double& value) {
-        const std::string_view field = fields_.next();
-        if (parseDouble(field, value) && roundTo(type, value)) return true;
-        return fail("expected a value of type " + std::string(nameOf(type)) + " for property " +
-                    inQuotes(property.name) + ", found " +
-                    (field.empty() ? "the end of the line" : inQuotes(field)));
+        std::string_view field = fields_.next();
+        if (field.empty()) {
+            if (broken_.property == nullptr) broken_ = {&property, type, lines_.number()};
+            if (!lines_.nextContent()) return failBroken();
+            fields_ = Fields(lines_.line());
+            field = fields_.next();
+        }
+        if (parseDouble(field, value) && rounded_.round(type, value, property.name)) return true;
+        return fail(expected(property, type) + inQuotes(field));
     }
+    void addNotes(std::vector<std::string>& notes) const { rounded_.addNotes(notes); }
     bool skipList(const PlyProperty& property, std::uint64_t count) {
         double ignored = 0.0;
         for (std::uint64_t i = 0; i < count; ++i) {
@@ -228,6 +239,7 @@ class AsciiRows : public RowsBase {
     }
     /// After the last element nothing may be left.
     bool finish() {
+        broken_ = {};
         if (!lines_.nextContent()) return true;
         return fail(
             "the file goes on after the last row that its header announces; correct the "
@@ -235,8 +247,27 @@ class AsciiRows : public RowsBase {
     }
 
   private:
+    static std::string expected(const PlyProperty& property, ScalarType type) {
+        return "expected a value of type " + std::string(nameOf(type)) + " for property " +
+               inQuotes(property.name) + ", found ";
+    }
+    /// The lines after a short one do not complete its row: it is the line that is wrong.
+    bool failBroken() {
+        return failAt(lineText(broken_.line),
+                      expected(*broken_.property, broken_.type) + "the end of the line");
+    }
+
+    /// The place where the row goes on in the next line.
+    struct Break {
+        const PlyProperty* property = nullptr;
+        ScalarType type = ScalarType::Float;
+        std::size_t line = 0;
+    };
+
     LineReader lines_;
     Fields fields_;
+    Break broken_;
+    RoundedNumbers rounded_;
 };
 
 /// Rows without anything between them.
@@ -277,6 +308,7 @@ class BinaryRows : public RowsBase {
         at_ += static_cast<std::size_t>(count) * size;
         return true;
     }
+    static void addNotes(std::vector<std::string>&) {}
     /// Reads all rows of an element without lists, for which checkRoom() was true: column by
     /// column, about five times as fast as row by row.
     void readColumns(const PlyElement& element, const std::vector<Column>& columns) {
@@ -398,7 +430,8 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
         return fail(*neighbors, "expected \"element se_neighbors " + std::to_string(vertex->count) +
                                     "\", one row per point, with \"property list ushort uint id\"");
     }
-    for (const PlyElement* element : {findElement(header, "face"), neighbors}) {
+    for (const PlyElement* element :
+         {findElement(header, "face"), findElement(header, "tristrips"), neighbors}) {
         if (element == nullptr || findIndexList(*element) == kNoProperty) continue;
         const PlyProperty& list = element->properties[findIndexList(*element)];
         if (!isInteger(list.type)) {
@@ -407,6 +440,19 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
         }
     }
     return success();
+}
+
+/// Appends the triangles of strips, which kNone separates: each corner makes one with the two
+/// before it, every second one turned; none where two are the same.
+void appendStrips(std::span<const Index> corners, std::vector<Triangle>& triangles) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] == kNone) begin = i + 1;
+        if (i < begin + 2) continue;
+        Triangle t{corners[i - 2], corners[i - 1], corners[i]};
+        if ((i - begin) % 2 == 1) std::swap(t.a, t.b);
+        if (t.a != t.b && t.b != t.c && t.c != t.a) triangles.push_back(t);
+    }
 }
 
 /// Reads the rows after the header; the templates below are the same for text and binary.
@@ -425,6 +471,8 @@ class BodyReader {
             if (!rows_.checkRoom(element) || !readElement(element)) return rows_.problem();
         }
         if (!rows_.finish()) return rows_.problem();
+        rows_.addNotes(file_.notes);
+        if (viewpoint_ != Vec3(0.0) && isFinite(viewpoint_)) file_.viewpoint = viewpoint_;
         if (const Status status = takeTypes(); !status) return status.error();
         return std::move(file_);
     }
@@ -434,19 +482,55 @@ class BodyReader {
         const std::vector<Column> nowhere(element.properties.size());
         const auto ignore = [] { return true; };
         if (element.name == "vertex") {
+            noteOthers(element, kNoProperty);
             return readRows(element, makeColumns(element), kNoProperty, ignore);
         }
         if (element.name == "face") {
+            noteOthers(element, findIndexList(element));
             return readRows(element, nowhere, findIndexList(element), [this] {
                 appendFan(list_, file_.faces);
                 return true;
             });
         }
+        if (element.name == "tristrips") {
+            return readRows(element, nowhere, findIndexList(element), [this] {
+                appendStrips(list_, file_.faces);
+                return true;
+            });
+        }
+        if (element.name == "camera") {
+            return readRows(element, cameraColumns(element), kNoProperty, ignore);
+        }
         if (element.name == "se_neighbors") {
             return readRows(element, nowhere, findIndexList(element),
                             [this] { return appendNeighbors(); });
         }
+        if (element.count > 0) file_.notes.push_back("left out: element " + element.name);
         return readRows(element, nowhere, kNoProperty, ignore);
+    }
+
+    /// Notes properties that are read over.
+    void noteOthers(const PlyElement& element, std::size_t taken) {
+        std::string names;
+        for (std::size_t i = 0; i < element.properties.size() && element.count > 0; ++i) {
+            const bool isRead =
+                i == taken || (element.name == "vertex" && !element.properties[i].isList);
+            if (!isRead) names += (names.empty() ? "" : ", ") + element.properties[i].name;
+        }
+        if (!names.empty())
+            file_.notes.push_back("left out of element " + element.name + ": " + names);
+    }
+
+    /// The place of the sensor, as the Point Cloud Library writes it.
+    std::vector<Column> cameraColumns(const PlyElement& camera) {
+        std::vector<Column> columns(camera.properties.size());
+        double* component = &viewpoint_.x;
+        for (const char* name : {"view_px", "view_py", "view_pz"}) {
+            const std::size_t at = findProperty(camera, name, false);
+            if (at != kNoProperty) columns[at] = {component, 0};
+            ++component;
+        }
+        return columns;
     }
 
     /// Reads all rows: scalars to their columns; list number `taken`, whose values name points, to
@@ -465,7 +549,7 @@ class BodyReader {
             for (std::size_t i = 0; i < element.properties.size(); ++i) {
                 const PlyProperty& property = element.properties[i];
                 if (property.isList) {
-                    if (!readList(property, i == taken)) return false;
+                    if (!readList(element, property, i == taken)) return false;
                     continue;
                 }
                 double value = 0.0;
@@ -477,7 +561,7 @@ class BodyReader {
         return true;
     }
 
-    bool readList(const PlyProperty& property, bool isTaken) {
+    bool readList(const PlyElement& element, const PlyProperty& property, bool isTaken) {
         double count = 0.0;
         if (!rows_.scalar(property, property.countType, count)) return false;
         if (count < 0.0) {
@@ -486,9 +570,14 @@ class BodyReader {
         }
         if (!isTaken) return rows_.skipList(property, static_cast<std::uint64_t>(count));
         list_.clear();
+        const bool restarts = element.name == "tristrips";
         for (auto left = static_cast<std::uint64_t>(count); left > 0; --left) {
             double value = 0.0;
             if (!rows_.scalar(property, property.type, value)) return false;
+            if (value == -1.0 && restarts) {
+                list_.push_back(kNone);
+                continue;
+            }
             if (value < 0.0 || value >= static_cast<double>(points_)) {
                 return rows_.fail("list " + inQuotes(property.name) + " names point " +
                                   std::to_string(static_cast<std::int64_t>(value)) +
@@ -564,6 +653,7 @@ class BodyReader {
     const PlyHeader& header_;
     Rows rows_;
     std::uint64_t points_;
+    Vec3 viewpoint_{0.0};
     const std::string& name_;
     PointFile file_;
     std::vector<double> types_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
@@ -13,13 +14,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 1> kPlyExtensions{".ply"};
-constexpr std::array<std::string_view, 2> kXyzExtensions{".xyz", ".txt"};
+constexpr std::array<std::string_view, 5> kXyzExtensions{".xyz", ".txt", ".csv", ".asc", ".pts"};
 constexpr std::array<std::string_view, 1> kObjExtensions{".obj"};
 constexpr std::array<std::string_view, 2> kOffExtensions{".off", ".noff"};
 constexpr std::array<std::string_view, 1> kPcdExtensions{".pcd"};
+constexpr std::array<std::string_view, 1> kStlExtensions{".stl"};
+constexpr std::array<std::string_view, 1> kLasExtensions{".las"};
+constexpr std::array<std::string_view, 1> kPtxExtensions{".ptx"};
 
 constexpr std::array kPointFormats{
     PointFormat{"PLY", "ascii or binary", kPlyExtensions, true, io::isPly, io::readPly},
+    // Binary STL may begin with any text.
+    PointFormat{"STL", "ascii or binary", kStlExtensions, true, io::isStl, io::readStl},
+    PointFormat{"LAS", "", kLasExtensions, false, io::isLas, io::readLas},
+    PointFormat{"PTX", "", kPtxExtensions, false, io::isPtx, io::readPtx},
     PointFormat{"XYZ", "x y z per line, then normals or colors", kXyzExtensions, false, io::isXyz,
                 io::readXyz},
     PointFormat{"OBJ", "", kObjExtensions, true, io::isObj, io::readObj},
@@ -45,8 +53,81 @@ io::FileStart startOf(std::string_view bytes, const std::string& name) {
     io::LineReader lines(bytes);
     while (lines.nextContent('#') && isSlashComment(lines.line())) {
     }
-    return {bytes, io::Fields(lines.line(), ',', ';').next(), lowerExtension(name)};
+    const std::string_view line = lines.line();
+    const fs::path path(name);
+    const bool packed = lowerExtension(path) == ".gz";
+    return {bytes, line, io::Fields(line, ',', ';').next(),
+            lowerExtension(packed ? path.stem() : path)};
 }
+
+// ---- encodings ----------------------------------------------------------------------------------
+
+constexpr std::string_view kGzipMark = "\x1f\x8b";
+
+void appendUtf8(std::string& text, std::uint32_t code) {
+    const auto add = [&](std::uint32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (code < 0x80) return add(code);
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    constexpr std::array<std::uint32_t, 4> kFirst{0, 0xc0, 0xe0, 0xf0};
+    add(kFirst[static_cast<std::size_t>(more)] | code >> (6U * static_cast<unsigned>(more)));
+    for (int i = more - 1; i >= 0; --i)
+        add(0x80U | (code >> (6U * static_cast<unsigned>(i)) & 0x3fU));
+}
+
+/// A text in UTF-16, after its byte order mark, as UTF-8. Halves of pairs alone become "?".
+std::string fromUtf16(std::string_view bytes, bool bigEndian) {
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    const auto unit = [&](std::size_t at) {
+        const auto first = static_cast<unsigned char>(bytes[at]);
+        const auto second = static_cast<unsigned char>(bytes[at + 1]);
+        return static_cast<std::uint32_t>(bigEndian ? first << 8U | second : second << 8U | first);
+    };
+    for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+        std::uint32_t code = unit(at);
+        if (code >= 0xd800 && code < 0xe000) {
+            const bool pair = code < 0xdc00 && at + 3 < bytes.size() && unit(at + 2) >> 10U == 0x37;
+            code = pair ? 0x10000U + ((code & 0x3ffU) << 10U) + (unit(at + 2) & 0x3ffU) : '?';
+            if (pair) at += 2;
+        }
+        appendUtf8(text, code);
+    }
+    return text;
+}
+
+/// The text in another encoding, or with line ends of CR alone, as the readers expect it; empty if
+/// it is so already.
+std::string recoded(std::string_view bytes) {
+    if (bytes.starts_with("\xff\xfe")) return fromUtf16(bytes.substr(2), false);
+    if (bytes.starts_with("\xfe\xff")) return fromUtf16(bytes.substr(2), true);
+    const bool oneLine = bytes.find('\n') == std::string_view::npos;
+    const bool text = bytes.find('\0') == std::string_view::npos;
+    if (!oneLine || !text || bytes.find('\r') == std::string_view::npos) return {};
+    std::string lines(bytes);
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return lines;
+}
+
+// ---- files that other programs have to convert --------------------------------------------------
+
+/// A kind of file that is recognized, but not read.
+struct UnreadKind {
+    std::string_view magic;  ///< The first bytes.
+    const char* remedy;      ///< After "NAME: ".
+};
+constexpr std::array kUnreadKinds{
+    UnreadKind{"ASTM-E57",
+               "is an E57 file, which cannot be read; convert it, e.g. with "
+               "\"pdal translate IN.e57 OUT.ply\" or with CloudCompare"},
+    UnreadKind{"\x93NUMPY",
+               "is an array of NumPy, which cannot be read; save it as text, e.g. with "
+               "python3 -c \"import numpy; numpy.savetxt('OUT.xyz', numpy.load('IN.npy'))\""},
+    UnreadKind{kGzipMark, "is packed by gzip; unpack it with \"gunzip -k IN.gz\""},
+    UnreadKind{"PK\x03\x04", "is a ZIP archive; unpack it, e.g. with \"unzip IN.zip\""},
+    UnreadKind{"glTF",
+               "is a GLB file, which is only written here; convert it to PLY or OBJ, e.g. "
+               "with MeshLab or Blender"},
+};
 
 }  // namespace
 
@@ -62,27 +143,38 @@ const PointFormat* pointFormatOf(const fs::path& path) {
     return found == kPointFormats.end() ? nullptr : &*found;
 }
 
-Result<PointFile> readPoints(const fs::path& path, const ByteLimit& limit) {
+Result<PointFile> readPoints(const fs::path& path, const ByteLimit& limit, Unpack unpack) {
     const Result<std::string> bytes = readBytes(path, limit);
     if (!bytes) return bytes.error();
-    return readPoints(bytes.value(), path.string());
+    return readPoints(bytes.value(), path.string(), limit, unpack);
 }
 
-Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
+Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
+                             const ByteLimit& limit, Unpack unpack) {
+    if (unpack != nullptr && bytes.starts_with(kGzipMark)) {
+        const Result<std::string> unpacked = unpack(bytes, name, limit);
+        if (!unpacked) return unpacked.error();
+        return readPoints(unpacked.value(), name);
+    }
     if (bytes.empty()) return Error{name + ": is empty"};
+    const std::string text = recoded(bytes);
+    if (!text.empty()) bytes = text;
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
     const io::FileStart start = startOf(bytes, name);
     for (const PointFormat& format : kPointFormats) {
         if (format.recognizes(start)) return format.read(bytes, name);
     }
+    for (const UnreadKind& kind : kUnreadKinds) {
+        if (bytes.starts_with(kind.magic)) return Error{name + ": " + kind.remedy};
+    }
     return Error{name + ": is of no known kind. " + readableText()};
 }
 
-Result<PointFile> readStandardInput(const ByteLimit& limit) {
+Result<PointFile> readStandardInput(const ByteLimit& limit, Unpack unpack) {
     const Result<std::string> bytes = readBytes("/dev/stdin", limit);
     if (!bytes) return bytes.error();
-    return readPoints(bytes.value(), "standard input");
+    return readPoints(bytes.value(), "standard input", limit, unpack);
 }
 
 }  // namespace se

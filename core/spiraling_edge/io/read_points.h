@@ -31,20 +31,28 @@ struct PointFormat {
     Result<PointFile> (*read)(std::string_view bytes, const std::string& name);
 };
 
-/// PLY (ascii, binary little and big endian), XYZ (`x y z` with normals, colors, both or an
-/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD (ascii and binary).
+/// PLY (ascii, binary little and big endian), STL, LAS, PTX, XYZ (`x y z` with normals, colors,
+/// both or an intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD.
 std::span<const PointFormat> pointFormats();
 /// The format of a path's extension, in upper or lower case. Null if no format has it.
 const PointFormat* pointFormatOf(const std::filesystem::path& path);
 
-/// Reads a file in one of the pointFormats(). Errors name the file and the line or byte, what was
+/// A function that unpacks a gzip stream, to at most `limit` bytes. Its errors name the file. This
+/// library has none of its own; that of `spiraling_edge::sampling` is unpackGzip().
+using Unpack = Result<std::string> (*)(std::string_view packed, const std::string& name,
+                                       const ByteLimit& limit);
+
+/// Reads a file in one of the pointFormats(), also in UTF-16, with line ends of any kind, and
+/// packed by gzip if there is an `unpack`. Errors name the file and the line or byte, what was
 /// expected and what to do.
-Result<PointFile> readPoints(const std::filesystem::path& path, const ByteLimit& limit = {});
+Result<PointFile> readPoints(const std::filesystem::path& path, const ByteLimit& limit = {},
+                             Unpack unpack = nullptr);
 /// Reads points from memory; `name` is the name in errors, and its extension is the second hint.
-Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
+Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
+                             const ByteLimit& limit = {}, Unpack unpack = nullptr);
 
 /// Points from standard input, read to its end; a second call finds nothing. Errors begin with
 /// "standard input".
-Result<PointFile> readStandardInput(const ByteLimit& limit = {});
+Result<PointFile> readStandardInput(const ByteLimit& limit = {}, Unpack unpack = nullptr);
 
 }  // namespace se

@@ -10,8 +10,12 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/points/point_file.h"
 
 namespace se::io {
@@ -34,6 +38,10 @@ decltype(auto) withScalar(ScalarType type, Use&& use) {
             return use(std::uint32_t{});
         case ScalarType::Float:
             return use(float{});
+        case ScalarType::Int64:
+            return use(std::int64_t{});
+        case ScalarType::UInt64:
+            return use(std::uint64_t{});
         case ScalarType::Double:
             break;
     }
@@ -48,10 +56,13 @@ inline std::size_t sizeOf(ScalarType type) {
 }
 /// The name of `type` in headers of PLY: "uchar".
 inline std::string_view nameOf(ScalarType type) {
-    constexpr std::array<std::string_view, 8> kNames{"char", "uchar", "short", "ushort",
-                                                     "int",  "uint",  "float", "double"};
+    constexpr std::array<std::string_view, 10> kNames{
+        "char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int64", "uint64"};
     return kNames[static_cast<std::size_t>(type)];
 }
+
+/// True if numbers in little endian files are in the other byte order than those of this machine.
+inline constexpr bool kLittleIsSwapped = std::endian::native == std::endian::big;
 
 /// The scalar at `bytes`, in the other byte order if `swapped`.
 template <typename Scalar>
@@ -93,14 +104,12 @@ struct Column {
     }
 };
 
-/// Rounds `value` to what `type` can hold. False if it is out of range, or no whole number for an
-/// integer type.
+/// Rounds `value` to what `type` can hold; beyond the range of float it becomes infinite. False if
+/// it is out of the range of an integer type, or no whole number.
 inline bool roundTo(ScalarType type, double& value) {
     if (type == ScalarType::Double) return true;
     if (type == ScalarType::Float) {
-        const auto rounded = static_cast<double>(static_cast<float>(value));
-        if (std::isinf(rounded) && !std::isinf(value)) return false;
-        value = rounded;
+        value = static_cast<double>(static_cast<float>(value));
         return true;
     }
     return withScalar(type, [&](auto scalar) {
@@ -109,5 +118,28 @@ inline bool roundTo(ScalarType type, double& value) {
                value <= static_cast<double>(Limits::max()) && value == std::floor(value);
     });
 }
+
+/// Numbers of a text that were rounded to its types: those beyond the range of float are counted by
+/// column.
+class RoundedNumbers {
+  public:
+    /// As io::roundTo().
+    bool round(ScalarType type, double& value, const std::string& column) {
+        const double before = value;
+        if (!roundTo(type, value)) return false;
+        if (std::isinf(value) && !std::isinf(before)) ++beyond_[column];
+        return true;
+    }
+    /// A note for each column with such numbers.
+    void addNotes(std::vector<std::string>& notes) const {
+        for (const auto& [column, count] : beyond_) {
+            notes.push_back("column " + column + ": " + counted(count, "number") +
+                            " beyond the range of float became infinite");
+        }
+    }
+
+  private:
+    std::map<std::string, std::size_t> beyond_;
+};
 
 }  // namespace se::io

@@ -22,7 +22,7 @@ constexpr std::array kFormats{
     MeshFormat{"OFF", ".off", "OFF, text", "normals, types, lists, other columns", io::offBytes,
                io::noffBytes, nullptr},
     MeshFormat{"STL", ".stl", "STL, binary", "all but the corners of triangles", io::stlBytes,
-               nullptr, io::floatShift, kGreatestFloat},
+               nullptr, io::floatShift, kGreatestFloat, false},
     MeshFormat{"GLB", ".glb", "glTF 2.0, binary",
                "types, lists, other columns; digits beyond float", io::glbBytes, io::glbBytes,
                nullptr, kGreatestFloat},

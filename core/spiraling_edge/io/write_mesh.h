@@ -36,6 +36,7 @@ struct MeshFormat {
     std::optional<Vec3> (*shift)(const PointFile& points, std::span<const Triangle> triangles);
     /// The greatest coordinate, in magnitude, that the format can hold.
     double greatest = std::numeric_limits<double>::max();
+    bool loosePoints = true;  ///< Points in no triangle are kept.
 };
 
 /// Options of a writer besides the extension.
@@ -54,6 +55,10 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 inline bool keepsColumns(const MeshFormat& format) { return format.leavesOut.empty(); }
 /// True if readPoints() reads files of this format.
 bool isReadable(const MeshFormat& format);
+/// True if points without triangles can be written in this format, and read again.
+inline bool keepsPoints(const MeshFormat& format) {
+    return format.loosePoints && isReadable(format);
+}
 
 /// Names or extensions (`text`) of the formats that `keeps` is true for, as wordList() joins them:
 /// listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces).

@@ -160,18 +160,75 @@ Result<NamedColumns> recognizeNine(const ExtraColumns& extra) {
 }
 
 std::string usualName(std::string_view word) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kNames{{
-        {"x", "x"},         {"y", "y"},        {"z", "z"},         {"nx", "nx"},
-        {"ny", "ny"},       {"nz", "nz"},      {"normal_x", "nx"}, {"normal_y", "ny"},
-        {"normal_z", "nz"}, {"normalx", "nx"}, {"normaly", "ny"},  {"normalz", "nz"},
-        {"r", "red"},       {"g", "green"},    {"b", "blue"},      {"red", "red"},
-        {"green", "green"}, {"blue", "blue"},  {"i", "intensity"}, {"intensity", "intensity"},
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kNames{{
+        {"x", "x"},
+        {"y", "y"},
+        {"z", "z"},
+        {"nx", "nx"},
+        {"ny", "ny"},
+        {"nz", "nz"},
+        {"normal_x", "nx"},
+        {"normal_y", "ny"},
+        {"normal_z", "nz"},
+        {"normalx", "nx"},
+        {"normaly", "ny"},
+        {"normalz", "nz"},
+        {"r", "red"},
+        {"g", "green"},
+        {"b", "blue"},
+        {"red", "red"},
+        {"green", "green"},
+        {"blue", "blue"},
+        {"i", "intensity"},
+        {"intensity", "intensity"},
+        // As ParaView names the columns of its tables.
+        {"points:0", "x"},
+        {"points:1", "y"},
+        {"points:2", "z"},
+        {"normals:0", "nx"},
+        {"normals:1", "ny"},
+        {"normals:2", "nz"},
     }};
     const std::string lower = lowerCase(word);
     for (const auto& [known, usual] : kNames) {
         if (known == lower) return std::string(usual);
     }
     return std::string(word);
+}
+
+/// A name without blanks and quotation marks around it; those within become "_".
+std::string tidyName(std::string_view name) {
+    const auto isAround = [](char c) { return isSpace(c) || c == '"' || c == '\''; };
+    while (!name.empty() && isAround(name.front())) name.remove_prefix(1);
+    while (!name.empty() && isAround(name.back())) name.remove_suffix(1);
+    std::string text(name);
+    std::replace_if(text.begin(), text.end(), isSpace, '_');
+    return text;
+}
+
+/// The words of a row of names: those between semicolons, tabs or commas, whichever of these comes
+/// first in this list; else those between blanks.
+std::vector<std::string> namesInRow(std::string_view row) {
+    std::vector<std::string> names;
+    const std::size_t kind = row.find_first_of(";\t,") == std::string_view::npos ? 3
+                             : row.find(';') != std::string_view::npos           ? 0
+                             : row.find('\t') != std::string_view::npos          ? 1
+                                                                                 : 2;
+    if (kind == 3) {
+        Fields words(row);
+        for (auto word = words.next(); !word.empty(); word = words.next())
+            names.push_back(tidyName(word));
+        return names;
+    }
+    const char separator = ";\t,"[kind];
+    while (true) {
+        const std::size_t end = std::min(row.find(separator), row.size());
+        names.push_back(tidyName(row.substr(0, end)));
+        if (end == row.size()) break;
+        row.remove_prefix(end + 1);
+    }
+    if (names.back().empty()) names.pop_back();
+    return names;
 }
 
 bool isPrintable(std::string_view word) {
@@ -181,23 +238,28 @@ bool isPrintable(std::string_view word) {
     });
 }
 
-/// The names in a comment that names x, y and z once each, without comment signs: "x y z red nx".
-/// Known names in the form that PLY uses ("R" is "red"), others unchanged. Empty if it is another
-/// comment, or if it names a column twice.
-std::vector<std::string> columnNamesIn(std::string_view comment) {
+/// The words of a comment without its signs.
+std::vector<std::string> namesInComment(std::string_view comment) {
     std::vector<std::string> names;
     Fields words(comment, ',', ';');
-    for (auto word = words.next(); !word.empty(); word = words.next()) {
+    for (auto word = words.next(); !word.empty(); word = words.next()) names.emplace_back(word);
+    return names;
+}
+
+/// Words as names of columns, if they name x, y and z once each. Known names in the form that PLY
+/// uses ("R" is "red"), others unchanged. Empty if they are other words, or name a column twice.
+std::vector<std::string> columnNames(std::vector<std::string> words) {
+    for (std::string& word : words) {
         if (!isPrintable(word)) return {};
-        names.push_back(usualName(word));
+        word = usualName(word);
     }
     for (const char* axis : {"x", "y", "z"}) {
-        if (std::count(names.begin(), names.end(), axis) != 1) return {};
+        if (std::count(words.begin(), words.end(), axis) != 1) return {};
     }
-    std::vector<std::string> sorted = names;
+    std::vector<std::string> sorted = words;
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
-    return names;
+    return words;
 }
 
 /// True if files with `columns` numbers per row, the position included, can be read without names.
@@ -298,14 +360,15 @@ class XyzReader : LineByLine {
         file_.positionType = file_.normalType = ScalarType::Double;
         while (lines_.next()) {
             const std::string_view line = lines_.line();
-            const std::size_t comment = std::min(line.find('#'), line.find("//"));
+            const std::size_t comment = std::min(beforeComment(line, '#').size(), line.find("//"));
             const std::string_view content = line.substr(0, comment);
             if (!isBlank(content)) {
-                if (!readRow(content)) return problem_;
-            } else if (comment != std::string_view::npos) {
+                if (isNames(content) ? !takeNames(content) : !readRow(content)) return problem_;
+            } else if (comment < line.size()) {
                 takeHeader(line.substr(comment));
             }
         }
+        if (!endCount() || !takeCountAsPoint()) return problem_;
         if (file_.position.empty()) return Error{name_ + ": holds no points"};
         if (!nameColumns()) return problem_;
         takeNormals();
@@ -320,15 +383,88 @@ class XyzReader : LineByLine {
     void takeHeader(std::string_view comment) {
         if (!file_.position.empty()) return;
         comment.remove_prefix(std::min(comment.find_first_not_of("#/"), comment.size()));
-        std::vector<std::string> names = columnNamesIn(comment);
+        std::vector<std::string> names = columnNames(namesInComment(comment));
         if (names.empty()) return;
-        header_ = std::move(names);
+        named_ = std::move(names);
         headerLine_ = lines_.number();
+    }
+
+    /// True for a first row of words.
+    bool isNames(std::string_view content) const {
+        double number = 0.0;
+        const std::string first = tidyName(Fields(content, ',', ';').next());
+        return file_.position.empty() && count_.line == 0 && !namedInRow_ &&
+               !parseDouble(withDecimalPoint(first), number);
+    }
+
+    bool takeNames(std::string_view content) {
+        named_ = columnNames(namesInRow(content));
+        headerLine_ = lines_.number();
+        namedInRow_ = true;
+        return !named_.empty() ||
+               fail("expected numbers, or names of columns with x, y and z once each, found " +
+                    inQuotes(content.substr(0, 60)) + "; name them so, or delete the line");
+    }
+
+    // ---- counts -----------------------------------------------------------------------------
+
+    /// A row of one whole number announces the rows after it.
+    struct Count {
+        std::size_t line = 0;  ///< 0: there is none.
+        double rows = 0.0;
+        std::size_t from = 0;  ///< Number of rows before it.
+    };
+
+    bool isCount() const { return row_.size() == 1 && rowDigits_[0] != 0; }
+
+    bool takeCount() {
+        if (!endCount()) return false;
+        count_ = {lines_.number(), row_[0], file_.position.size()};
+        if (counts_++ == 0)
+            file_.notes.push_back(lineText(count_.line) + " is the number of points");
+        return true;
+    }
+
+    /// A first row "600 0 0" before rows of another length: points, faces and edges of OFF.
+    bool firstIsCount() const {
+        return file_.position.size() == 1 && startsWithCount_ && file_.position[0].x >= 3.0 &&
+               file_.position[0].y == 0.0 && file_.position[0].z == 0.0;
+    }
+    bool takeFirstAsCount() {
+        count_ = {firstLine_, file_.position.front().x, 0};
+        file_.notes.push_back(lineText(firstLine_) + " begins with the number of points");
+        file_.position.clear();
+        extra_.values.clear();
+        others_.clear();
+        return beginRows();
+    }
+
+    bool endCount() {
+        if (count_.line == 0) return true;
+        const std::size_t rows = file_.position.size() - count_.from;
+        return static_cast<double>(rows) == count_.rows ||
+               failIn(count_.line,
+                      "announces " +
+                          std::to_string(static_cast<std::uint64_t>(std::min(count_.rows, 1e15))) +
+                          " points, but " + std::to_string(rows) +
+                          " follow; the file is cut short, or the line is wrong: "
+                          "correct or delete it");
+    }
+
+    /// A first row such as "600 0 0" is no point if as many rows follow: OFF without its keyword.
+    bool takeCountAsPoint() {
+        if (!startsWithCount_ || file_.position.size() < 3) return true;
+        const Vec3& first = file_.position.front();
+        if (first != Vec3(static_cast<double>(file_.position.size() - 1), 0.0, 0.0)) return true;
+        file_.position.erase(file_.position.begin());
+        file_.notes.push_back(lineText(firstLine_) + " is the number of points");
+        return true;
     }
 
     bool readRow(std::string_view content) {
         if (!checkSeparators(content)) return false;
         row_.clear();
+        rowDigits_.clear();
         Fields fields(content, ';', decimalComma_ ? ';' : ',');
         for (auto field = fields.next(); !field.empty(); field = fields.next()) {
             double value = 0.0;
@@ -337,10 +473,14 @@ class XyzReader : LineByLine {
             if (!good) {
                 return fail("expected a number, found " + inQuotes(field) + "; correct the line");
             }
-            noteDigits(field, row_.size());
+            noteDigits(field);
             row_.push_back(value);
         }
+        if (isCount()) return takeCount();
         if (file_.position.empty() && !beginRows()) return false;
+        if (row_.size() != columns_ && firstIsCount()) {
+            if (!takeFirstAsCount()) return false;
+        }
         if (row_.size() != columns_) {
             return fail("expected " + std::to_string(columns_) + " numbers as in the lines " +
                         "before, found " + std::to_string(row_.size()) + "; correct the line");
@@ -349,11 +489,9 @@ class XyzReader : LineByLine {
         return true;
     }
 
-    void noteDigits(std::string_view field, std::size_t column) {
-        if (column == digitsOnly_.size()) digitsOnly_.push_back(1);
-        if (digitsOnly_[column] == 0) return;
+    void noteDigits(std::string_view field) {
         const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-        if (!std::all_of(field.begin(), field.end(), isDigit)) digitsOnly_[column] = 0;
+        rowDigits_.push_back(std::all_of(field.begin(), field.end(), isDigit) ? 1 : 0);
     }
 
     /// Determines the meaning of commas from the first row, and refuses other rows.
@@ -382,7 +520,14 @@ class XyzReader : LineByLine {
     bool beginRows() {
         columns_ = row_.size();
         firstLine_ = lines_.number();
-        if (header_.size() != columns_) header_.clear();
+        digitsOnly_.assign(columns_, 1);
+        startsWithCount_ = columns_ == 3 && rowDigits_ == std::vector<char>{1, 1, 1};
+        if (namedInRow_ && named_.size() != columns_ && !startsWithCount_) {
+            return fail("found " + std::to_string(columns_) + " numbers, but " +
+                        lineText(headerLine_) + " names " + std::to_string(named_.size()) +
+                        " columns; correct one of the two lines");
+        }
+        header_ = named_.size() == columns_ ? named_ : std::vector<std::string>{};
         if (header_.empty() && !isRecognizable(columns_)) {
             return fail(
                 "expected 3 numbers (x y z), or 4, 6, 7 or 9 (with intensity, normals or "
@@ -411,6 +556,8 @@ class XyzReader : LineByLine {
     }
 
     void keepRow() {
+        for (std::size_t column = 0; column < columns_; ++column)
+            digitsOnly_[column] = digitsOnly_[column] != 0 && rowDigits_[column] != 0 ? 1 : 0;
         countsRows_ = countsRows_ && digitsOnly_[0] != 0 &&
                       (file_.position.empty() || row_[0] == lastFirst_ + 1.0);
         lastFirst_ = row_[0];
@@ -499,7 +646,8 @@ class XyzReader : LineByLine {
     }
 
     PointFile file_;
-    std::vector<std::string> header_;  // One name per column; empty if no comment names them.
+    std::vector<std::string> named_;   // Names of columns before the first row.
+    std::vector<std::string> header_;  // Those, if there are as many as columns; else empty.
     std::size_t headerLine_ = 0;
     std::size_t firstLine_ = 0;
     std::size_t columns_ = 0;
@@ -508,7 +656,12 @@ class XyzReader : LineByLine {
     std::vector<std::string> names_;   // Of others_; empty where taken.
     ExtraColumns extra_;
     std::vector<double> row_;
+    std::vector<char> rowDigits_;   // Per number of the row: 1 if it is digits alone.
     std::vector<char> digitsOnly_;  // Per column: 1 while all numbers are digits alone.
+    bool namedInRow_ = false;       // header_ is from a row, not from a comment.
+    bool startsWithCount_ = false;  // The first row is three whole numbers.
+    Count count_;                   // The last one.
+    std::size_t counts_ = 0;
     bool decimalComma_ = false;
     bool countsRows_ = true;  // So far the first column goes up by one from row to row.
     double lastFirst_ = 0.0;
@@ -518,7 +671,8 @@ class XyzReader : LineByLine {
 
 bool isXyz(const FileStart& start) {
     double number = 0.0;
-    return parseDouble(start.word, number) && !isOff(start);
+    const bool names = !isPcd(start) && !columnNames(namesInRow(start.line)).empty();
+    return (names || parseDouble(start.word, number)) && !isOff(start);
 }
 
 Result<PointFile> readXyz(std::string_view text, const std::string& name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,14 +10,26 @@
 
 namespace se {
 
-/// The scalar types of PLY.
-enum class ScalarType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
+/// The scalar types of files. The last two occur in files alone, not in a PointFile: no double
+/// holds all of their numbers.
+enum class ScalarType : std::uint8_t {
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Float,
+    Double,
+    Int64,
+    UInt64
+};
 
 /// A per-point column that the algorithm does not use but that output keeps.
 struct Attribute {
     std::string name;
     ScalarType type = ScalarType::Float;
-    std::vector<double> values;  ///< One per point; every ScalarType fits a double exactly.
+    std::vector<double> values;  ///< One per point; the types of a PointFile fit a double exactly.
 };
 
 /// The meaning of the columns of a file without a header for them (XYZ).
@@ -39,6 +52,11 @@ struct PointFile {
     std::vector<Triangle> faces;  ///< Polygons are split into fans. Empty for plain points.
     std::vector<Attribute> attributes;
     ColumnReading columns;
+    /// Place of the sensor, if the file names one: the side of open sheets is known by it.
+    std::optional<Vec3> viewpoint;
+    /// Sentences without a period on what was read in a way of its own, or left out: "line 1 is the
+    /// number of points".
+    std::vector<std::string> notes;
 
     bool hasNormals() const { return !normal.empty(); }
     bool hasTypes() const { return !type.empty(); }

@@ -103,9 +103,8 @@ TEST_CASE("PCD: errors name the line or byte, and what to do") {
           std::string::npos);
     CHECK(errorOf(kHead + "DATA ascii\n1 2 x 0 0 1 0\n1 2 3 0 0 1 0\n").find("line 12") !=
           std::string::npos);
-    CHECK(errorOf(kHead + "DATA binary_compressed\n").find("save it as binary") !=
-          std::string::npos);
-    CHECK(errorOf(kHead + "DATA other\n").find("ascii or binary") != std::string::npos);
+    CHECK(errorOf(kHead + "DATA binary_compressed\n").find("0 of 2 points") != std::string::npos);
+    CHECK(errorOf(kHead + "DATA other\n").find("ascii, binary or") != std::string::npos);
     CHECK(errorOf(kHead).find("without DATA") != std::string::npos);
     CHECK(errorOf("VERSION 0.7\nFIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
                   "DATA ascii\n1 2\n")

@@ -214,7 +214,6 @@ TEST_CASE("PLY: a text row must hold as many values as the header announces") {
     CHECK(contains(errorOf(replaced(kLongTwo, "1.5 2.5 3.5", "1.5 2.5 3.5 4")),
                    "line 9: expected the end"));
     CHECK(contains(errorOf(replaced(kLongTwo, "1.5 2.5 3.5", "1.5 2.5 x3")), "found \"x3\""));
-    CHECK(contains(errorOf(replaced(kLongTwo, "1.5 2.5 3.5", "1.5 2.5 1e40")), "found \"1e40\""));
     CHECK(contains(errorOf(replaced(kFull, "255 0 0", "256 0 0")), "type uchar"));
 }
 

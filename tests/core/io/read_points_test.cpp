@@ -89,7 +89,8 @@ TEST_CASE("XYZ: points with and without normals") {
 }
 
 TEST_CASE("XYZ: what is wrong is named with its line") {
-    CHECK(contains(errorOf("5\n1 2 3\n", "a.xyz"), "a.xyz: line 1: expected 3 numbers"));
+    CHECK(contains(errorOf("5\n1 2 3\n", "a.xyz"),
+                   "a.xyz: line 1: announces 5 points, but 1 follow"));
     CHECK(contains(errorOf("1 2 3\n1 2 3 4\n"), "line 2: expected 3 numbers"));
     CHECK(contains(errorOf("1 2 3\n#\n1 2 3 0 0 1\n"), "line 3: expected 3 numbers as in"));
     CHECK(contains(errorOf("1 2 3\n1 2 z\n"), "line 2: expected a number, found \"z\""));
@@ -195,8 +196,7 @@ TEST_CASE("OFF: what is wrong is named with its line") {
 }
 
 TEST_CASE("Files: what is none of the known kinds is refused with a list of those that are") {
-    for (const char* bytes :
-         {"solid cube\nfacet\n", "hello", "ply", "\n\n", "#\n", "\xef\xbb\xbf"}) {
+    for (const char* bytes : {"solid cube\n", "hello", "ply", "\n\n", "#\n", "\xef\xbb\xbf"}) {
         const std::string error = errorOf(bytes, "x.bin");
         CHECK(contains(error, "x.bin: is of no known kind. PLY"));
         CHECK(contains(error, "XYZ"));
@@ -248,7 +248,7 @@ TEST_CASE("Formats of points: found by each of their extensions, in upper or low
         }
     }
     CHECK(pointFormatOf("A.Xyz")->name == "XYZ");
-    for (const char* other : {"a.png", "a.stl", "a", "ply", ""}) {
+    for (const char* other : {"a.png", "a.glb", "a", "ply", ""}) {
         CAPTURE(other);
         CHECK(pointFormatOf(other) == nullptr);
     }

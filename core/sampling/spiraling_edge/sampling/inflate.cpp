@@ -1,9 +1,10 @@
-/// Decompression of gzip and zlib streams by zlib, with the size known beforehand. A stream expands
-/// to at most 1032 times its size, so that memory is bounded by the input.
+/// Decompression of gzip and zlib streams by zlib, with the size or a limit known beforehand. A
+/// stream expands to at most 1032 times its size, so that memory is bounded by the input.
 #include <zlib.h>
 
 #include <algorithm>
 
+#include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/sampling/nrrd.h"
 
 namespace se::io {
@@ -93,3 +94,28 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
 }
 
 }  // namespace se::io
+
+namespace se {
+
+Result<std::string> unpackGzip(std::string_view packed, const std::string& name,
+                               const ByteLimit& limit) {
+    constexpr std::size_t kStep = std::size_t{1} << 20U;
+    io::Inflater inflater(packed);
+    std::string bytes;
+    std::size_t made = kStep;
+    while (made == kStep) {
+        const std::size_t had = bytes.size();
+        if (had > limit.bytes) return limit.exceededBy(name);
+        bytes.resize(had + kStep);
+        made = inflater.fill(bytes.data() + had, kStep);
+        bytes.resize(had + made);
+    }
+    if (bytes.size() > limit.bytes) return limit.exceededBy(name);
+    if (inflater.damaged())
+        return Error{name + ": the gzip data are damaged: " + inflater.reason()};
+    if (!inflater.ended())
+        return Error{name + ": the gzip data end too early; the file is cut short"};
+    return bytes;
+}
+
+}  // namespace se

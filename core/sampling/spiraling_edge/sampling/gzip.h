@@ -1,0 +1,17 @@
+/// Unpacking of files by gzip, for the readers of the core library, which needs no zlib.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/base/files.h"
+#include "spiraling_edge/base/result.h"
+
+namespace se {
+
+/// The bytes of a gzip file of one or several streams; an Unpack of readPoints(). Errors begin with
+/// `name`: damaged, cut short, or more than `limit`, which is never exceeded in memory.
+Result<std::string> unpackGzip(std::string_view packed, const std::string& name,
+                               const ByteLimit& limit);
+
+}  // namespace se

@@ -1,0 +1,206 @@
+// LAS, the format of laser scanners: ASPRS LAS Specification 1.0 to 1.4, point formats 0 to 10.
+// Packed files (LAZ) have the highest bit of the point format set.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
+
+namespace se::io {
+namespace {
+
+/// Places in the header, in bytes.
+constexpr std::size_t kMinorAt = 25;
+constexpr std::size_t kHeaderSizeAt = 94;
+constexpr std::size_t kPointsBeginAt = 96;
+constexpr std::size_t kPointFormatAt = 104;
+constexpr std::size_t kRecordSizeAt = 105;
+constexpr std::size_t kCountAt = 107;
+constexpr std::size_t kScaleAt = 131;
+constexpr std::size_t kOffsetAt = 155;
+constexpr std::size_t kLongCountAt = 247;
+constexpr std::size_t kLeastHeader = 227;
+
+/// The sizes of records and the places in them, by point format: 0 where a format lacks it.
+struct RecordLayout {
+    std::size_t size;
+    std::size_t classAt;
+    std::size_t colorAt;
+};
+constexpr std::array<RecordLayout, 11> kLayouts{{
+    {20, 15, 0},
+    {28, 15, 0},
+    {26, 15, 20},
+    {34, 15, 28},
+    {57, 15, 0},
+    {63, 15, 28},
+    {30, 16, 0},
+    {36, 16, 30},
+    {38, 16, 30},
+    {59, 16, 0},
+    {67, 16, 30},
+}};
+constexpr std::size_t kIntensityAt = 12;
+
+class LasReader : FirstProblem {
+  public:
+    LasReader(std::string_view bytes, const std::string& name)
+        : FirstProblem(name), bytes_(bytes) {}
+
+    Result<PointFile> read() {
+        if (!readHeader()) return problem_;
+        if (count_ == 0) return Error{name_ + ": holds no points"};
+        readPositions();
+        keep("intensity", ScalarType::UInt16, kIntensityAt);
+        keep("classification", ScalarType::UInt8, layout().classAt);
+        keepColors();
+        return std::move(file_);
+    }
+
+  private:
+    template <typename Scalar>
+    Scalar at(std::size_t byte) const {
+        return loadScalar<Scalar>(bytes_.data() + byte, kLittleIsSwapped);
+    }
+    const RecordLayout& layout() const { return kLayouts[format_]; }
+    bool fail(std::size_t byte, const std::string& what) {
+        return failAt("byte " + std::to_string(byte), what);
+    }
+
+    bool readHeader() {
+        if (bytes_.size() < kLeastHeader) {
+            return fail(bytes_.size(), "the file ends within its header of " +
+                                           std::to_string(kLeastHeader) +
+                                           " bytes; it is cut short");
+        }
+        const auto packed = at<std::uint8_t>(kPointFormatAt);
+        if (packed >= 128) {
+            return fail(kPointFormatAt,
+                        "the points are packed (LAZ), which cannot be read; unpack them with "
+                        "\"pdal translate IN.laz OUT.las\" or \"laszip -i IN.laz -o OUT.las\"");
+        }
+        format_ = packed;
+        if (format_ >= kLayouts.size()) {
+            return fail(kPointFormatAt, "expected a point format from 0 to 10, found " +
+                                            std::to_string(format_) +
+                                            "; convert it with \"pdal translate IN.las OUT.ply\"");
+        }
+        recordSize_ = at<std::uint16_t>(kRecordSizeAt);
+        if (recordSize_ < layout().size) {
+            return fail(kRecordSizeAt, "expected records of " + std::to_string(layout().size) +
+                                           " bytes or more for point format " +
+                                           std::to_string(format_) + ", found " +
+                                           std::to_string(recordSize_) + "; the header is damaged");
+        }
+        return readCount() && readScale();
+    }
+
+    bool readCount() {
+        begin_ = at<std::uint32_t>(kPointsBeginAt);
+        std::uint64_t count = at<std::uint32_t>(kCountAt);
+        const bool hasLongCount = at<std::uint8_t>(kMinorAt) >= 4 &&
+                                  at<std::uint16_t>(kHeaderSizeAt) >= kLongCountAt + 8 &&
+                                  bytes_.size() >= kLongCountAt + 8;
+        if (hasLongCount) count = std::max(count, at<std::uint64_t>(kLongCountAt));
+        if (begin_ > bytes_.size() || count > (bytes_.size() - begin_) / recordSize_) {
+            const std::uint64_t room =
+                begin_ > bytes_.size() ? 0 : (bytes_.size() - begin_) / recordSize_;
+            return fail(bytes_.size(), "the file ends after " + std::to_string(room) + " of " +
+                                           std::to_string(count) +
+                                           " points; it is cut short, or its header announces "
+                                           "too many");
+        }
+        if (count >= kNone) return fail(kCountAt, "at most 4294967294 points can be read");
+        count_ = static_cast<std::size_t>(count);
+        return true;
+    }
+
+    bool readScale() {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto step = static_cast<std::size_t>(8 * axis);
+            scale_[axis] = at<double>(kScaleAt + step);
+            offset_[axis] = at<double>(kOffsetAt + step);
+            if (std::isfinite(scale_[axis]) && scale_[axis] != 0.0 && std::isfinite(offset_[axis]))
+                continue;
+            return fail(kScaleAt + step,
+                        "expected a finite scale other than 0 and a finite offset for each axis; "
+                        "the header is damaged");
+        }
+        return true;
+    }
+
+    const char* record(std::size_t point) const {
+        return bytes_.data() + begin_ + point * recordSize_;
+    }
+
+    void readPositions() {
+        file_.positionType = ScalarType::Double;
+        file_.position.reserve(count_);
+        for (std::size_t point = 0; point < count_; ++point) {
+            Vec3 place;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto steps =
+                    loadScalar<std::int32_t>(record(point) + 4 * axis, kLittleIsSwapped);
+                place[axis] = static_cast<double>(steps) * scale_[axis] + offset_[axis];
+            }
+            file_.position.push_back(place);
+        }
+    }
+
+    /// Keeps a number of each record as a column, unless it is 0 in all of them.
+    void keep(const char* name, ScalarType type, std::size_t byte) {
+        Attribute column{name, type, std::vector<double>(count_)};
+        Column{column.values.data(), 1}.load(type, record(0) + byte, recordSize_, count_,
+                                             kLittleIsSwapped);
+        const auto isZero = [](double value) { return value == 0.0; };
+        if (std::all_of(column.values.begin(), column.values.end(), isZero)) return;
+        file_.attributes.push_back(std::move(column));
+    }
+
+    /// Colors have 16 bits; many writers use the lower 8 alone.
+    void keepColors() {
+        if (layout().colorAt == 0) return;
+        const std::size_t before = file_.attributes.size();
+        constexpr std::array<const char*, 3> kNames{"red", "green", "blue"};
+        double most = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Attribute column{kNames[i], ScalarType::UInt8, std::vector<double>(count_)};
+            Column{column.values.data(), 1}.load(ScalarType::UInt16,
+                                                 record(0) + layout().colorAt + 2 * i, recordSize_,
+                                                 count_, kLittleIsSwapped);
+            most = std::max(most, *std::max_element(column.values.begin(), column.values.end()));
+            file_.attributes.push_back(std::move(column));
+        }
+        if (most == 0.0) return file_.attributes.resize(before);
+        if (most <= 255.0) return;
+        for (std::size_t i = before; i < file_.attributes.size(); ++i) {
+            for (double& value : file_.attributes[i].values) value = std::floor(value / 256.0);
+        }
+        file_.notes.emplace_back("colors of 16 bits are kept as red, green and blue of 8 bits");
+    }
+
+    std::string_view bytes_;
+    std::size_t format_ = 0;
+    std::size_t recordSize_ = 0;
+    std::size_t begin_ = 0;
+    std::size_t count_ = 0;
+    Vec3 scale_{1.0};
+    Vec3 offset_{0.0};
+    PointFile file_;
+};
+
+}  // namespace
+
+bool isLas(const FileStart& start) { return start.bytes.starts_with("LASF"); }
+
+Result<PointFile> readLas(std::string_view bytes, const std::string& name) {
+    return LasReader(bytes, name).read();
+}
+
+}  // namespace se::io

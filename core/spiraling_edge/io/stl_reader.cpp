@@ -1,0 +1,184 @@
+// STL, text and binary: triangles with corners of their own. Corners at the same place are one
+// point.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "spiraling_edge/base/float_bits.h"
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
+#include "spiraling_edge/points/usable_points.h"
+
+namespace se::io {
+namespace {
+
+constexpr std::size_t kHeader = 84;  ///< 80 bytes of any text, and the number of triangles.
+constexpr std::size_t kTriangle = 50;
+
+struct PlaceHash {
+    std::size_t operator()(const Vec3& x) const {
+        std::uint64_t hash = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            hash = (hash ^ bitsAs<std::uint64_t>(x[axis] + 0.0)) * 0x9e3779b97f4a7c15U;
+        return static_cast<std::size_t>(hash ^ (hash >> 32U));
+    }
+};
+
+/// Points and triangles, gathered triangle by triangle.
+class Soup {
+  public:
+    /// `normal` may be zero, as many programs write it: then it is that of the winding.
+    void add(const std::array<Vec3, 3>& corners, Vec3 normal) {
+        if (!hasDirection(normal))
+            normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        std::array<Index, 3> numbers{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto next = static_cast<Index>(file_.position.size());
+            const auto [found, fresh] = numbers_.try_emplace(corners[i], next);
+            if (fresh) {
+                file_.position.push_back(corners[i]);
+                directions_.emplace_back();
+            }
+            numbers[i] = found->second;
+            addDirection(directions_[numbers[i]], normal);
+        }
+        const auto [a, b, c] = numbers;
+        if (a != b && b != c && c != a) file_.faces.push_back({a, b, c});
+    }
+
+    PointFile take(ScalarType type) {
+        file_.positionType = file_.normalType = type;
+        bool all = true;
+        for (const std::vector<Vec3>& each : directions_) all = all && !each.empty();
+        for (std::size_t p = 0; all && p < directions_.size(); ++p)
+            file_.normal.push_back(meanOfDirections(directions_[p]));
+        file_.notes.emplace_back(
+            "corners at one place are one point, with the mean of their normals");
+        return std::move(file_);
+    }
+    bool empty() const { return file_.position.empty(); }
+
+  private:
+    PointFile file_;
+    std::unordered_map<Vec3, Index, PlaceHash> numbers_;
+    std::vector<std::vector<Vec3>> directions_;  // Of each point, those that differ.
+};
+
+std::size_t announced(std::string_view bytes) {
+    return loadScalar<std::uint32_t>(bytes.data() + 80, kLittleIsSwapped);
+}
+
+/// The shift that this library writes into the header (stlBytes()).
+std::optional<Vec3> shiftIn(std::string_view header) {
+    constexpr std::string_view kAdd = "; add ";
+    const std::size_t at = header.find(kAdd);
+    if (!header.starts_with("written by spiraling-edge") || at == std::string_view::npos) return {};
+    header = header.substr(at + kAdd.size());
+    Fields fields(header.substr(0, header.find('\0')));
+    Vec3 shift{};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!parseDouble(fields.next(), shift[axis])) return {};
+    }
+    return shift;
+}
+
+Result<PointFile> readBinary(std::string_view bytes, const std::string& name) {
+    const std::size_t room = (bytes.size() - kHeader) / kTriangle;
+    const std::size_t count = announced(bytes);
+    if (count != room || kHeader + room * kTriangle != bytes.size()) {
+        return errorAt(name, "byte " + std::to_string(bytes.size()),
+                       "the header announces " + std::to_string(count) +
+                           " triangles, and there is room for " + std::to_string(room) +
+                           "; the file is cut short or damaged");
+    }
+    const std::optional<Vec3> shift = shiftIn(bytes.substr(0, 80));
+    Soup soup;
+    for (std::size_t t = 0; t < count; ++t) {
+        const char* at = bytes.data() + kHeader + t * kTriangle;
+        std::array<Vec3, 4> vectors{};
+        for (Vec3& vector : vectors) {
+            for (int axis = 0; axis < 3; ++axis, at += 4)
+                vector[axis] = loadScalar<float>(at, kLittleIsSwapped);
+        }
+        if (shift) {
+            for (std::size_t corner = 1; corner < 4; ++corner) vectors[corner] += *shift;
+        }
+        soup.add({vectors[1], vectors[2], vectors[3]}, vectors[0]);
+    }
+    if (soup.empty()) return Error{name + ": holds no triangles"};
+    PointFile file = soup.take(shift ? ScalarType::Double : ScalarType::Float);
+    if (shift) file.notes.emplace_back("the shift that the header names is added");
+    return file;
+}
+
+class TextReader : LineByLine {
+  public:
+    using LineByLine::LineByLine;
+
+    Result<PointFile> read() {
+        Soup soup;
+        while (lines_.nextContent()) {
+            Fields fields(lines_.line());
+            const std::string_view word = fields.next();
+            if (word == "facet") {
+                fields.next();  // "normal"
+                if (!readVector(fields, normal_)) return problem_;
+                corners_.clear();
+            } else if (word == "vertex") {
+                if (!readVector(fields, corners_.emplace_back())) return problem_;
+            } else if (word == "endfacet") {
+                if (corners_.size() != 3) {
+                    fail("expected a triangle of three corners, found " +
+                         std::to_string(corners_.size()) + "; correct the lines before");
+                    return problem_;
+                }
+                soup.add({corners_[0], corners_[1], corners_[2]}, normal_);
+                corners_.clear();
+            }
+        }
+        if (!corners_.empty()) {
+            fail("the file ends within a triangle; it is cut short");
+            return problem_;
+        }
+        if (soup.empty()) return Error{name_ + ": holds no triangles"};
+        return soup.take(ScalarType::Double);
+    }
+
+  private:
+    bool readVector(Fields& fields, Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view field = fields.next();
+            if (parseDouble(field, vector[axis])) continue;
+            return fail("expected three numbers, found " + inQuotes(field) + "; correct the line");
+        }
+        return true;
+    }
+
+    Vec3 normal_{0.0};
+    std::vector<Vec3> corners_;
+};
+
+/// Binary files may begin with "solid" as well.
+bool isBinary(std::string_view bytes) {
+    return bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * announced(bytes);
+}
+
+}  // namespace
+
+bool isStl(const FileStart& start) {
+    if (isBinary(start.bytes)) return true;
+    const bool text = start.word == "solid" && start.bytes.find("facet") != std::string_view::npos;
+    return text || (start.extension == ".stl" && start.bytes.size() >= kHeader);
+}
+
+Result<PointFile> readStl(std::string_view bytes, const std::string& name) {
+    const bool text = bytes.starts_with("solid") && !isBinary(bytes);
+    return text ? TextReader(bytes, name).read() : readBinary(bytes, name);
+}
+
+}  // namespace se::io

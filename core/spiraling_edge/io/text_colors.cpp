@@ -1,0 +1,64 @@
+// Colors of points in OBJ and OFF. These formats do not say which of two scales they use; programs
+// write both.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/io/formats.h"
+
+namespace se::io {
+
+void TextColors::add(Fields& fields) {
+    Vec3 color{0.0};
+    for (int channel = 0; channel < 3; ++channel) {
+        if (parseDouble(fields.next(), color[channel])) continue;
+        ++missing_;
+        return;
+    }
+    colors_.push_back(color);
+}
+
+void TextColors::take(PointFile& file) const {
+    if (colors_.empty()) return;
+    if (missing_ > 0) {
+        file.notes.push_back("left out: colors, which " + counted(missing_, "point") + " lack");
+        return;
+    }
+    double most = 0.0;
+    bool whole = true;
+    bool negative = false;
+    std::size_t unknown = 0;
+    for (const Vec3& color : colors_) {
+        if (!isFinite(color)) {
+            ++unknown;
+            continue;
+        }
+        for (int channel = 0; channel < 3; ++channel) {
+            most = std::max(most, color[channel]);
+            negative = negative || color[channel] < 0.0;
+            whole = whole && color[channel] == std::floor(color[channel]);
+        }
+    }
+    const bool fractions = most <= 1.0;
+    if (negative || !(fractions || (whole && most <= 255.0))) {
+        file.notes.push_back("left out: colors that are neither from 0 to 1 nor whole up to 255");
+        return;
+    }
+    constexpr std::array<const char*, 3> kNames{"red", "green", "blue"};
+    for (int channel = 0; channel < 3; ++channel) {
+        Attribute column{kNames[static_cast<std::size_t>(channel)], ScalarType::UInt8, {}};
+        column.values.reserve(colors_.size());
+        for (const Vec3& color : colors_) {
+            const double value = isFinite(color) ? color[channel] : 0.0;
+            column.values.push_back(fractions ? std::round(255.0 * value) : value);
+        }
+        file.attributes.push_back(std::move(column));
+    }
+    file.notes.push_back(std::string("colors ") + (fractions ? "from 0 to 1 " : "") +
+                         "are kept as red, green and blue from 0 to 255");
+    if (unknown > 0)
+        file.notes.push_back(counted(unknown, "color") + " with a number that is none: black");
+}
+
+}  // namespace se::io
