@@ -307,6 +307,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["input"] = outcome.input;
     json["output"] = orNull(outcome.output);
     json["columns"] = orNull(outcome.columns.names);
+    json["notes"] = outcome.notes;
     json["piece"] = keptJson(outcome.points);
     json["shift"] = Json();
     if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
@@ -349,6 +350,7 @@ std::string summaryText(const RunOutcome& outcome) {
                                counted(outcome.mesh.points, "point"), meshSentence(outcome.mesh))};
     if (outcome.trials) addTrials(*outcome.trials, summary);
     if (!outcome.columns.reason.empty()) summary.line("columns", columnsSentence(outcome.columns));
+    addNotes(outcome.notes, summary);
     summary.line("kept", keptSentence(outcome.points));
     summary.line("set aside", setAsideSentence(outcome.prepared));
     summary.line("derived", derivedSentence(outcome.prepared.derived));

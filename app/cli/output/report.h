@@ -31,6 +31,7 @@ struct RunOutcome {
     std::string input;
     std::string output;  ///< Empty if no mesh was written.
     ColumnReading columns;
+    std::vector<std::string> notes;  ///< Of the reader.
     KeptPoints points;
     /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "spiraling_edge/base/number_text.h"
 
@@ -96,6 +97,11 @@ Json keptJson(const KeptPoints& points) {
     json["kept"] = points.kept;
     json["points_in_file"] = points.inFile;
     return json;
+}
+
+void addNotes(const std::vector<std::string>& notes, Answer& answer) {
+    const char* label = "read";
+    for (const std::string& note : notes) answer.line(std::exchange(label, ""), note);
 }
 
 std::string columnsSentence(const ColumnReading& columns) {

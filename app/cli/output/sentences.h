@@ -39,6 +39,8 @@ std::string setAsideSentence(const PrepareReport& report);
 std::string keptSentence(const KeptPoints& points);
 /// The same with the box; null for a whole file.
 Json keptJson(const KeptPoints& points);
+/// The notes of a reader, each on a line of its own under "read".
+void addNotes(const std::vector<std::string>& notes, Answer& answer);
 /// "x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)".
 std::string columnsSentence(const ColumnReading& columns);
 /// Appends `part` to `list` after a comma.

@@ -132,10 +132,17 @@ void addFacts(const Facts& facts, Answer& answer) {
          {"piece", keptJson(facts.points)},
          {"columns", orNull(file.columns.names)},
          {"columns_reason", orNull(file.columns.reason)},
+         {"notes", file.notes},
+         {"viewpoint", Json()},
          {"normals", file.hasNormals()},
          {"unknown_sides", facts.prepared.derived.unknownSides},
          {"box", {{"low", {low.x, low.y, low.z}}, {"high", {high.x, high.y, high.z}}}},
          {"nearest_distance", Json()}});
+    if (const auto& place = file.viewpoint) {
+        answer.json["viewpoint"] = {place->x, place->y, place->z};
+        answer.line("viewpoint", fmt::format("{:g} {:g} {:g}: the sensor, which open sheets face",
+                                             place->x, place->y, place->z));
+    }
     answer.line("kept", keptSentence(facts.points));
     answer.line("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
                                    low.x, low.y, low.z, high.x, high.y, high.z, boxDigits(facts)));
@@ -146,6 +153,7 @@ void addFacts(const Facts& facts, Answer& answer) {
                                            spacing.mean, spacing.least, spacing.most));
     }
     answer.line("columns", columnsSentence(file.columns));
+    addNotes(file.notes, answer);
     answer.line("normals", normalsSentence(facts));
     if (facts.prepared.unscaledNormals > 0)
         answer.line("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));

@@ -413,6 +413,7 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;
+    outcome.notes = file.notes;
     storeDerived(prepared.points, prepared.report, file);
     outcome.seconds.prepare = watch.lap();
     if (trace.active() || arguments.maxPivots) {

@@ -68,7 +68,6 @@ class TextColors {
 
   private:
     std::vector<Vec3> colors_;
-    std::size_t missing_ = 0;
 };
 
 inline std::string lowerCase(std::string_view text) {

@@ -12,17 +12,16 @@ namespace se::io {
 void TextColors::add(Fields& fields) {
     Vec3 color{0.0};
     for (int channel = 0; channel < 3; ++channel) {
-        if (parseDouble(fields.next(), color[channel])) continue;
-        ++missing_;
-        return;
+        if (!parseDouble(fields.next(), color[channel])) return;
     }
     colors_.push_back(color);
 }
 
 void TextColors::take(PointFile& file) const {
     if (colors_.empty()) return;
-    if (missing_ > 0) {
-        file.notes.push_back("left out: colors, which " + counted(missing_, "point") + " lack");
+    const std::size_t missing = file.position.size() - colors_.size();
+    if (missing > 0) {
+        file.notes.push_back("left out: colors, without those of " + counted(missing, "point"));
         return;
     }
     double most = 0.0;

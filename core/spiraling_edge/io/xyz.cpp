@@ -368,8 +368,9 @@ class XyzReader : LineByLine {
                 takeHeader(line.substr(comment));
             }
         }
-        if (!endCount() || !takeCountAsPoint()) return problem_;
+        if (!endCount()) return problem_;
         if (file_.position.empty()) return Error{name_ + ": holds no points"};
+        takeCountAsPoint();
         if (!nameColumns()) return problem_;
         takeNormals();
         takeAttributes();
@@ -426,10 +427,7 @@ class XyzReader : LineByLine {
     }
 
     /// A first row "600 0 0" before rows of another length: points, faces and edges of OFF.
-    bool firstIsCount() const {
-        return file_.position.size() == 1 && startsWithCount_ && file_.position[0].x >= 3.0 &&
-               file_.position[0].y == 0.0 && file_.position[0].z == 0.0;
-    }
+    bool firstIsCount() const { return file_.position.size() == 1 && startsWithCount_; }
     bool takeFirstAsCount() {
         count_ = {firstLine_, file_.position.front().x, 0};
         file_.notes.push_back(lineText(firstLine_) + " begins with the number of points");
@@ -452,13 +450,13 @@ class XyzReader : LineByLine {
     }
 
     /// A first row such as "600 0 0" is no point if as many rows follow: OFF without its keyword.
-    bool takeCountAsPoint() {
-        if (!startsWithCount_ || file_.position.size() < 3) return true;
-        const Vec3& first = file_.position.front();
-        if (first != Vec3(static_cast<double>(file_.position.size() - 1), 0.0, 0.0)) return true;
+    /// Rows of whole numbers are a grid, which may begin so.
+    void takeCountAsPoint() {
+        const bool grid = digitsOnly_ == std::vector<char>{1, 1, 1};
+        if (!startsWithCount_ || columns_ != 3 || grid) return;
+        if (file_.position.front().x != static_cast<double>(file_.position.size() - 1)) return;
         file_.position.erase(file_.position.begin());
-        file_.notes.push_back(lineText(firstLine_) + " is the number of points");
-        return true;
+        file_.notes.push_back(lineText(firstLine_) + " begins with the number of points");
     }
 
     bool readRow(std::string_view content) {
@@ -521,7 +519,8 @@ class XyzReader : LineByLine {
         columns_ = row_.size();
         firstLine_ = lines_.number();
         digitsOnly_.assign(columns_, 1);
-        startsWithCount_ = columns_ == 3 && rowDigits_ == std::vector<char>{1, 1, 1};
+        startsWithCount_ = rowDigits_ == std::vector<char>{1, 1, 1} && row_[0] >= 3.0 &&
+                           row_[1] == 0.0 && row_[2] == 0.0;
         if (namedInRow_ && named_.size() != columns_ && !startsWithCount_) {
             return fail("found " + std::to_string(columns_) + " numbers, but " +
                         lineText(headerLine_) + " names " + std::to_string(named_.size()) +

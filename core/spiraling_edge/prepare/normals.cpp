@@ -204,7 +204,7 @@ Result<std::vector<Vec3>> completeNormals(const PointFile& file, const std::vect
     NormalCompletion completion(file.position, lists.value(), normal);
     completion.run(missing);
     std::vector<Vec3> rest = completion.takeRest();
-    const OrientationOptions outward{UnknownSide::ByVote, {}, threads};
+    const OrientationOptions outward{UnknownSide::ByVote, {}, {}, threads};
     const Result<OrientationReport> turned =
         orientNormals(file.position, lists.value(), rest, outward);
     if (!turned) return turned.error();

@@ -67,8 +67,9 @@ struct SideChoice {
     std::vector<FacingVote> votes;
 };
 
-SideChoice candidateOf(const SidesInput& input, PointSides sides,
-                       const std::optional<Vec3>& scanner) {
+/// The votes on these sides: toward a place, or outward if there is none.
+std::vector<FacingVote> votesOn(const PointSides& sides, const SidesInput& input,
+                                const std::optional<Vec3>& place) {
     std::vector<Vec3> normal(input.normal.begin(), input.normal.end());
     for (std::size_t p = 0; p < normal.size(); ++p) {
         if (sides.opposed[p] != 0) normal[p] = -normal[p];
@@ -76,8 +77,12 @@ SideChoice candidateOf(const SidesInput& input, PointSides sides,
     const FacingInput facing{input.position,    normal,
                              sides.component,   sides.components,
                              listedWell(input), input.numbering.original};
-    std::vector<FacingVote> votes =
-        scanner ? votesTowardScanner(facing, *scanner) : votesOutward(facing);
+    return place ? votesTowardScanner(facing, *place) : votesOutward(facing);
+}
+
+SideChoice candidateOf(const SidesInput& input, PointSides sides,
+                       const std::optional<Vec3>& scanner) {
+    std::vector<FacingVote> votes = votesOn(sides, input, scanner);
     std::vector<double> contradictions = contradictionsIn(input, sides);
     return {std::move(sides), std::move(contradictions), std::move(votes)};
 }
@@ -148,7 +153,16 @@ Result<OrientationReport> orientNormals(const OrderedPoints& points, std::vector
     const Result<SideChoice> found = findSides(input, options.scanner, progress);
     if (!found) return found.error();
     const PointSides& sides = found.value().sides;
-    const std::vector<FacingVote>& votes = found.value().votes;
+    std::vector<FacingVote> votes = found.value().votes;
+    const auto isUnknown = [](const FacingVote& vote) { return !vote.isKnown(); };
+    const bool asksViewpoint =
+        options.viewpoint && !options.scanner && std::any_of(votes.begin(), votes.end(), isUnknown);
+    if (asksViewpoint) {
+        const std::vector<FacingVote> toward = votesOn(sides, input, options.viewpoint);
+        for (std::size_t c = 0; c < votes.size(); ++c) {
+            if (isUnknown(votes[c])) votes[c] = toward[c];
+        }
+    }
     const std::vector<bool> inward = inwardComponents(sides, votes, options.unknown);
     OrientationReport report;
     report.components = sides.components;

@@ -25,6 +25,8 @@ struct OrientationOptions {
     UnknownSide unknown = UnknownSide::ByVote;
     /// Position of the scanner, finite; components face it. Nothing: they face outward.
     std::optional<Vec3> scanner{};
+    /// Place of the sensor that a file names, finite; components whose shape tells no side face it.
+    std::optional<Vec3> viewpoint{};
     unsigned threads = 0;  ///< As in NeighborOptions; the result is the same for any.
 };
 

@@ -173,7 +173,8 @@ class Preparation {
             normal = points.renumbered(normalsWithoutStrays());
         }
         const OrientationOptions sides{derives_ ? UnknownSide::ByVote : UnknownSide::AsMost,
-                                       options_.scanner, options_.neighbors.threads};
+                                       options_.scanner, file_.viewpoint,
+                                       options_.neighbors.threads};
         const Result<OrientationReport> oriented =
             orientNormals(points, normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();

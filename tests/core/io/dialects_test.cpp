@@ -1,0 +1,299 @@
+// What other programs write beyond a format's letter: read, kept, or said to be left out.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/io_support.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+bool notes(const PointFile& file, const std::string& words) {
+    return std::any_of(file.notes.begin(), file.notes.end(),
+                       [&](const std::string& note) { return contains(note, words); });
+}
+
+const std::vector<double>& column(const PointFile& file, const std::string& name) {
+    const auto found = std::find_if(file.attributes.begin(), file.attributes.end(),
+                                    [&](const Attribute& each) { return each.name == name; });
+    REQUIRE(found != file.attributes.end());
+    return found->values;
+}
+
+/// The bytes of a number in little endian order.
+template <typename Number>
+std::string rawBytes(Number number) {
+    std::string bytes(sizeof(Number), '\0');
+    std::memcpy(bytes.data(), &number, sizeof(Number));
+    if (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    return bytes;
+}
+
+std::string inUtf16(const std::string& ascii, bool big) {
+    std::string bytes = big ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : ascii) bytes += big ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+}
+
+/// A LAS file of version 1.2 with two points of format 2, in steps of 0.01 from 500000.
+std::string lasOfTwo() {
+    std::string bytes(227, '\0');
+    const auto put = [&](std::size_t at, const std::string& value) {
+        bytes.replace(at, value.size(), value);
+    };
+    put(0, "LASF");
+    put(24, std::string{1, 2});
+    put(94, rawBytes(std::uint16_t{227}));
+    put(96, rawBytes(std::uint32_t{227}));
+    put(104, std::string{2});
+    put(105, rawBytes(std::uint16_t{26}));
+    put(107, rawBytes(std::uint32_t{2}));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        put(131 + 8 * axis, rawBytes(0.01));
+        put(155 + 8 * axis, rawBytes(500000.0));
+    }
+    for (const std::int32_t x : {100, -250}) {
+        bytes += rawBytes(x) + rawBytes(std::int32_t{7}) + rawBytes(std::int32_t{0});
+        bytes += rawBytes(std::uint16_t{900}) + std::string{0, 6, 0, 0, 0, 0};
+        for (const int color : {65280, 256, 0})
+            bytes += rawBytes(static_cast<std::uint16_t>(color));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("Text: UTF-16 and line ends of CR alone are read") {
+    const std::string text = "1 2 3\n4 5 6\n";
+    for (const bool big : {false, true})
+        CHECK(mustRead(inUtf16(text, big), "a.xyz").position == mustRead(text).position);
+    CHECK(mustRead("1 2 3\r4 5 6\r").position == mustRead(text).position);
+    CHECK(mustRead("# x y z\r1 2 3\r").position.size() == 1);
+}
+
+TEST_CASE("Text: what older programs of Windows write for no number is none") {
+    for (const char* word : {"1.#QNAN", "-1.#IND", "1.#QNAN0", "-1.#IND00", "1.#SNAN"}) {
+        CAPTURE(word);
+        const PointFile file = mustRead(std::string("0 0 0\n") + word + " 2 3\n");
+        CHECK(std::isnan(file.position[1].x));
+        CHECK(file.position[1].y == 2.0);
+    }
+    CHECK(std::isinf(mustRead("0 0 0\n1.#INF 2 3 # and a comment\n").position[1].x));
+    CHECK(contains(errorOf("0 0 0\n1.#XYZ 2 3\n"), "line 2: expected a number"));
+}
+
+TEST_CASE("XYZ: a line of one whole number is the number of points, and must be it") {
+    const PointFile file = mustRead("2\n1 2 3\n4 5 6\n");
+    CHECK(file.position == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(notes(file, "line 1 is the number of points"));
+    // One count per block, as several scans in one PTS file have.
+    CHECK(mustRead("1\n1 2 3\n2\n4 5 6\n7 8 9\n").position.size() == 3);
+    CHECK(mustRead("3 0 0\n1 2 3.5\n4 5 6\n7 8 9\n").position.size() == 3);
+    CHECK(mustRead("3 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n7 8 9 0 1 0\n").position.size() == 3);
+    // Points on a grid are not taken for counts.
+    CHECK(mustRead("3 0 0\n2 0 0\n1 0 0\n0 0 0\n").position.size() == 4);
+    CHECK(contains(errorOf("3\n1 2 3\n4 5 6\n"), "line 1: announces 3 points, but 2 follow"));
+    CHECK(contains(errorOf("1\n1 2 3\n4 5 6\n"), "line 1: announces 1 points, but 2 follow"));
+}
+
+TEST_CASE("XYZ: a first row of names is a header, with any separator and quotation marks") {
+    for (const char* header :
+         {"x,y,z,nx,ny,nz", "\"X\";\"Y\";\"Z\";\"NX\";\"NY\";\"NZ\"", "x\ty\tz\tnx\tny\tnz",
+          "X Y Z Nx Ny Nz", "Points:0,Points:1,Points:2,Normals:0,Normals:1,Normals:2"}) {
+        CAPTURE(header);
+        const PointFile file = mustRead(std::string(header) + "\n1 2 3 0 0 1\n", "a.csv");
+        CHECK(file.position[0] == Vec3(1, 2, 3));
+        REQUIRE(file.hasNormals());
+        CHECK(file.normal[0] == Vec3(0, 0, 1));
+    }
+    const PointFile file = mustRead("id,x,y,z,\"Scalar field\"\n9,1,2,3,0.5\n");
+    CHECK(file.position[0] == Vec3(1, 2, 3));
+    CHECK(column(file, "Scalar_field") == std::vector<double>{0.5});
+    CHECK(contains(errorOf("x,y,z,w\n1,2,3\n"), "line 2: found 3 numbers, but line 1 names 4"));
+    CHECK(contains(errorOf("a,b,c\n1,2,3\n", "a.csv"), "of no known kind"));
+}
+
+TEST_CASE("PTX: each scan is moved by its matrix, and places without a return are not numbers") {
+    const std::string scan =
+        "2\n1\n5 6 7\n1 0 0\n0 1 0\n0 0 1\n0 1 0 0\n-1 0 0 0\n0 0 1 0\n5 6 7 1\n"
+        "1 2 3 0.5\n0 0 0 0\n";
+    const PointFile file = mustRead(scan, "a.ptx");
+    REQUIRE(file.position.size() == 2);
+    // (1, 2, 3) times a quarter turn about z, moved by (5, 6, 7).
+    CHECK(file.position[0] == Vec3(3, 7, 10));
+    CHECK(std::isnan(file.position[1].x));
+    CHECK(column(file, "intensity")[0] == 0.5);
+    REQUIRE(file.viewpoint);
+    CHECK(*file.viewpoint == Vec3(5, 6, 7));
+    const PointFile two = mustRead(scan + scan, "a.ptx");
+    CHECK(two.position.size() == 4);
+    CHECK_FALSE(two.viewpoint);
+    for (std::size_t size = 1; size + 9 < scan.size(); ++size)
+        CHECK_FALSE(readPoints(scan.substr(0, size), "cut").ok());
+    CHECK(contains(errorOf(replaced(scan, "2\n1\n", "4000000000\n4000000000\n")), "too short"));
+}
+
+TEST_CASE("OFF: the first count may be glued to the keyword, and rows go on in the next line") {
+    CHECK(mustRead("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").faces.size() == 1);
+    const PointFile broken = mustRead("OFF\n3 1 0\n0 0\n0\n1 0 0\n0 1 0\n3 0\n1 2\n");
+    CHECK(broken.position[0] == Vec3(0, 0, 0));
+    CHECK(broken.faces == std::vector<Triangle>{{0, 1, 2}});
+    CHECK(contains(errorOf("OFF\n3 0 0\n0 0\n1 0 0\n0 1 0\n"), "line 3: expected more numbers"));
+}
+
+TEST_CASE("OBJ and OFF: colors of points are kept from 0 to 255") {
+    const PointFile obj = mustRead("v 0 0 0 0 0.5 1\nv 1 0 0 1 1 1\nvt 0 0\n");
+    CHECK(column(obj, "green") == std::vector<double>{128, 255});
+    CHECK(notes(obj, "left out: texture coordinates"));
+    const PointFile off = mustRead("COFF\n2 0 0\n0 0 0 10 20 30 255\n1 0 0 40 50 60 255\n");
+    CHECK(column(off, "blue") == std::vector<double>{30, 60});
+    CHECK(column(mustRead("v 0 0 0 nan 0 1\nv 1 0 0 1 1 1\n"), "blue") ==
+          std::vector<double>{0, 255});
+    CHECK(notes(mustRead("v 0 0 0 1 0 0\nv 1 0 0\n"), "without those of 1 point"));
+    CHECK(notes(mustRead("v 0 0 0 -1 0 0\n"), "left out: colors"));
+    CHECK(mustRead("v 0 0 0 1\n").attributes.empty());
+}
+
+TEST_CASE("OBJ: a backslash continues a statement in the next line") {
+    const PointFile file = mustRead("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 \\\n 2 \\\n 3\n");
+    CHECK(file.position[0] == Vec3(0, 0, 0));
+    CHECK(file.faces == std::vector<Triangle>{{0, 1, 2}});
+}
+
+TEST_CASE("PLY: a text row may go on in the next line, if it ends there") {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n";
+    CHECK(mustRead(head + "1 2\n3\n4\n5 6\n").position == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(contains(errorOf(head + "1.25 2.25\n4.25 5.25 6.25\n"), "line 8: expected a value"));
+}
+
+TEST_CASE("PLY: a number beyond float costs its place in that column alone") {
+    const PointFile file = mustRead(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float density\nend_header\n1 2 3 -9e61\n4 5 6 0.5\n");
+    CHECK(file.position[0] == Vec3(1, 2, 3));
+    CHECK(column(file, "density")[0] == -std::numeric_limits<double>::infinity());
+    CHECK(notes(file, "column density: 1 number beyond the range of float"));
+}
+
+TEST_CASE("PLY: triangle strips, the place of the sensor, and integers of 64 bits are read") {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+        "property float z\nproperty int64 label\nelement tristrips 1\n"
+        "property list int int vertex_indices\nelement camera 1\nproperty float view_px\n"
+        "property float view_py\nproperty float view_pz\nend_header\n"
+        "0 0 0 1\n1 0 0 2\n0 1 0 3\n1 1 0 4\n0 2 0 5\n9 0 1 2 3 -1 2 3 3 4\n0 0 10\n";
+    const PointFile file = mustRead(text);
+    CHECK(file.faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}});
+    REQUIRE(file.viewpoint);
+    CHECK(*file.viewpoint == Vec3(0, 0, 10));
+    CHECK(column(file, "label") == std::vector<double>{1, 2, 3, 4, 5});
+    CHECK(contains(errorOf(replaced(text, "-1 2 3 3 4", "-2 2 3 3 4")), "names point -2"));
+}
+
+TEST_CASE("PCD: nx, ny and nz are normals, and the viewpoint is kept unless it is the origin") {
+    const std::string text =
+        "VERSION 0.7\nFIELDS x y z nx ny nz\nSIZE 4 4 4 4 4 4\nTYPE F F F F F F\n"
+        "WIDTH 1\nHEIGHT 1\nVIEWPOINT 0 0 -10 1 0 0 0\nPOINTS 1\nDATA ascii\n1 2 3 0 0 1\n";
+    const PointFile file = mustRead(text);
+    CHECK(file.normal == std::vector<Vec3>{{0, 0, 1}});
+    CHECK(file.viewpoint == std::optional(Vec3(0, 0, -10)));
+    CHECK_FALSE(mustRead(replaced(text, "0 0 -10", "0 0 0")).viewpoint);
+}
+
+TEST_CASE("PCD: compressed points are unpacked, and refused where they are damaged") {
+    // Four literal bytes of 1.0F for x; y and z repeat them.
+    const std::string one = rawBytes(1.0F);
+    const std::string stream = '\3' + one + std::string{'\xc0', '\3'};
+    const std::string head =
+        "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA binary_compressed\n";
+    const std::string sizes = rawBytes(std::uint32_t{7}) + rawBytes(std::uint32_t{12});
+    CHECK(mustRead(head + sizes + stream).position == std::vector<Vec3>{{1, 1, 1}});
+    CHECK_FALSE(readPoints(head + sizes + stream.substr(0, 6), "cut").ok());
+    CHECK(contains(errorOf(head + sizes + '\3' + one + std::string{'\xc0', '\9'}), "damaged"));
+}
+
+TEST_CASE("STL: corners at one place are one point, in text and binary") {
+    const std::string text =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        "endloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0\n"
+        "vertex 0 0 1\nendloop\nendfacet\nendsolid\n";
+    const PointFile file = mustRead(text);
+    CHECK(file.position.size() == 4);
+    CHECK(file.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+    // The first point has both normals; the second triangle that of its winding, +x.
+    CHECK(glm::distance(file.normal[0], glm::normalize(Vec3(1, 0, 1))) < 1e-12);
+    CHECK(contains(errorOf(replaced(text, "vertex 0 1 0\nendloop", "endloop")), "three corners"));
+
+    const PointFile cube = findScene("sphere")->build();
+    const std::vector<Triangle> triangles{{0, 1, 2}, {2, 1, 3}};
+    const TemporaryFolder folder;
+    REQUIRE(writeMesh(folder / "far.stl", cube, triangles).ok());
+    const Result<PointFile> read = readPoints(folder / "far.stl");
+    REQUIRE(read.ok());
+    CHECK(read.value().faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}});
+    CHECK(glm::distance(read.value().position[3], cube.position[3]) < 1e-6);
+}
+
+TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
+    const PointFile file = mustRead(lasOfTwo(), "a.las");
+    CHECK(file.position ==
+          std::vector<Vec3>{{500001, 500000.07, 500000}, {499997.5, 500000.07, 500000}});
+    CHECK(column(file, "intensity") == std::vector<double>{900, 900});
+    CHECK(column(file, "classification") == std::vector<double>{6, 6});
+    CHECK(column(file, "red") == std::vector<double>{255, 255});
+    CHECK(column(file, "green") == std::vector<double>{1, 1});
+    for (std::size_t size = 4; size < lasOfTwo().size(); ++size)
+        CHECK_FALSE(readPoints(lasOfTwo().substr(0, size), "cut.las").ok());
+    std::string packed = lasOfTwo();
+    packed[104] = '\x82';
+    CHECK(contains(errorOf(packed), "laszip -i"));
+}
+
+TEST_CASE("Files: kinds that are not read are named, with the program that converts them") {
+    CHECK(contains(errorOf("ASTM-E57...", "a.e57"), "pdal translate"));
+    CHECK(contains(errorOf("\x93NUMPY...", "a.npy"), "numpy.savetxt"));
+    CHECK(contains(errorOf("\x1f\x8b...", "a.ply.gz"), "gunzip"));
+}
+
+TEST_CASE("Files: a packed file is read where there is a function that unpacks it") {
+    const Unpack unpack = [](std::string_view, const std::string&,
+                             const ByteLimit&) -> Result<std::string> {
+        return std::string("1 2 3\n");
+    };
+    CHECK(readPoints("\x1f\x8b...", "a.xyz.gz", {}, unpack).value().position.size() == 1);
+}
+
+TEST_CASE("Viewpoint: an open sheet without normals faces it, a closed body faces out") {
+    PointFile sheet;
+    for (int x = 0; x < 12; ++x)
+        for (int y = 0; y < 12; ++y)
+            sheet.position.emplace_back(x, y, 0.2 * std::sin(0.7 * x) * std::cos(0.5 * y));
+    for (const double side : {1.0, -1.0}) {
+        sheet.viewpoint = Vec3(6, 6, 20 * side);
+        const Result<Prepared> prepared = prepare(sheet, {});
+        REQUIRE(prepared.ok());
+        CHECK(prepared.value().report.derived.unknownSides == 0);
+        for (const Vec3& n : prepared.value().points.normal) CHECK(n.z * side > 0.0);
+    }
+    PointFile ball = findScene("sphere")->build();
+    ball.normal.clear();
+    ball.type.clear();
+    ball.viewpoint = Vec3(0.1, 0.0, 0.0);
+    const Result<Prepared> inside = prepare(ball, {});
+    REQUIRE(inside.ok());
+    const PointSet& points = inside.value().points;
+    for (Index p = 0; p < points.size(); ++p)
+        CHECK(glm::dot(points.normal[p], points.position[p]) > 0.0);
+}
