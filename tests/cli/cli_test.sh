@@ -1306,9 +1306,41 @@ other_files_are_refused_as_points() {
         says err "is a volume; \`spiraling-edge sample ball.nhdr"
         expect 3 $verb sample:torus,n=50
         says err "works in the viewer only"
-        expect 3 $verb scan.stl
+        expect 3 $verb scan.glb
         says err "written, not read"
+        printf 'ASTM-E57' >scan.e57
+        expect 3 $verb scan.e57
+        says err "is an E57 file, which cannot be read; convert it"
     done
+}
+
+files_of_other_programs_are_read() {
+    # Rows with their number before them, as a table with names, and packed; each gives the same mesh.
+    sphere_with_normals 'x, y, z, x, y, z' >sphere.xyz
+    expect 0 run sphere.xyz -q -o mesh.ply
+    { wc -l <sphere.xyz; cat sphere.xyz; } >count.pts
+    { echo '"X";"Y";"Z";"Nx";"Ny";"Nz"'; tr ' ' ';' <sphere.xyz; } >table.csv
+    gzip -k sphere.xyz
+    local file
+    for file in count.pts table.csv sphere.xyz.gz; do
+        expect 0 run $file -q -o same.ply
+        cmp mesh.ply same.ply || fail "$file: another mesh"
+    done
+    expect 0 info count.pts
+    says out "read       line 1 is the number of points"
+    expect 0 info count.pts --json
+    says out '"line 1 is the number of points"'
+    head -c 300 sphere.xyz.gz >cut.xyz.gz
+    expect 3 info cut.xyz.gz
+    says err "cut.xyz.gz: the gzip data end too early"
+    expect 3 info sphere.xyz.gz --most-bytes 1000
+    says err "holds more than 1000 bytes, read or unpacked"
+    # What is written as STL reads back: its corners are the points of the mesh.
+    expect 0 run scene:sphere --rules robust -q -o sphere.stl
+    expect 0 info sphere.stl
+    says out "sphere.stl: 600 points"
+    says out "1196 triangles in 1 component, no boundary"
+    says out "read       corners at one place are one point"
 }
 
 neighbors_within_spacings() {

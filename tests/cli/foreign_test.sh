@@ -47,15 +47,18 @@ assimp_writes_what_is_read() {
     needs assimp assimp-utils
     make sphere.ply
     local kind
-    # plyb is assimp's name of a binary PLY.
-    for kind in ply plyb obj; do
-        assimp export sphere.ply "back.${kind/plyb/ply}" "-f$kind" >said 2>&1 ||
+    # With a b at its end: binary, in assimp's words.
+    local file
+    for kind in ply plyb obj stl stlb; do
+        file=back.${kind%b}
+        [ $kind = obj ] && file=back.obj
+        assimp export sphere.ply "$file" "-f$kind" >said 2>&1 ||
             fail "assimp cannot write $kind: $(tail -3 said)"
-        "$program" info "back.${kind/plyb/ply}" >out 2>&1 || fail "$kind is refused: $(cat out)"
+        "$program" info "$file" >out 2>&1 || fail "$kind is refused: $(cat out)"
         grep -qF ": $points points" out || fail "points of $kind: $(head -1 out)"
         grep -qF "$triangles triangles in 1 component, no boundary" out ||
             fail "triangles of $kind: $(cat out)"
-        "$program" run "back.${kind/plyb/ply}" --rules robust -q -o again.obj ||
+        "$program" run "$file" --rules robust -q -o again.obj ||
             fail "cannot run on $kind"
         is "$(grep -c '^f ' again.obj)" $triangles "triangles made again from $kind"
     done
@@ -74,13 +77,15 @@ admesh_finds_no_fault() {
     done
 }
 
-# Points to PCL and back, as text and as bytes; the mesh made of them is the same.
+# Points to PCL and back, as text, as bytes and compressed; the mesh made of them is the same.
 pcl_reads_points_and_writes_them() {
     needs pcl_ply2pcd pcl-tools
     make sphere.ply
     local format
-    for format in 0 1; do
-        pcl_ply2pcd -format $format sphere.ply back.pcd >said 2>&1 || fail "PCL refuses PLY: $(tail -3 said)"
+    for format in 0 1 2; do
+        pcl_ply2pcd -format 1 sphere.ply bytes.pcd >said 2>&1 || fail "PCL refuses PLY: $(tail -3 said)"
+        pcl_convert_pcd_ascii_binary bytes.pcd back.pcd $format >said 2>&1 ||
+            fail "PCL cannot write format $format: $(tail -3 said)"
         "$program" info back.pcd >out 2>&1 || fail "PCD $format is refused: $(cat out)"
         grep -qF ": $points points" out || fail "points of PCD $format: $(head -1 out)"
         grep -qE '^ +normals +yes' out || fail "normals of PCD $format: $(cat out)"

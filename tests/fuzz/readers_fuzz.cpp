@@ -62,7 +62,8 @@ void checkVolume(const se::Volume& volume) {
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    for (const char* name : {"input", "input.off"}) {  // the extension matters for OFF alone
+    for (const char* name :
+         {"input", "input.off", "input.stl"}) {  // the other extensions do not matter
         const auto file = se::readPoints(bytes, name);
         require(file.ok() || !file.error().message.empty(), "an error without a message");
         if (file.ok()) checkContent(file.value());

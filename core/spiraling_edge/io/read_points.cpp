@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "spiraling_edge/base/text_scan.h"
@@ -108,6 +109,21 @@ std::string recoded(std::string_view bytes) {
     return lines;
 }
 
+/// Columns of 64-bit integers become double, which formats know; beyond 2^53 they lose digits.
+void narrowColumns(PointFile& file) {
+    constexpr double kExact = 9007199254740992.0;
+    for (Attribute& column : file.attributes) {
+        if (column.type != ScalarType::Int64 && column.type != ScalarType::UInt64) continue;
+        column.type = ScalarType::Double;
+        const bool exact = std::all_of(column.values.begin(), column.values.end(),
+                                       [](double value) { return std::abs(value) < kExact; });
+        if (!exact) {
+            file.notes.push_back("column " + column.name +
+                                 ": numbers above 2^53 have lost their last digits");
+        }
+    }
+}
+
 // ---- files that other programs have to convert --------------------------------------------------
 
 /// A kind of file that is recognized, but not read.
@@ -163,7 +179,10 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
     if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
     const io::FileStart start = startOf(bytes, name);
     for (const PointFormat& format : kPointFormats) {
-        if (format.recognizes(start)) return format.read(bytes, name);
+        if (!format.recognizes(start)) continue;
+        Result<PointFile> file = format.read(bytes, name);
+        if (file) narrowColumns(file.value());
+        return file;
     }
     for (const UnreadKind& kind : kUnreadKinds) {
         if (bytes.starts_with(kind.magic)) return Error{name + ": " + kind.remedy};

@@ -199,6 +199,8 @@ TEST_CASE("PLY: triangle strips, the place of the sensor, and integers of 64 bit
     REQUIRE(file.viewpoint);
     CHECK(*file.viewpoint == Vec3(0, 0, 10));
     CHECK(column(file, "label") == std::vector<double>{1, 2, 3, 4, 5});
+    CHECK(file.attributes[0].type == ScalarType::Double);
+    CHECK(notes(mustRead(replaced(text, "0 0 0 1\n", "0 0 0 9223372036854775807\n")), "2^53"));
     CHECK(contains(errorOf(replaced(text, "-1 2 3 3 4", "-2 2 3 3 4")), "names point -2"));
 }
 
