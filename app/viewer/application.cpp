@@ -405,7 +405,7 @@ void Application::endFrame(glm::ivec2 size) {
 void Application::noteTimes(std::chrono::steady_clock::time_point built) {
     using Seconds = std::chrono::duration<double>;
     const bool first = firstFrameSeconds_ == 0.0 && session_.ready();
-    if (first || options_.benchFrames > 0) finishGl();
+    if (first) finishGl();
     const auto drawn = std::chrono::steady_clock::now();
     glSeconds_ = Seconds(drawn - built).count();
     const double sinceStart = Seconds(drawn - options_.began).count();

@@ -67,9 +67,8 @@ class Application {
     /// The next two frames are drawn even if they equal the one before: the window lost its
     /// content. Two, because some drivers resize the buffers one frame late.
     void redraw() { redraws_ = 2; }
-    /// The visible state of the program, as JSON: for tests.
-    std::string stateDump(const InputProgress& input) const;
-    /// Writes stateDump() to the file of --state-dump, if there is one and the state has changed.
+    /// Called after each frame of the window, and at the end: writes the visible state in the
+    /// program of the tests, and nothing in any other.
     Status writeState(const InputProgress& input = {});
     /// Times of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
@@ -86,6 +85,7 @@ class Application {
     CommandContext& context() { return context_; }
     /// What the view shows, as last drawn.
     const DrawList& drawn() const { return painter_.list(); }
+    const ScenePainter& painter() const { return painter_; }
     /// The run beside the open one, and what its view shows; null: there is none.
     Session* otherSession() { return compare_.shows() ? compare_.other() : nullptr; }
     const DrawList& otherDrawn() const { return compare_.list(); }
@@ -178,15 +178,14 @@ class Application {
     bool ended_ = false;               ///< The cursor was at the end of the run.
     bool dragged_ = false;             ///< A point was being dragged in the last frame.
     std::string homeOf_;               ///< Name of the input that the camera was reset for.
-    std::string writtenState_;
-    std::string narrated_;          ///< Address of the last sentence on stdout.
-    std::optional<Framed> framed_;  ///< Framed while the layout was settling.
-    bool pivotSeen_ = false;        ///< The pivot was in the view, or the camera on the way to it.
-    PanelRects areas_;              ///< As last drawn.
-    std::string taskOf_;            ///< Source of the input that the column was reset for.
-    bool finished_ = false;         ///< The finished mesh was shown in the frame before.
-    bool judged_ = false;           ///< Its faults were known.
-    int redraws_ = 0;               ///< Number of frames to draw even if nothing changes.
+    std::string narrated_;             ///< Address of the last sentence on stdout.
+    std::optional<Framed> framed_;     ///< Framed while the layout was settling.
+    bool pivotSeen_ = false;  ///< The pivot was in the view, or the camera on the way to it.
+    PanelRects areas_;        ///< As last drawn.
+    std::string taskOf_;      ///< Source of the input that the column was reset for.
+    bool finished_ = false;   ///< The finished mesh was shown in the frame before.
+    bool judged_ = false;     ///< Its faults were known.
+    int redraws_ = 0;         ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;

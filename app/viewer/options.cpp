@@ -69,7 +69,6 @@ struct RawOptions {
     std::string background;
     std::string labels;
     std::string shaders;
-    std::string stateDump;
     std::size_t step = 0;
     std::string result;
     RawExport exported;
@@ -180,12 +179,6 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                    "Play the run once, in about SECONDS seconds; any key pauses")
         ->check(CLI::Range(1.0, 3600.0));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
-    app.add_option("--state-dump", raw.stateDump,
-                   "Write the visible state as JSON, whenever it changes")
-        ->type_name("FILE");
-    app.add_option("--bench-frames", o.benchFrames,
-                   "Draw N frames, one sub-step each, without a window; print their cost")
-        ->check(CLI::Range(1, 100000));
     app.add_flag(std::string(kForceOption), o.force, std::string(kForceHelp));
     app.add_flag("--no-config", o.noConfig,
                  "Do not read or write settings, layout and recent files");
@@ -317,12 +310,6 @@ void requirePngName(const std::string& path) {
     throw CLI::ValidationError("--screenshot " + path, "pictures are written as .png only");
 }
 
-/// A benchmark needs an input to step through.
-void chooseBenchScene(Options& o) {
-    if (o.benchFrames == 0 || !o.input.source.empty() || scenes().empty()) return;
-    o.input.source = sceneSource(scenes().front().id);
-}
-
 }  // namespace
 
 Status chooseComparison(Options& o) {
@@ -434,8 +421,7 @@ std::vector<NamedFile> filesRead(const Options& o) {
 
 Status requireInputsKept(const Options& o) {
     const auto isUnnamed = [](const NamedFile& each) { return each.path.empty(); };
-    std::vector<NamedFile> outputs{
-        {"--screenshot", o.screenshot}, {"--state-dump", o.stateDump}, {"--result", o.resultFile}};
+    std::vector<NamedFile> outputs{{"--screenshot", o.screenshot}, {"--result", o.resultFile}};
     if (o.exported) {
         const std::vector<std::filesystem::path> one{o.exported->path};
         for (const auto& each : o.exported->several() ? seriesFilesAt(o.exported->path) : one)
@@ -457,7 +443,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     addOptions(app, o, raw);
     try {
         app.parse(argc, argv);
-        chooseBenchScene(o);
         takeOverLink(app, o);
         takeOverInput(app, raw, o);
         takeOver(raw, o);
@@ -467,7 +452,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
             requirePngName(raw.screenshot);
             requireWritable(raw.screenshot, "--screenshot");
         }
-        if (app.count("--state-dump") > 0) requireWritable(raw.stateDump, "--state-dump");
         if (app.count("--result") > 0) requireWritable(raw.result, "--result");
         const bool ofLesson = app.count("--step") + app.count("--result") > 0;
         if (ofLesson && !isLesson(o.input.source))
@@ -494,7 +478,6 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     if (!raw.layout.empty()) o.lessons = opensLessons(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
-    o.stateDump = raw.stateDump;
     if (raw.step > 0) o.lessonStep = raw.step - 1;
     o.resultFile = raw.result;
     return {std::move(o), kExitGood};

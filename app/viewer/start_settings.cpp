@@ -5,8 +5,7 @@
 namespace se::view {
 
 ViewSettings keptSettings(const Options& options, Theme usual) {
-    const bool reads = !options.noConfig && !options.onPaper() && options.benchFrames == 0;
-    if (reads) return readSettings(settingsPath(), usual);
+    if (!options.noConfig && !options.onPaper()) return readSettings(settingsPath(), usual);
     ViewSettings settings;
     settings.theme = usual;
     return settings;

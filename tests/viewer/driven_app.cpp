@@ -14,6 +14,7 @@
 #include "chord.h"
 #include "export_options.h"
 #include "picture_frames.h"
+#include "state_dump.h"
 
 namespace se::view::test {
 
@@ -275,8 +276,8 @@ Picture DrivenApp::picture() {
     return read;
 }
 
-std::string DrivenApp::operator[](std::string_view field) const {
-    const auto state = nlohmann::json::parse(app.stateDump({}));
+std::string DrivenApp::operator[](std::string_view field) {
+    const auto state = nlohmann::json::parse(stateDump(app));
     const auto found = state.find(field);
     if (found == state.end()) return {};
     return found->is_string() ? found->get<std::string>() : found->dump();

@@ -69,8 +69,8 @@ class DrivenApp {
     void resize(glm::ivec2 size);
     /// The picture that the window shows now.
     Picture picture();
-    /// A field of --state-dump, as text without quotes; a list is in JSON.
-    std::string operator[](std::string_view field) const;
+    /// A field of stateDump(), as text without quotes; a list is in JSON.
+    std::string operator[](std::string_view field);
     std::string address() const { return toString(session.address()); }
     CameraPose pose() { return app.camera().pose(); }
     /// Saves the session as a file.

@@ -63,9 +63,9 @@ TEST_CASE("A file that is read is replaced only by force, whatever it is called"
     }
     o.force = false;
     o.screenshot.clear();
-    o.stateDump = folder / "s.json";
+    o.resultFile = folder / "s.json";
     CHECK_FALSE(requireInputsKept(o).ok());
-    o.stateDump = o.resultFile = folder / "both";
+    o.screenshot = o.resultFile = folder / "both";
     CHECK_FALSE(requireInputsKept(o).ok());
     o.force = true;
     CHECK_FALSE(requireInputsKept(o).ok());
@@ -248,14 +248,12 @@ TEST_CASE("A session that cannot be read is an error, other files are left uncha
     CHECK_FALSE(points.session.has_value());
 }
 
-TEST_CASE("A picture or state that could not be written is refused before any work") {
-    for (const char* option : {"--screenshot", "--state-dump"}) {
-        CAPTURE(option);
-        CHECK(parse({"scene:sphere", option, "no-such-folder/x.png"}).exitCode == kExitUsage);
-        CHECK(parse({"scene:sphere", option, "/"}).exitCode == kExitUsage);
-        CHECK(parse({"scene:sphere", option, ""}).exitCode == kExitUsage);
-        CHECK(parse({"scene:sphere", option, "x.png"}).options.has_value());
+TEST_CASE("A picture that could not be written is refused before any work") {
+    for (const char* path : {"no-such-folder/x.png", "/", ""}) {
+        CAPTURE(path);
+        CHECK(parse({"scene:sphere", "--screenshot", path}).exitCode == kExitUsage);
     }
+    CHECK(parse({"scene:sphere", "--screenshot", "x.png"}).options.has_value());
 }
 
 TEST_CASE("A clean picture is the view alone, without labels, as smooth as requested") {

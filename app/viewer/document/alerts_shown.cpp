@@ -50,7 +50,7 @@ std::string changeOfPlace(const Session& session) {
 
 void AlertsShown::begin(const Options& options) {
     asked_ = options.alert;
-    interactive_ = !options.onPaper() && options.benchFrames == 0;
+    interactive_ = !options.onPaper();
     // A picture of a file shows where its faults are. Built-in inputs are small, and may be about
     // one.
     const bool own = isScene(options.input.source) || !options.lesson.empty();

@@ -63,7 +63,7 @@ void Document::begin(const Options& options) {
     arrival_.framed = arrival_.framed || options.focus;
     const bool named = !options.goTo.empty() || !options.alert.empty() || options.camera ||
                        options.atDifference || options.session;
-    if (!named && options.benchFrames == 0) aimAtScene(options.input.source);
+    if (!named) aimAtScene(options.input.source);
     if (options.camera) arrival_.camera = options.camera;
     arrival_.stateHash = options.stateHash;
     c_.session.open(options.input);

@@ -64,9 +64,7 @@ struct Options {
     bool noConfig = false;
     bool force = false;               ///< kForceOption.
     bool narrate = false;             ///< Print every sentence to stdout as well.
-    std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
     double playSeconds = 0.0;         ///< Play the run once, in about that time; 0: not.
-    int benchFrames = 0;              ///< Step through that number of frames and print their times.
     bool cheatSheet = false;          ///< Open with the list of keys.
 
     /// Pictures are drawn, without a user.

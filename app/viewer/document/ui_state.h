@@ -159,7 +159,7 @@ struct UiState {
     Follow follow = Follow::LeavingPivot;
     CameraMove cameraMove;
     /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "rail
-    /// Step", "part Dial", "strip run" ... For --state-dump, so that test scripts find them.
+    /// Step", "part Dial", "strip run" ... So that tests find them.
     std::map<std::string, Rect> where;
     Column& column = states.of<Column>();
     LookBack& look = states.of<LookBack>();  ///< Whether the state before the decision is shown.

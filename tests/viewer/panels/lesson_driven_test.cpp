@@ -6,6 +6,7 @@
 
 #include "driven_app.h"
 #include "open_session.h"
+#include "state_dump.h"
 
 using namespace se;
 using namespace se::view;
@@ -15,8 +16,8 @@ using test::DrivenApp;
 namespace {
 
 /// All of the visible state but times and counts of frames.
-std::string lastingState(const DrivenApp& app) {
-    auto state = nlohmann::json::parse(app.app.stateDump({}));
+std::string lastingState(DrivenApp& app) {
+    auto state = nlohmann::json::parse(test::stateDump(app.app));
     for (const char* name :
          {"first_frame_seconds", "first_window_seconds", "longest_opening_seconds", "motions"}) {
         state.erase(name);

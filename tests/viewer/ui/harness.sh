@@ -4,13 +4,16 @@
 #   . "$(dirname "$0")/harness.sh"
 #   start scene:sphere            # opens the window; size=1024x640 scale=2 theme=light start ...
 #                                 # instead of 1280x800, scale 1, dark; size=kept for the last size
-#   press F10; says pivot 1       # keys; a field of --state-dump, as a regular expression
+#   press F10; says pivot 1       # keys; a field of the state, as a regular expression
 #   click 480 300                 # in pixels of the window
 #   stop                          # Ctrl+Q, and a good exit code
 #
 # Exits with 0 on success, 77 (skipped) if a tool is missing, and reports the state on failure.
 set -u
 viewer=$(realpath "$1")
+# The same program, which writes its state.
+driven=$(dirname "$viewer")/driven-viewer
+[ -x "$driven" ] || { echo "FAILED: $driven is not built"; exit 1; }
 for tool in Xvfb xdotool compare import; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
@@ -23,7 +26,8 @@ rest() { read -rt "$pause" -u 7 || true; }
 server=
 program=
 window=
-state=$work/state.json
+export SPIRALING_EDGE_STATE=$work/state.json
+state=$SPIRALING_EDGE_STATE
 cleanup() {
     [ -n "$program" ] && kill "$program" 2>/dev/null
     [ -n "$server" ] && kill "$server" 2>/dev/null
@@ -56,7 +60,7 @@ start() {
     rm -f "$state"
     local sized=(--size "${size:-1280x800}")
     [ "${size:-}" != kept ] || sized=()
-    "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
+    "$driven" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
     for _ in $(seq $looks); do
@@ -150,7 +154,7 @@ resize() {
     poll is_wide "$1"
 }
 
-# look_up NAME: its current value in the state dump, without quotes, in `value`; lists on one line.
+# look_up NAME: its current value in the state, without quotes, in `value`; lists on one line.
 look_up() {
     local pattern='(\[[^]]*\]|\{[^}]*\}|"[^"]*"|[^[:space:],}]+)' text=
     value=

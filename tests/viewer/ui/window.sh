@@ -42,14 +42,19 @@ grep -q 'nothing\.ply' "$work/err.txt" || fail "the message does not name the mi
 program_beside=$(dirname "$viewer")/spiraling-edge
 if [ -x "$program_beside" ]; then
     printf '{"format": "spiraling-edge session", "version": 1, "input": {"source": "scene:sphere"}, "address": "40.sphere.2"}' >"$work/a.sesession"
-    "$program_beside" render "$work/a.sesession" -o "$work/x.png" --state-dump "$state" || fail "render of a session fails"
+    # render hands over to the viewer beside it.
+    mkdir "$work/bin"
+    cp "$program_beside" "$work/bin/spiraling-edge"
+    ln -s "$driven" "$work/bin/spiraling-edge-viewer"
+    render=("$work/bin/spiraling-edge" render)
+    "${render[@]}" "$work/a.sesession" -o "$work/x.png" || fail "render of a session fails"
     [ "$(field address)" = "40.sphere.2" ] || fail "render SESSION shows '$(field address)'"
-    "$program_beside" render "$work/a.sesession" -o "$work/x.png" --goto 7 --state-dump "$state" || fail "render of a session fails"
+    "${render[@]}" "$work/a.sesession" -o "$work/x.png" --goto 7 || fail "render of a session fails"
     [[ $(field address) == 7.* ]] || fail "render SESSION --goto 7 shows '$(field address)'"
     "$program_beside" sample torus -n 300 -q -o "$work/torus.ply" || fail "no points are sampled"
     "$viewer" - --goto 100% --screenshot "$work/stdin.png" < <(cat "$work/torus.ply") || fail "no picture of standard input"
     [ -s "$work/stdin.png" ] || fail "no picture of standard input"
-    "$program_beside" render scene:sphere -o "$work/x.png" --state-dump "$state" || fail "render of a scene fails"
+    "${render[@]}" scene:sphere -o "$work/x.png" || fail "render of a scene fails"
     [ "$(field pivot)" -gt 100 ] || fail "render of a scene shows '$(field address)', not the end"
 fi
 

@@ -1,10 +1,11 @@
-// The scenarios in tests/viewer/ui drive the real window and wait for states instead of times. So
-// every visible value is in this one JSON object, with the rectangles of the items to click on.
+#include "state_dump.h"
+
 #include <imgui.h>
 
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 
 #include "application.h"
 #include "document/alert_actions.h"
@@ -292,102 +293,108 @@ void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) 
 
 }  // namespace
 
-Status Application::writeState(const InputProgress& input) {
-    if (options_.stateDump.empty()) return success();
-    std::string state = stateDump(input);
-    if (state == writtenState_) return success();
-    const Status written = writeFileAtomically(options_.stateDump, state);
-    if (written) writtenState_ = std::move(state);
-    return written;
-}
+namespace test {
 
-std::string Application::stateDump(const InputProgress& input) const {
+std::string stateDump(Application& app, const InputProgress& input) {
+    const CommandContext& c = app.context();
+    const UiState& ui = c.ui;
+    const Session& session = c.session;
+    const Playback& playback = c.playback;
     json out{{"input_events", input.events},
-             {"settled", input.settled && !ui_.cameraMove.active()},
-             {"phase", phaseName(session_.input().phase())},
-             {"message", session_.messages().last()},
-             {"notice", session_.messages().notice()},
-             {"playing", playback_.playing()},
-             {"unit", std::string(unitName(playback_.unit()))},
-             {"rate", playback_.rate()},
-             {"theme", std::string(themeName(ui_.settings.theme))},
-             {"layout", std::string(rowOf(ui_.layoutPreset).name)},
-             {"blank", ui_.blank != BlankScreen::None},
-             {"first_frame_seconds", firstFrameSeconds_},
-             {"first_window_seconds", firstWindowSeconds_},
-             {"longest_opening_seconds", longestOpeningSeconds_},
-             {"start_page", session_.startPage()},
-             {"recent", ui_.recent.size()},
-             {"session_file", ui_.sessionPath},
+             {"settled", input.settled && !ui.cameraMove.active()},
+             {"phase", phaseName(session.input().phase())},
+             {"message", session.messages().last()},
+             {"notice", session.messages().notice()},
+             {"playing", playback.playing()},
+             {"unit", std::string(unitName(playback.unit()))},
+             {"rate", playback.rate()},
+             {"theme", std::string(themeName(ui.settings.theme))},
+             {"layout", std::string(rowOf(ui.layoutPreset).name)},
+             {"blank", ui.blank != BlankScreen::None},
+             {"first_frame_seconds", app.firstFrameSeconds()},
+             {"first_window_seconds", app.firstWindowSeconds()},
+             {"longest_opening_seconds", app.longestOpeningSeconds()},
+             {"start_page", session.startPage()},
+             {"recent", ui.recent.size()},
+             {"session_file", ui.sessionPath},
              {"bookmarks", json::array()},
-             {"notes", ui_.notes},
-             {"unsaved", !ui_.unsaved.empty()},
-             {"title", title()},
-             {"undo", history_.undoDepth()},
-             {"redo", history_.redoDepth()},
-             {"em", imgui_ ? imgui_->em() : 0.0F},
-             {"key_editor", ui_.keyEditor},
-             {"changed_keys", ui_.settings.keys.changes().size()},
-             {"cheat_sheet", ui_.cheatSheet},
-             {"file_browser", ui_.fileBrowser},
-             {"palette", ui_.palette.open},
-             {"palette_typed", ui_.palette.filter.data()},
-             {"query_typed", ui_.query.typed},
-             {"ledger_typed", ui_.ledger.typed},
-             {"typing", imgui_ && ImGui::GetIO().WantTextInput},
-             {"asks", ui_.leaving.asked},
-             {"keyboard", keyStopName(ui_.walk.at())},
-             {"click_waits", ui_.click.waiting()},
-             {"task", std::string(rowOf(ui_.column.task).title)},
-             {"part", ui_.column.part},
+             {"notes", ui.notes},
+             {"unsaved", !ui.unsaved.empty()},
+             {"title", app.title()},
+             {"undo", c.history.undoDepth()},
+             {"redo", c.history.redoDepth()},
+             {"em", app.em()},
+             {"key_editor", ui.keyEditor},
+             {"changed_keys", ui.settings.keys.changes().size()},
+             {"cheat_sheet", ui.cheatSheet},
+             {"file_browser", ui.fileBrowser},
+             {"palette", ui.palette.open},
+             {"palette_typed", ui.palette.filter.data()},
+             {"query_typed", ui.query.typed},
+             {"ledger_typed", ui.ledger.typed},
+             {"typing", ImGui::GetIO().WantTextInput},
+             {"asks", ui.leaving.asked},
+             {"keyboard", keyStopName(ui.walk.at())},
+             {"click_waits", ui.click.waiting()},
+             {"task", std::string(rowOf(ui.column.task).title)},
+             {"part", ui.column.part},
              {"address_line",
-              ui_.where.contains("address line") ? addressAndSection(session_) : std::string()},
-             {"pivot_arrow", ui_.where.count("pivot arrow") > 0},
+              ui.where.contains("address line") ? addressAndSection(session) : std::string()},
+             {"pivot_arrow", ui.where.count("pivot arrow") > 0},
              {"layers", json::array()},
              {"pins", json::object()},
-             {"before", session_.showsBefore()},
-             {"shown_state", session_.showsEarlierMesh() ? "earlier mesh"
-                             : session_.showsBefore()    ? "before"
-                                                         : "after"},
-             {"blinking", ui_.look.blinking()},
-             {"follow", ui_.follow == Follow::EachDecision},
-             {"section_degrees", ui_.section.turnDegrees},
-             {"moving", painter_.moving() || painter_.unfinished()},
-             {"motions", painter_.motions()},
-             {"tinted", drawn().tinted[0].count + drawn().tinted[1].count}};
-    out["prepare"] = ui_.prepare.open;
-    out["piece_tool"] = ui_.piece.on;
-    out["piece_inside"] = ui_.piece.inside.size();
-    dumpGrowth(out, ui_.growth);
-    out["copied"] = ui_.clipboard.copied();
-    dumpMeshForm(out, ui_);
-    dumpExportForm(out, ui_);
-    dumpComparison(out, session_, ui_.compare);
-    dumpLayers(out, ui_.settings.layers, session_.stage());
-    out["point_tint"] = std::string(rowOf(ui_.settings.pointTint).name);
-    out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
-    out["unlimited"] = playback_.unlimited();
-    out["loop"] = {{"from", addressOrNull(playback_.loop.from)},
-                   {"to", addressOrNull(playback_.loop.to)}};
-    for (const auto& [name, rect] : ui_.where) {
+             {"before", session.showsBefore()},
+             {"shown_state", session.showsEarlierMesh() ? "earlier mesh"
+                             : session.showsBefore()    ? "before"
+                                                        : "after"},
+             {"blinking", ui.look.blinking()},
+             {"follow", ui.follow == Follow::EachDecision},
+             {"section_degrees", ui.section.turnDegrees},
+             {"moving", app.painter().moving() || app.painter().unfinished()},
+             {"motions", app.painter().motions()},
+             {"tinted", app.drawn().tinted[0].count + app.drawn().tinted[1].count}};
+    out["prepare"] = ui.prepare.open;
+    out["piece_tool"] = ui.piece.on;
+    out["piece_inside"] = ui.piece.inside.size();
+    dumpGrowth(out, ui.growth);
+    out["copied"] = ui.clipboard.copied();
+    dumpMeshForm(out, ui);
+    dumpExportForm(out, ui);
+    dumpComparison(out, session, ui.compare);
+    dumpLayers(out, ui.settings.layers, session.stage());
+    out["point_tint"] = std::string(rowOf(ui.settings.pointTint).name);
+    out["mesh_style"] = std::string(rowOf(ui.settings.meshStyle).name);
+    out["unlimited"] = playback.unlimited();
+    out["loop"] = {{"from", addressOrNull(playback.loop.from)},
+                   {"to", addressOrNull(playback.loop.to)}};
+    for (const auto& [name, rect] : ui.where) {
         out["where"][name] = {std::lround(rect.min.x), std::lround(rect.min.y),
                               std::lround(rect.size.x), std::lround(rect.size.y)};
     }
-    for (const Bookmark& each : ui_.bookmarks) out["bookmarks"].push_back(toString(each.address));
-    dumpLesson(out, ui_.lesson);
-    const bool hides = ui_.lesson.hides();
-    if (!hides) dumpStops(out, ui_, session_);
-    const ViewPosition place{session_.event() != nullptr ? toString(session_.address()) : "",
-                             camera_.pose()};
+    for (const Bookmark& each : ui.bookmarks) out["bookmarks"].push_back(toString(each.address));
+    dumpLesson(out, ui.lesson);
+    const bool hides = ui.lesson.hides();
+    if (!hides) dumpStops(out, ui, session);
+    const ViewPosition place{session.event() != nullptr ? toString(session.address()) : "",
+                             c.camera.pose()};
     out.update(json::parse(toText(place)));
-    if (session_.ready()) {
-        dumpRun(out, session_);
+    if (session.ready()) {
+        dumpRun(out, session);
         if (hides) return teach::jsonText(out);
-        dumpFindings(out, session_);
-        dumpNavigation(out, ui_.navigation, session_);
-        dumpQuestions(out, session_);
+        dumpFindings(out, session);
+        dumpNavigation(out, ui.navigation, session);
+        dumpQuestions(out, session);
     }
     return teach::jsonText(out);
+}
+
+}  // namespace test
+
+Status Application::writeState(const InputProgress& input) {
+    const char* file = std::getenv("SPIRALING_EDGE_STATE");
+    if (file == nullptr) return success();
+    const std::string state = test::stateDump(*this, input);
+    return readText(file) == state ? success() : writeFileAtomically(file, state);
 }
 
 }  // namespace se::view
