@@ -4,17 +4,24 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
+#include "commands/commands.h"
 #include "document/actions.h"
 #include "document/break_actions.h"
 #include "document/camera_actions.h"
+#include "document/link.h"
+#include "document/piece_actions.h"
+#include "input/key_routing.h"
 #include "jobs/questions.h"
+#include "lesson/lesson_actions.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
 #include "scene/decision_view.h"
 #include "scene/framing.h"
+#include "session/view_position.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
 #include "window_export.h"
@@ -27,6 +34,13 @@ namespace {
 constexpr std::chrono::milliseconds kSlicesPerFrame{12};
 constexpr const char* kStartWindow = "##start";
 constexpr const char* kViewWindow = "##view";
+
+/// Height of the sentence below a view alone, in em.
+constexpr float kCaption = 3.6F;
+/// Width of the dial beside a view alone, as a share of all, and its limits in em.
+constexpr float kDialShare = 0.3F;
+constexpr float kDialLeast = 10.0F;
+constexpr float kDialMost = 22.0F;
 
 }  // namespace
 
@@ -443,6 +457,186 @@ void Application::saveWindowPicture(glm::ivec2 size) {
         path = folder / (stem + "-" + std::to_string(i) + ".png");
     const Status status = writePicture(path, readPicture(size));
     session_.messages().say(status ? "Saved " + path.string() + "." : status.error().message);
+}
+
+/// The scale of text and panels. Present is read from a distance: it is so large that at most
+/// kPresentLines em fit the height of the window, whatever its resolution.
+float Application::scaleIn(glm::ivec2 size) const {
+    constexpr float kPresentLines = 32.0F;
+    constexpr float kLargest = 3.0F;
+    const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
+    const auto scale = static_cast<float>(chosen);
+    const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.picture.viewAlone;
+    const float fitting = static_cast<float>(size.y) / (kPresentLines * kEmPixels);
+    return present ? std::max(scale, std::min(fitting, kLargest)) : scale;
+}
+
+WindowState Application::windowState() const {
+    WindowState state;
+    state.layoutPreset = ui_.layoutPreset;
+    state.strip = ui_.navigation.strips;
+    state.sizes = ui_.settings.panels;
+    state.sheet = ui_.column.sheet;
+    state.finished = session_.ready() && session_.atEnd();
+    state.lesson = ui_.lesson.walk.isOpen();
+    const bool asks = state.lesson && ui_.lesson.walk.question() != nullptr;
+    state.captionEms = asks ? ui_.lesson.captionEms : 0.0F;
+    state.beside = ui_.compare.isIn(LayoutPreset::Present);
+    // The lesson is needed for the answer.
+    if (ui_.lesson.hides()) state.sizes.folded = false;
+    return state;
+}
+
+/// Switches the column to the task that the run calls for, unless the user has picked one.
+void Application::followTask() {
+    const std::string& source = session_.input().spec().source;
+    if (std::exchange(taskOf_, source) != source && !ui_.lesson.walk.isOpen()) {
+        ui_.column.reset();
+        if (ui_.layoutPreset == LayoutPreset::Compare) actions::openPart(context_, kComparePart);
+        finished_ = false;
+        judged_ = false;
+    }
+    const bool finished = session_.ready() && session_.atEnd();
+    if (std::exchange(finished_, finished) != finished && finished)
+        ui_.column.suggest(Task::Faults);
+    const AlertSearch& alerts = session_.alerts().search();
+    if (std::exchange(judged_, alerts.done()) != alerts.done() && alerts.done() && !alerts.sound())
+        ui_.column.note(Task::Faults);
+}
+
+PanelRects Application::areasIn(glm::vec2 size) const {
+    const float em = imgui_->em();
+    if (ui_.picture.viewAlone) {
+        const bool two = ui_.layoutPreset == LayoutPreset::Compare;
+        const float dial = std::clamp(kDialShare * size.x, kDialLeast * em, kDialMost * em);
+        // Each of two views has its own caption, in it.
+        const bool below = ui_.picture.caption && !two;
+        return viewAlone(size, {below ? std::round(kCaption * em) : 0.0F,
+                                two ? std::round(kViewTitle * em) : 0.0F,
+                                ui_.picture.dial ? std::round(dial) : 0.0F});
+    }
+    if (ui_.growth.open) return computePageRects(size, em);
+    PanelRects rects = computePanelRects(size, em, windowState());
+    // The start page replaces all panels.
+    if (session_.startPage()) {
+        rects.view = {{0.0F, rects.menu.size.y}, size - glm::vec2(0.0F, rects.menu.size.y)};
+        rects.narration = {};
+    }
+    return rects;
+}
+
+void Application::character(const KeyPress& typed) {
+    if (ui_.goTo.active()) {
+        if (isText(typed)) ui_.goTo.type(typed.sign);
+        return;
+    }
+    if (ui_.keyEditor) return;
+    // The position of digits and signs differs between keyboards; a key with a command has acted.
+    const std::optional<KeyChord> chord = chordOfSign(typed);
+    if (chord && commandFor(typed.chord) == nullptr) key(*chord, typed.repeated);
+}
+
+/// The go-to box comes before all actions.
+bool Application::goToBoxTakes(const KeyChord& chord) {
+    GoToBox& box = ui_.goTo;
+    if (chord == KeyChord{'V', kCtrl}) {
+        const std::string text = ui_.clipboard.text();
+        const Result<ViewPosition> place = viewPositionFromText(text);
+        const Result<Options> link = isLink(text) ? optionsFromLink(text) : Error{};
+        const std::string& address = link    ? link.value().goTo
+                                     : place ? place.value().address
+                                             : text;
+        box.paste(address);
+        return true;
+    }
+    if (!box.press(chord)) return false;
+    if (const std::string copied = box.takeCopied(); !copied.empty()) ui_.clipboard.copy(copied);
+    if (box.takeSubmitted()) goToTyped();
+    return true;
+}
+
+void Application::goToTyped() {
+    playback_.pause();
+    const Status status = session_.moves().goToText(ui_.goTo.text());
+    if (!status) session_.messages().say(status.error().message);
+}
+
+bool Application::key(const KeyChord& chord, bool repeated) {
+    if (ui_.keyCapture.active()) {
+        ui_.keyCapture.press(chord, ui_.settings.keys);
+        return false;
+    }
+    if (firstRun_.key()) return false;
+    if (ui_.goTo.active() && goToBoxTakes(chord)) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
+        // Dear ImGui would undo the edit of the text.
+        ImGui::ClearActiveID();
+        return true;
+    }
+    const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
+    const bool panel = ui_.walk.at() != KeyStop::View || (session_.startPage() && !ui_.growth.open);
+    if (enter && chord.mods == kNoMods && panel && io.NavVisible && !io.WantTextInput &&
+        !ui_.dialogOpen()) {
+        // Dear ImGui itself handles Space only.
+        ImGui::ActivateItem(ImGui::GetFocusID());
+        return true;
+    }
+    if (endsBlankScreen(chord)) return true;
+    const bool over = io.WantTextInput || ui_.dialogOpen() || ui_.popupOpen;
+    if (!over && !repeated && runOnPieceTool(chord, context_)) return true;
+    if (!over && !repeated && answerByKey(chord, context_)) return true;
+    if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
+    const Command* command = commandFor(chord);
+    // A question comes first.
+    if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
+    if (command == nullptr || (repeated && !command->repeats)) return false;
+    const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
+    const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
+                            io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
+    const bool reaches = reachesActions(chord, keyboard);
+    if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, context_);
+    ui_.typing.see(ui_.typedFields());
+    // Dear ImGui's own navigation is not used.
+    return reaches && chord.key == key::kTab;
+}
+
+/// Any key shows the blanked window again, and does nothing else.
+bool Application::endsBlankScreen(const KeyChord& chord) {
+    if (ui_.blank == BlankScreen::None || isModifierKey(chord.key)) return false;
+    ui_.blank = BlankScreen::None;
+    return true;
+}
+
+/// The commands of the open lesson come before those of panels and of a presenter's remote control.
+bool Application::isOfLesson(const Command& command) const {
+    return ui_.lesson.walk.isOpen() && command.id.starts_with("lesson.");
+}
+
+/// The command of a key in the present layout.
+const Command* Application::commandFor(const KeyChord& chord) const {
+    const Command* usual = ui_.settings.keys.commandFor(chord);
+    if (usual != nullptr && isOfLesson(*usual)) return usual;
+    const bool present = ui_.layoutPreset == LayoutPreset::Present && !ui_.growth.open;
+    const Command* first = present ? presenterCommandFor(chord) : nullptr;
+    // Where a question is open, the start of what is shown is its position.
+    if (first != nullptr && first == findCommand("run.start") && ui_.lesson.hides())
+        return findCommand("lesson.return");
+    return first != nullptr ? first : usual;
+}
+
+/// The two actions that last while their key is held.
+bool Application::holdsLook(const Command& command, int key) {
+    if (ui_.growth.open) return false;
+    const bool blinks = &command == findCommand("step.blink");
+    if (!blinks && &command != findCommand("step.before")) return false;
+    ui_.look.begin(blinks ? LookBack::Mode::Blink : LookBack::Mode::Before, key, ui_.clock);
+    return true;
+}
+
+void Application::keyReleased(const KeyChord& chord) {
+    ui_.look.released(chord.key);
+    if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
 }
 
 }  // namespace se::view
