@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <utility>
 
 #include "commands/commands.h"
@@ -58,18 +59,14 @@ struct RawOptions {
     SpecOptions run;
     SampleSpec grow;
     double iso = 0.0;
+    std::map<std::string_view, std::string> shared;  ///< Those of linkParts(), by name.
     std::string size;
-    std::string theme;
-    std::string meshStyle;
-    std::string pointTint;
-    std::string layout;
     std::string other;
     std::string place;
     std::string screenshot;
     std::string background;
     std::string labels;
     std::string shaders;
-    std::size_t step = 0;
     std::string result;
     RawExport exported;
     bool actions = false;
@@ -104,6 +101,22 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
         ->needs(made);
 }
 
+std::string optionOf(const LinkPart& part) { return "--" + std::string(part.name); }
+
+/// Options for what links say as well.
+void addShared(CLI::App& app, RawOptions& raw) {
+    for (const LinkPart& part : linkParts()) {
+        if (part.kind != LinkPart::Kind::Option) continue;
+        const std::string help(part.help.substr(0, part.help.size() - 1));
+        if (part.value.empty()) {
+            app.add_flag(optionOf(part), help);
+        } else {
+            app.add_option(optionOf(part), raw.shared[part.name], help)
+                ->type_name(std::string(part.value));
+        }
+    }
+}
+
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option(
         "FILE", o.input.source,
@@ -121,27 +134,12 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                    "(docs/file-formats.md)")
         ->type_name("FILE");
     addGrowing(app, raw);
-    app.add_option(
-        "--goto", o.goTo,
-        "Start with a decision framed: PIVOT[.STAGE[.N]], for example 137.sphere.3, 50%, or "
-        "p812: the first event about point 812; or, with --with, difference");
-    app.add_option(
-           "--alert", o.alert,
-           "Open on an alert: CLASS or CLASS:N as spiraling-edge why --failures lists them, "
-           "or first; with --goto at that place of the run")
-        ->type_name("CLASS[:N]");
+    addShared(app, raw);
     app.add_option("--place", raw.place,
                    "Start at an address with a camera, as a session has them (JSON)")
         ->type_name("TEXT");
-    app.add_option("--step", raw.step, "Step of the lesson to begin with, from 1")
-        ->check(CLI::PositiveNumber);
     app.add_option("--result", raw.result, "Save answers to the questions of the lesson there")
         ->type_name("FILE");
-    app.add_option("--with", o.withText,
-                   "Compare with a run by the options that differ, as one word "
-                   "(\"--rules robust\"), or with a file: a mesh, or a trace (.setrace)")
-        ->type_name("WHAT");
-    app.add_flag("--focus", o.focus, "Start with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,
                    "Size of the window or picture in pixels, for example 1280x800");
     app.add_option("--screenshot", raw.screenshot,
@@ -164,20 +162,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--frames", o.frames, "Quit after N frames")->check(CLI::Range(1, 1000000));
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
-    app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
-    app.add_option("--layout", raw.layout,
-                   "Layout of the window: debug, present or compare; learn: the panel Lesson")
-        ->check(CLI::IsMember({"debug", "learn", "present", "compare"}));
     app.add_flag("--reset-layout", o.resetLayout, "Start with the default layout");
-    app.add_option("--mesh-style", raw.meshStyle,
-                   "Style of finished triangles: faults, flat, shaded, wire, birth or component")
-        ->check(CLI::IsMember({"faults", "flat", "shaded", "wire", "birth", "component"}));
-    app.add_option("--point-tint", raw.pointTint,
-                   "Color of points: status, or margin (the least of all tests of a point)")
-        ->check(CLI::IsMember({"status", "margin"}));
-    app.add_option("--play", o.playSeconds,
-                   "Play the run once, in about SECONDS seconds; any key pauses")
-        ->check(CLI::Range(1.0, 3600.0));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_flag(std::string(kForceOption), o.force, std::string(kForceHelp));
     app.add_flag("--no-config", o.noConfig,
@@ -209,28 +194,22 @@ void takeOverLink(const CLI::App& app, Options& o) {
     if (!isLink(o.input.source)) return;
     Result<Options> read = optionsFromLink(o.input.source);
     if (!read) throw CLI::ValidationError(read.error().message);
-    Options& link = read.value();
-    o.input = link.lesson.empty() ? std::move(link.input) : RunSpec{link.lesson};
-    o.given = std::move(link.given);
-    o.session = std::move(link.session);
-    if (app.count("--goto") + app.count("--place") == 0) {
-        o.goTo = link.goTo;
-        o.atDifference = link.atDifference;
-        o.camera = link.camera;
+    static_cast<LinkOptions&>(o) = std::move(read.value());
+    if (!o.lesson.empty()) o.input = RunSpec{std::exchange(o.lesson, {})};
+    if (app.count("--goto") + app.count("--place") == 0) return;
+    o.goTo.clear();
+    o.atDifference = false;
+    o.camera.reset();
+}
+
+/// The options that links have as well. Throws as takeOver() does.
+void takeOverShared(const CLI::App& app, const RawOptions& raw, Options& o) {
+    for (const LinkPart& part : linkParts()) {
+        if (part.kind != LinkPart::Kind::Option || app.count(optionOf(part)) == 0) continue;
+        const auto text = raw.shared.find(part.name);
+        const Status set = part.set(o, text != raw.shared.end() ? text->second : std::string());
+        if (!set) throw CLI::ValidationError(optionOf(part), set.error().message);
     }
-    if (o.alert.empty()) o.alert = link.alert;
-    if (o.withText.empty()) o.withText = link.withText;
-    if (app.count("--step") == 0) o.lessonStep = link.lessonStep;
-    if (app.count("--layout") == 0) {
-        o.layout = link.layout;
-        o.lessons = link.lessons;
-    }
-    if (app.count("--theme") == 0) o.theme = link.theme;
-    if (app.count("--mesh-style") == 0) o.meshStyle = link.meshStyle;
-    if (app.count("--point-tint") == 0) o.pointTint = link.pointTint;
-    if (app.count("--play") == 0) o.playSeconds = link.playSeconds;
-    o.focus = o.focus || link.focus;
-    o.stateHash = link.stateHash;
 }
 
 /// What is to be run. Throws as takeOver() does.
@@ -265,12 +244,8 @@ void takeOver(const RawOptions& raw, Options& o) {
     if (!raw.other.empty() && !o.withText.empty())
         throw CLI::ValidationError(raw.other, "--with already names what to compare with");
     if (!raw.other.empty()) o.withText = raw.other;
-    if (o.goTo == "difference") {
-        if (o.withText.empty() && o.input.source.empty())
-            throw CLI::ValidationError("--goto difference", "needs --with");
-        o.atDifference = true;
-        o.goTo.clear();
-    }
+    if (o.atDifference && o.withText.empty() && o.input.source.empty())
+        throw CLI::ValidationError("--goto difference", "needs --with");
     if (!o.withText.empty()) {
         const Result<CompareWith> with = compareWithFromText(o.withText, o.input);
         if (!with) throw CLI::ValidationError("--with", with.error().message);
@@ -444,6 +419,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
         takeOverLink(app, o);
+        takeOverShared(app, raw, o);
         takeOverInput(app, raw, o);
         takeOver(raw, o);
         takeOverPicture(raw, o);
@@ -470,15 +446,9 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    if (!raw.theme.empty()) o.theme = themeFromName(raw.theme);
-    if (!raw.meshStyle.empty()) o.meshStyle = meshStyleFromName(raw.meshStyle);
-    if (!raw.pointTint.empty()) o.pointTint = pointTintFromName(raw.pointTint);
-    if (!raw.layout.empty()) o.layout = layoutPresetFromName(raw.layout);
     if (!raw.other.empty() && !o.layout) o.layout = LayoutPreset::Compare;
-    if (!raw.layout.empty()) o.lessons = opensLessons(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
-    if (raw.step > 0) o.lessonStep = raw.step - 1;
     o.resultFile = raw.result;
     return {std::move(o), kExitGood};
 }

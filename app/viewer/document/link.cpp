@@ -31,7 +31,7 @@ Text textIf(bool set, std::string_view text) {
     return set ? Text(std::string(text)) : std::nullopt;
 }
 
-Error expectedInLink(std::string_view what) { return Error{"expected " + std::string(what)}; }
+Error expected(std::string_view what) { return Error{"expected " + std::string(what)}; }
 
 // ---- percent coding ----
 
@@ -152,7 +152,7 @@ Text packText(const Options& o) {
 }
 
 Status setFile(Options& o, std::string_view path) {
-    if (path.empty()) return expectedInLink("a path or an address");
+    if (path.empty()) return expected("a path or an address");
     if (isLesson(path)) {
         o.lesson = path;
     } else {
@@ -169,7 +169,7 @@ Text fileText(const Options& o) {
 
 Status setLessonStep(Options& o, std::string_view text) {
     const auto step = numberIn<std::size_t>(text);
-    if (!step || *step == 0) return expectedInLink("a whole number from 1 on");
+    if (!step || *step == 0) return expected("a whole number from 1 on");
     o.lessonStep = *step - 1;
     return success();
 }
@@ -177,7 +177,7 @@ Status setLessonStep(Options& o, std::string_view text) {
 // ---- place ----
 
 Status setGoTo(Options& o, std::string_view text) {
-    if (text.empty()) return expectedInLink("an address such as 137.sphere.3");
+    if (text.empty()) return expected("an address such as 137.sphere.3");
     o.atDifference = text == "difference";
     o.goTo = o.atDifference ? "" : text;
     return success();
@@ -208,13 +208,13 @@ Status setCamera(Options& o, std::string_view text) {
         text = text.substr(0, comma);
     }
     const auto numbers = numbersIn(text, 6);
-    if (!numbers) return expectedInLink(kCameraForm);
+    if (!numbers) return expected(kCameraForm);
     std::array<float, 6> n{};
     for (std::size_t i = 0; i < n.size(); ++i) {
-        if (std::abs((*numbers)[i]) > 1e6) return expectedInLink("numbers up to a million");
+        if (std::abs((*numbers)[i]) > 1e6) return expected("numbers up to a million");
         n[i] = static_cast<float>((*numbers)[i]);
     }
-    if (!(n[3] > 0.0F)) return expectedInLink("a distance above 0");
+    if (!(n[3] > 0.0F)) return expected("a distance above 0");
     pose.target = {n[0], n[1], n[2]};
     pose.distance = n[3];
     pose.yawDegrees = n[4];
@@ -244,7 +244,7 @@ Text cameraText(const Options& o) {
 
 /// As on the command line: what it stands for is found when the input is known.
 Status setWith(Options& o, std::string_view text) {
-    if (text.empty()) return expectedInLink("options of a run, or a file");
+    if (text.empty()) return expected("options of a run, or a file");
     o.withText = text;
     return success();
 }
@@ -254,7 +254,7 @@ Status setHash(Options& o, std::string_view text) {
     std::uint64_t hash = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
     if (error != std::errc{} || end != text.data() + text.size() || text.size() != 16)
-        return expectedInLink("16 hexadecimal digits");
+        return expected("16 hexadecimal digits");
     o.stateHash = hash;
     return success();
 }
@@ -272,7 +272,7 @@ Text hashText(const Options& o) {
 Status setLayout(Options& o, std::string_view name) {
     o.layout = layoutPresetFromName(name);
     o.lessons = opensLessons(name);
-    return o.layout ? success() : Status(expectedInLink("debug, learn, present or compare"));
+    return o.layout ? success() : Status(expected("debug, learn, present or compare"));
 }
 
 Text layoutText(const Options& o) {
@@ -282,24 +282,24 @@ Text layoutText(const Options& o) {
 
 Status setTheme(Options& o, std::string_view name) {
     o.theme = themeFromName(std::string(name));
-    return o.theme ? success() : Status(expectedInLink("dark or light"));
+    return o.theme ? success() : Status(expected("dark or light"));
 }
 
 Status setMeshStyle(Options& o, std::string_view name) {
     o.meshStyle = meshStyleFromName(std::string(name));
     return o.meshStyle ? success()
-                       : Status(expectedInLink("faults, flat, shaded, wire, birth or component"));
+                       : Status(expected("faults, flat, shaded, wire, birth or component"));
 }
 
 Status setPointTint(Options& o, std::string_view name) {
     o.pointTint = pointTintFromName(std::string(name));
-    return o.pointTint ? success() : Status(expectedInLink("status or margin"));
+    return o.pointTint ? success() : Status(expected("status or margin"));
 }
 
 Status setPlay(Options& o, std::string_view text) {
     const auto seconds = numberIn<double>(text);
     if (!seconds || !(*seconds >= 1.0 && *seconds <= 3600.0))
-        return expectedInLink("a number from 1 to 3600");
+        return expected("a number from 1 to 3600");
     o.playSeconds = *seconds;
     return success();
 }
@@ -313,63 +313,80 @@ Text playText(const Options& o) {
 
 Status setFocus(Options& o, std::string_view text) {
     o.focus = true;
-    return text.empty() ? success() : Status(expectedInLink("no value"));
+    return text.empty() ? success() : Status(expected("no value"));
 }
+
+using Kind = LinkPart::Kind;
 
 // name, value
 // help
-// whether it is an input; set, text
+// kind; set, text
 const std::array kLinkParts{
-    LinkPart{"scene", "ID", "Open this scene.", true, setScene,
+    LinkPart{"scene", "ID", "Open this scene.", Kind::Input, setScene,
              [](const Options& o) {
                  const bool scene = o.lesson.empty() && isScene(o.input.source);
                  return textIf(scene, scene ? o.input.source.substr(kScenePrefix.size()) : "");
              }},
-    LinkPart{"lesson", "ID", "Open this lesson, or practice:SEED, a pivot to play.", true,
+    LinkPart{"lesson", "ID", "Open this lesson, or practice:SEED, a pivot to play.", Kind::Input,
              setLesson, lessonText},
-    LinkPart{"sample", "SHAPE,n=N", "Sample these points, as sample: does in Ctrl+O.", true,
+    LinkPart{"sample", "SHAPE,n=N", "Sample these points, as sample: does in Ctrl+O.", Kind::Input,
              setSample, sampleText},
-    LinkPart{"pack", "NAME:BYTES", "Open a small file that the link contains.", true, setPack,
-             packText},
-    LinkPart{"file", "PATH", "Open this file, which the link does not contain.", true, setFile,
-             fileText},
-    LinkPart{"step", "N", "Begin with this step of the lesson, from 1.", false, setLessonStep,
+    LinkPart{"pack", "NAME:BYTES", "Open a small file that the link contains.", Kind::Input,
+             setPack, packText},
+    LinkPart{"file", "PATH", "Open this file, which the link does not contain.", Kind::Input,
+             setFile, fileText},
+    LinkPart{"step", "N", "Begin with this step of the lesson, from 1.", Kind::Option,
+             setLessonStep,
              [](const Options& o) {
                  return o.lessonStep ? Text(std::to_string(*o.lessonStep + 1)) : std::nullopt;
              }},
-    LinkPart{"goto", "ADDRESS", "Start at this decision, as --goto does.", false, setGoTo,
-             goToText},
-    LinkPart{"alert", "CLASS[:N]", "Open on this alert, as --alert does.", false,
+    LinkPart{"goto", "ADDRESS",
+             "Start with a decision framed: PIVOT[.STAGE[.N]], for example 137.sphere.3, 50%, or "
+             "p812, the first event about point 812; or, beside another run, difference.",
+             Kind::Option, setGoTo, goToText},
+    LinkPart{"alert", "CLASS[:N]",
+             "Open on an alert: CLASS or CLASS:N as spiraling-edge why --failures lists them, or "
+             "first; with an address, at that place of the run.",
+             Kind::Option,
              [](Options& o, std::string_view text) {
                  o.alert = text;
-                 return text.empty() ? Status(expectedInLink("a class of alerts")) : success();
+                 return text.empty() ? Status(expected("a class of alerts")) : success();
              },
              [](const Options& o) { return textIf(!o.alert.empty(), o.alert); }},
     LinkPart{"camera", "X,Y,Z,DISTANCE,YAW,PITCH",
-             "See it from there; orthographic and the axis that is up may follow.", false,
+             "See it from there; orthographic and the axis that is up may follow.", Kind::Link,
              setCamera, cameraText},
-    LinkPart{"with", "TEXT", "Compare with another run, as --with does.", false, setWith,
+    LinkPart{"with", "WHAT",
+             "Compare with a run by the options that differ, as one word (\"--rules robust\"), or "
+             "with a file: a mesh, or a trace (.setrace).",
+             Kind::Option, setWith,
              [](const Options& o) { return textIf(!o.withText.empty(), o.withText); }},
     LinkPart{"hash", "HEX",
              "State hash of the end of the run; if it ends differently here, the program says so.",
-             false, setHash, hashText},
-    LinkPart{"layout", "NAME", "Layout: debug, learn, present or compare.", false, setLayout,
-             layoutText},
-    LinkPart{"theme", "NAME", "Theme: dark or light.", false, setTheme,
+             Kind::Link, setHash, hashText},
+    LinkPart{"layout", "NAME",
+             "Layout of the window: debug, present or compare; learn: the panel Lesson.",
+             Kind::Option, setLayout, layoutText},
+    LinkPart{"theme", "NAME", "Theme: dark or light.", Kind::Option, setTheme,
              [](const Options& o) {
                  return textIf(o.theme.has_value(), o.theme == Theme::Dark ? "dark" : "light");
              }},
-    LinkPart{"mesh-style", "NAME", "Style of finished triangles, as --mesh-style.", false,
-             setMeshStyle,
+    LinkPart{"mesh-style", "NAME",
+             "Style of finished triangles: faults, flat, shaded, wire, birth or component.",
+             Kind::Option, setMeshStyle,
              [](const Options& o) {
                  return o.meshStyle ? Text(std::string(rowOf(*o.meshStyle).name)) : std::nullopt;
              }},
-    LinkPart{"point-tint", "NAME", "Color of points, as --point-tint.", false, setPointTint,
+    LinkPart{"point-tint", "NAME",
+             "Color of points: status, or margin (the least of all tests of a point).",
+             Kind::Option, setPointTint,
              [](const Options& o) {
                  return o.pointTint ? Text(std::string(rowOf(*o.pointTint).name)) : std::nullopt;
              }},
-    LinkPart{"play", "SECONDS", "Play the run once, in about that time.", false, setPlay, playText},
-    LinkPart{"focus", "", "Start with the pivot and its neighbors framed.", false, setFocus,
+    LinkPart{"play", "SECONDS",
+             "Play the run once, in about that time, from 1 to 3600; any key pauses.", Kind::Option,
+             setPlay, playText},
+    LinkPart{"focus", "", "Start with the pivot and its neighbors framed.", Kind::Option, setFocus,
              [](const Options& o) { return textIf(o.focus, ""); }},
 };
 
@@ -407,10 +424,10 @@ Status takeOnce(LinkReading& reading, std::string_view name) {
 
 Status readPart(LinkReading& reading, const LinkPart& part, std::string_view value) {
     if (const Status once = takeOnce(reading, part.name); !once) return once;
-    if (part.input && !reading.input.empty())
+    if (part.kind == Kind::Input && !reading.input.empty())
         return Error{"A link has one input, not both " + reading.input + " and " +
                      std::string(part.name) + "."};
-    if (part.input) reading.input = part.name;
+    if (part.kind == Kind::Input) reading.input = part.name;
     const Status set = part.set(reading.options, value);
     if (set) return set;
     return Error{"In the link, " + std::string(part.name) + "=" + excerpt(value) + ": " +
@@ -536,7 +553,7 @@ std::string linkText(const Options& options) {
         if (!part.value.empty()) addValue(*text);
     };
     for (const LinkPart& each : kLinkParts) {
-        if (each.input) addPart(each);
+        if (each.kind == Kind::Input) addPart(each);
     }
     for (const auto& [field, text] : valuesOf(options.input)) {
         if (field->key.empty()) continue;
@@ -544,7 +561,7 @@ std::string linkText(const Options& options) {
         addValue(text);
     }
     for (const LinkPart& each : kLinkParts) {
-        if (!each.input) addPart(each);
+        if (each.kind != Kind::Input) addPart(each);
     }
     return link;
 }

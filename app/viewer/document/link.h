@@ -6,6 +6,7 @@
 /// The names are those of linkParts(), and the keys of the fields of a run (spec_fields.h).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,12 +16,17 @@
 
 namespace se::view {
 
-/// One row of the table of names.
+/// One row of the table of names, which links and the command line share.
 struct LinkPart {
+    enum class Kind : std::uint8_t {
+        Input,   ///< It says what is opened: a link has one of these.
+        Option,  ///< The command line has an option of that name, with the same values.
+        Link,    ///< Of links alone.
+    };
     std::string_view name;   ///< "scene"
     std::string_view value;  ///< Name of its value in the manual; empty: it has none.
     std::string_view help;   ///< One sentence.
-    bool input;              ///< It says what is opened: a link has one of these.
+    Kind kind;
 
     /// Puts the value into the options. Fails with a sentence.
     Status (*set)(Options& options, std::string_view text);
