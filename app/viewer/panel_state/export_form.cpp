@@ -2,46 +2,18 @@
 
 #include <utility>
 
-#include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 
 namespace se::view {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The row of a name's extension; null if it has none of them.
-const ExportFormat* formatOfName(const std::string& name) {
-    return lowerExtension(name).empty() ? nullptr : exportFormatOf(name);
-}
-
-}  // namespace
-
 void ExportForm::open() { complaint.clear(); }
 
-void ExportForm::followName(const std::string& name) {
-    if (const ExportFormat* found = formatOfName(name))
-        format = static_cast<std::size_t>(found - exportFormats().data());
-}
-
-void ExportForm::choose(std::size_t place, std::string& name) {
-    format = place;
-    if (formatOfName(name) != nullptr)
-        name = fs::path(name).replace_extension(exportFormats()[format].extension).string();
-}
-
-std::string ExportForm::withFormat(const std::string& typed) const {
-    if (typed.empty() || formatOfName(typed) != nullptr) return typed;
-    return typed + std::string(exportFormats()[format].extension);
-}
-
 bool ExportForm::hasCaptions() const {
-    const ExportFormat& row = exportFormats()[format];
-    return frames != ExportFrames::Picture || row.captioned || row.content != FrameContent::Pixels;
+    return frames != ExportFrames::Picture || chosen().captioned ||
+           chosen().content != FrameContent::Pixels;
 }
 
-bool ExportForm::hasSpeed() const { return exportFormats()[format].animated(); }
+bool ExportForm::hasSpeed() const { return chosen().animated(); }
 
 /// Adds the range or the steps to an order.
 Status ExportForm::addFrames(ExportOrder& order, const std::string& address,

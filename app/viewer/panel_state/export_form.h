@@ -6,6 +6,7 @@
 #include <string>
 
 #include "export/formats.h"
+#include "file_browser_state.h"
 
 namespace se::view {
 
@@ -17,8 +18,7 @@ enum class ExportFrames : std::uint8_t {
     Lesson,   ///< `steps` of the open lesson.
 };
 
-struct ExportForm {
-    std::size_t format = 0;  ///< A position in exportFormats().
+struct ExportForm : ChosenFormat<exportFormats, exportFormatOf> {
     ExportFrames frames = ExportFrames::Picture;
     std::string from;
     std::string to;
@@ -38,12 +38,6 @@ struct ExportForm {
 
     /// Clears the messages of the previous use of the dialog; choices stay.
     void open();
-    /// Takes the format of the name's extension, if it has one.
-    void followName(const std::string& name);
-    /// Chooses a format; a name with another extension gets its extension.
-    void choose(std::size_t place, std::string& name);
-    /// The typed name, with the extension of the format unless it has one of those.
-    std::string withFormat(const std::string& typed) const;
     /// Whether the format has captions with these frames, and frames that follow each other in
     /// time.
     bool hasCaptions() const;

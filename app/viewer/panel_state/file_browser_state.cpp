@@ -1,15 +1,16 @@
 #include "file_browser_state.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
-#include "export/formats.h"
+#include "export_form.h"
 #include "jobs/open_lesson.h"
 #include "run/strings.h"
 #include "session/compare_with.h"
 #include "session/session_file.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
-#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "teach/result.h"
 
@@ -18,6 +19,14 @@ namespace se::view {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kPly = ".ply";
+
+template <const std::string_view& Extension>
+bool endsIn(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return name.size() > Extension.size() && lowerCase(name).ends_with(Extension);
+}
 
 std::string countText(std::size_t count, const char* one, const char* many) {
     return grouped(count) + " " + (count == 1 ? one : many);
@@ -39,7 +48,7 @@ void FileBrowsing::readFolder(const fs::path& next) {
         const std::string name = item.path().filename().string();
         if (name.starts_with('.')) continue;
         const bool isFolder = item.is_directory(failed);
-        if (isFolder || isListed(item.path(), task)) entries.push_back({name, isFolder});
+        if (isFolder || rowOf(task).lists(item.path())) entries.push_back({name, isFolder});
     }
     std::sort(entries.begin(), entries.end(), [](const BrowserEntry& a, const BrowserEntry& b) {
         return a.folder != b.folder ? a.folder : a.name < b.name;
@@ -56,28 +65,39 @@ bool canHoldMesh(const fs::path& path) {
     return format != nullptr && format->faces;
 }
 
-bool isListed(const fs::path& path, BrowserTask task) {
-    switch (task) {
-        case BrowserTask::Open:
-            return canBeOpened(path);
-        case BrowserTask::SaveSession:
-            return lowerExtension(path) == kSessionExtension;
-        case BrowserTask::Volume:
-            return isVolumePath(path);
-        case BrowserTask::SavePoints:
-            return lowerExtension(path) == ".ply";
-        case BrowserTask::Mesh:
-            return canHoldMesh(path) || isTraceFile(path.string());
-        case BrowserTask::SaveMesh:
-            return namesMeshFormat(path);
-        case BrowserTask::SaveResult:
-            return path.string().ends_with(teach::kResultExtension);
-        case BrowserTask::SaveLesson:
-            return isLessonFile(path.string());
-        case BrowserTask::Export:
-            return !lowerExtension(path).empty() && exportFormatOf(path) != nullptr;
-    }
-    return false;
+const BrowserTaskRow& rowOf(BrowserTask task) {
+    static const std::vector<BrowserTaskRow> kRows = {
+        {BrowserTask::Open, "Open", "path of a file or folder",
+         "No point files, sessions or lessons in this folder.", canBeOpened},
+        {BrowserTask::SaveSession, "Save session", "name of the session file",
+         "No sessions in this folder.", endsIn<kSessionExtension>, true, kSessionExtension},
+        {BrowserTask::Volume, "New from volume",
+         "path of a volume, " + wordList(volumeExtensions(), "or"),
+         "No volumes (" + wordList(volumeExtensions(), "") + ") in this folder.",
+         [](const fs::path& path) { return isVolumePath(path); }},
+        {BrowserTask::SavePoints, "Save new points", "name of the PLY file",
+         "No PLY files in this folder.", endsIn<kPly>, true, kPly},
+        {BrowserTask::Mesh, "Compare with a mesh or trace",
+         "path of a trace (.setrace) or a mesh: " +
+             listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces),
+         "No traces, and no files that can hold a mesh, in this folder.",
+         [](const fs::path& path) { return canHoldMesh(path) || isTraceFile(path.string()); }},
+        {BrowserTask::SaveMesh, "Save mesh", "name of the mesh file",
+         "No " + listText(meshFormats(), &MeshFormat::name, "or") + " files in this folder.",
+         [](const fs::path& path) { return MeshForm::ofName(path) != nullptr; }, true},
+        {BrowserTask::SaveResult, "Save result", "name of the result file",
+         "No results in this folder.", endsIn<teach::kResultExtension>, true,
+         teach::kResultExtension},
+        {BrowserTask::SaveLesson, "Save as lesson", "name of the lesson",
+         "No lessons in this folder.",
+         [](const fs::path& path) { return isLessonFile(path.string()); }, true,
+         teach::kLessonExtension},
+        {BrowserTask::Export, "Export", "name of the file: " + exportExtensions(),
+         "No exports in this folder.",
+         [](const fs::path& path) { return ExportForm::ofName(path) != nullptr; }, true}};
+    const auto place = static_cast<std::size_t>(task);
+    assert(kRows[place].task == task);
+    return kRows[place];
 }
 
 std::string typedSource(const fs::path& folder, const std::string& text) {
@@ -102,27 +122,6 @@ void MeshForm::open() {
 void MeshForm::clearLines() {
     complaint.clear();
     note.clear();
-}
-
-bool namesMeshFormat(const fs::path& path) {
-    return !lowerExtension(path).empty() && meshFormatOf(path) != nullptr;
-}
-
-void MeshForm::followName(const std::string& name) {
-    if (!namesMeshFormat(name)) return;
-    format = static_cast<std::size_t>(meshFormatOf(name) - meshFormats().data());
-}
-
-void MeshForm::choose(std::size_t place, std::string& name) {
-    format = place;
-    if (namesMeshFormat(name)) {
-        name = fs::path(name).replace_extension(meshFormats()[format].extension).string();
-    }
-}
-
-std::string MeshForm::withFormat(const std::string& typed) const {
-    if (namesMeshFormat(typed)) return typed;
-    return withExtension(typed, meshFormats()[format].extension).string();
 }
 
 std::string sizeText(const MeshSize& size, bool usedOnly) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "jobs/mesh_export.h"
+#include "spiraling_edge/base/files.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 
@@ -25,6 +27,19 @@ enum class BrowserTask : std::uint8_t {
     SaveLesson,
     Export,
 };
+
+/// One row per purpose.
+struct BrowserTaskRow {
+    BrowserTask task = BrowserTask::Open;
+    std::string title;    ///< Of the dialog.
+    std::string hint;     ///< In the line of the name, while it is empty.
+    std::string nothing;  ///< In place of the files, in a folder without any.
+    /// By extension: files that can be opened, or would be overwritten.
+    bool (*lists)(const std::filesystem::path& path) = nullptr;
+    bool saves = false;
+    std::string_view extension = {};  ///< Of the saved file; empty: it has a choice of formats.
+};
+const BrowserTaskRow& rowOf(BrowserTask task);
 
 struct BrowserEntry {
     std::string name;
@@ -49,8 +64,6 @@ struct FileBrowsing {
     void readFolder(const std::filesystem::path& next);
 };
 
-/// By extension: files that can be opened, or would be overwritten.
-bool isListed(const std::filesystem::path& path, BrowserTask task);
 /// By extension: points in a format that can be read, a volume, or a session.
 bool canBeOpened(const std::filesystem::path& path);
 /// By extension: files that can have triangles.
@@ -69,8 +82,36 @@ struct MeshSize {
     bool capped = false;
 };
 
-struct MeshForm {
-    std::size_t format = 0;  ///< A position in core's meshFormats().
+/// The format of a file that a dialog saves: one of a table, which is chosen, or that of the
+/// extension of the name.
+template <auto Formats, auto FormatOf>
+struct ChosenFormat {
+    std::size_t format = 0;  ///< A position in the table.
+
+    /// The format of the name's extension; null if it has none of them.
+    static const auto* ofName(const std::filesystem::path& name) {
+        return lowerExtension(name).empty() ? nullptr : FormatOf(name);
+    }
+    const auto& chosen() const { return Formats()[format]; }
+    /// Takes the format of the name's extension, if it has one.
+    void followName(const std::string& name) {
+        if (const auto* found = ofName(name))
+            format = static_cast<std::size_t>(found - Formats().data());
+    }
+    /// Chooses a format; a name with another extension gets its extension.
+    void choose(std::size_t place, std::string& name) {
+        format = place;
+        if (ofName(name) != nullptr)
+            name = std::filesystem::path(name).replace_extension(chosen().extension).string();
+    }
+    /// The typed name, with the extension of the format unless it has one of those.
+    std::string withFormat(const std::string& typed) const {
+        if (typed.empty() || ofName(typed) != nullptr) return typed;
+        return typed + std::string(chosen().extension);
+    }
+};
+
+struct MeshForm : ChosenFormat<meshFormats, meshFormatOf> {
     bool usedOnly = false;
     bool faultFields = false;
 
@@ -93,16 +134,8 @@ struct MeshForm {
     void open();
     /// Clears the lines about the attempt before.
     void clearLines();
-    /// Takes the format of the name's extension, if it has one.
-    void followName(const std::string& name);
-    /// Chooses a format; a name with another extension gets its extension.
-    void choose(std::size_t place, std::string& name);
-    /// The typed name, with the extension of the format unless it has one of those.
-    std::string withFormat(const std::string& typed) const;
 };
 
-/// By extension: one of core's meshFormats().
-bool namesMeshFormat(const std::filesystem::path& path);
 /// The size as a line of the dialog: "19 304 triangles, 21 000 points".
 std::string sizeText(const MeshSize& size, bool usedOnly);
 /// The notice after saving: size and path.

@@ -76,10 +76,10 @@ TEST_CASE("The format of a saved mesh follows the name, and the name the format"
 TEST_CASE("A mesh is saved among the meshes of a folder: all formats that can be written") {
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.stl", "A.GLB"}) {
         CAPTURE(name);
-        CHECK(isListed(name, BrowserTask::SaveMesh));
+        CHECK(rowOf(BrowserTask::SaveMesh).lists(name));
     }
-    CHECK_FALSE(isListed("a.xyz", BrowserTask::SaveMesh));
-    CHECK_FALSE(isListed("a", BrowserTask::SaveMesh));
+    CHECK_FALSE(rowOf(BrowserTask::SaveMesh).lists("a.xyz"));
+    CHECK_FALSE(rowOf(BrowserTask::SaveMesh).lists("a"));
 }
 
 TEST_CASE("The dialog shows the size of the mesh, the notice the written file") {

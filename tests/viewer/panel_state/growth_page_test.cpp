@@ -96,9 +96,9 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.browser == BrowserTask::Volume);
     CHECK(app.ui.growth.phase == GrowthPhase::Idle);
-    CHECK(isListed("a.nhdr", BrowserTask::Volume));
-    CHECK_FALSE(isListed("a.ply", BrowserTask::Volume));
-    CHECK(isListed("a.ply", BrowserTask::SavePoints));
+    CHECK(rowOf(BrowserTask::Volume).lists("a.nhdr"));
+    CHECK_FALSE(rowOf(BrowserTask::Volume).lists("a.ply"));
+    CHECK(rowOf(BrowserTask::SavePoints).lists("a.ply"));
     // Opened like any file it leads there as well, and the open input stays.
     app.ui.growth = {};
     app.ui.fileBrowser = false;

@@ -10,19 +10,15 @@
 #include "document/new_points.h"
 #include "document/ui_state.h"
 #include "export/numbered_files.h"
-#include "export_fields.h"
 #include "input/key_routing.h"
 #include "lesson/lesson_player.h"
-#include "mesh_fields.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/packed_file.h"
+#include "save_fields.h"
 #include "session/mesh_command.h"
 #include "session/session.h"
 #include "session/session_file.h"
-#include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/write_mesh.h"
-#include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -39,31 +35,23 @@ void openSource(const PanelContext& context, const std::string& source) {
     actions::openFor(context.commands, context.ui().browser, source);
 }
 
-/// Saves what is saved in a file of that extension.
-struct Saving {
-    BrowserTask task;
-    std::string_view extension;
-    void (*save)(CommandContext& c, const std::string& path);
-};
-constexpr Saving kSavings[] = {
-    {BrowserTask::SaveSession, kSessionExtension,
-     [](CommandContext& c, const std::string& path) { c.document.saveAs(path); }},
-    {BrowserTask::SavePoints, ".ply",
-     [](CommandContext& c, const std::string& path) { c.sampling.save(path); }},
-    {BrowserTask::SaveResult, teach::kResultExtension,
-     [](CommandContext& c, const std::string& path) { c.lesson.saveResult(path); }},
-    {BrowserTask::SaveLesson, teach::kLessonExtension,
-     [](CommandContext& c, const std::string& path) { c.lesson.saveLesson(path); }},
-    {BrowserTask::Export, "",
-     [](CommandContext& c, const std::string& path) {
-         c.ui.exported.path = path;
-         c.ui.exported.working = true;
-     }},
-};
-const Saving* savingOf(BrowserTask task) {
-    const auto* found = std::find_if(std::begin(kSavings), std::end(kSavings),
-                                     [&](const Saving& each) { return each.task == task; });
-    return found == std::end(kSavings) ? nullptr : found;
+void save(CommandContext& c, const std::string& path) {
+    switch (c.ui.browser) {
+        case BrowserTask::SaveSession:
+            return c.document.saveAs(path);
+        case BrowserTask::SavePoints:
+            return c.sampling.save(path);
+        case BrowserTask::SaveResult:
+            return c.lesson.saveResult(path);
+        case BrowserTask::SaveLesson:
+            return c.lesson.saveLesson(path);
+        case BrowserTask::Export:
+            c.ui.exported.path = path;
+            c.ui.exported.working = true;
+            return;
+        default:
+            return;
+    }
 }
 
 /// An existing file is replaced only at the second request.
@@ -71,11 +59,10 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     // It has a question of its own.
     if (context.ui().browser == BrowserTask::SaveMesh)
         return context.commands.mesh.save(context.state<MeshForm>().withFormat(typed.string()));
-    const Saving& saving = *savingOf(context.ui().browser);
     const ExportForm& exported = context.state<ExportForm>();
     const bool frames = context.ui().browser == BrowserTask::Export;
     const fs::path path = frames ? fs::path(exported.withFormat(typed.string()))
-                                 : withExtension(typed, saving.extension);
+                                 : withExtension(typed, rowOf(context.ui().browser).extension);
     std::error_code error;
     const bool session = context.ui().browser == BrowserTask::SaveSession;
     const bool own = session && path == context.ui().sessionPath;
@@ -91,7 +78,7 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     }
     state.overwrite.clear();
     state.error.clear();
-    saving.save(context.commands, path.string());
+    save(context.commands, path.string());
     // An export shows its progress here.
     if (!frames) context.ui().fileBrowser = false;
 }
@@ -188,64 +175,11 @@ void drawScenes(const PanelContext& context) {
     ImGui::EndChild();
 }
 
-bool saves(const PanelContext& context) {
-    const BrowserTask task = context.ui().browser;
-    return task == BrowserTask::SaveMesh || savingOf(task) != nullptr;
-}
-
-/// A question or work replaces the fields: input is disabled.
-bool dialogWaits(const PanelContext& context) {
-    return meshDialogWaits(context) || exportDialogWaits(context);
-}
-
-/// Texts in which the tasks differ.
-struct Words {
-    const char* title;
-    std::string hint;     ///< Hint in the input line.
-    std::string nothing;  ///< Text for a folder without such files.
-};
-
-Words wordsFor(BrowserTask task) {
-    switch (task) {
-        case BrowserTask::SaveSession:
-            return {"Save session###browser", "name of the session file",
-                    "No sessions in this folder."};
-        case BrowserTask::SavePoints:
-            return {"Save new points###browser", "name of the PLY file",
-                    "No PLY files in this folder."};
-        case BrowserTask::Volume:
-            return {"New from volume###browser",
-                    "path of a volume, " + wordList(volumeExtensions(), "or"),
-                    "No volumes (" + wordList(volumeExtensions(), "") + ") in this folder."};
-        case BrowserTask::Mesh:
-            return {"Compare with a mesh or trace###browser",
-                    "path of a trace (.setrace) or a mesh: " +
-                        listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces),
-                    "No traces, and no files that can hold a mesh, in this folder."};
-        case BrowserTask::SaveMesh:
-            return {"Save mesh###browser", "name of the mesh file",
-                    "No " + listText(meshFormats(), &MeshFormat::name, "or") +
-                        " files in this folder."};
-        case BrowserTask::SaveResult:
-            return {"Save result###browser", "name of the result file",
-                    "No results in this folder."};
-        case BrowserTask::SaveLesson:
-            return {"Save as lesson###browser", "name of the lesson", "No lessons in this folder."};
-        case BrowserTask::Export:
-            return {"Export###browser", "name of the file: " + exportExtensions(),
-                    "No exports in this folder."};
-        case BrowserTask::Open:
-            break;
-    }
-    return {"Open###browser", "path of a file or folder",
-            "No point files, sessions or lessons in this folder."};
-}
-
 /// The input line, with its button.
 void drawPathLine(const PanelContext& context, FileBrowsing& state) {
-    const bool save = saves(context);
+    const BrowserTaskRow& task = rowOf(context.ui().browser);
     const bool exports = context.ui().browser == BrowserTask::Export;
-    const bool waits = dialogWaits(context);
+    const bool waits = saveDialogWaits(context);
     ImGui::BeginDisabled(waits);
     ImGui::SetNextItemWidth(-5.0F * context.em);
     // A click beside the line must not take the keyboard focus away.
@@ -253,11 +187,14 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
     // The proposed name is selected, also if the field was typed into before.
     const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
-    const bool entered = textField("##path", wordsFor(context.ui().browser).hint.c_str(),
-                                   state.path, ImGuiInputTextFlags_EnterReturnsTrue | select);
+    const bool entered = textField("##path", task.hint.c_str(), state.path,
+                                   ImGuiInputTextFlags_EnterReturnsTrue | select);
     if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
     ImGui::SameLine();
-    const bool pressed = ImGui::Button(exports ? "Export" : save ? "Save" : "Open", {-1.0F, 0.0F});
+    const bool pressed = ImGui::Button(exports      ? "Export"
+                                       : task.saves ? "Save"
+                                                    : "Open",
+                                       {-1.0F, 0.0F});
     if (exports) nameItem(context, "export go");
     ImGui::EndDisabled();
     // Enter takes the keyboard focus from the line: if the name is refused, the next one is typed
@@ -270,7 +207,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
             state.error = "Enter a name.";
         } else if (fs::is_directory(source, error)) {
             state.readFolder(source);
-        } else if (save) {
+        } else if (task.saves) {
             saveTo(context, state, source);
         } else {
             openSource(context, source);
@@ -287,8 +224,7 @@ void drawHostFiles(const PanelContext& context) {
 }
 
 void drawFiles(const PanelContext& context, FileBrowsing& state) {
-    if (context.ui().hostFiles.apart() && !saves(context) &&
-        context.ui().browser != BrowserTask::Export)
+    if (context.ui().hostFiles.apart() && !rowOf(context.ui().browser).saves)
         return drawHostFiles(context);
     const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
     heading(context, "Files", fittedName(state.folder.string(), room));
@@ -300,7 +236,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
     }
     if (context.ui().browser == BrowserTask::Export) drawExportFields(context, state.path);
     if (context.ui().hostFiles.apart()) return dimText("The file goes to your downloads.");
-    ImGui::BeginDisabled(dialogWaits(context));
+    ImGui::BeginDisabled(saveDialogWaits(context));
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
         if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
         const std::vector<BrowserEntry> entries = state.entries;
@@ -310,13 +246,13 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
             const fs::path path = state.folder / entry.name;
             if (entry.folder) {
                 state.readFolder(path);
-            } else if (saves(context)) {
+            } else if (rowOf(state.task).saves) {
                 state.path = entry.name;
             } else {
                 openSource(context, path.string());
             }
         }
-        if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing.c_str());
+        if (entries.empty()) ImGui::TextDisabled("%s", rowOf(state.task).nothing.c_str());
     }
     ImGui::EndChild();
     ImGui::EndDisabled();
@@ -337,9 +273,9 @@ void drawOpen(const PanelContext& context, FileBrowsing& state) {
 /// Each time that the browser opens, since files may have changed.
 void prepare(const PanelContext& context, FileBrowsing& state) {
     state.task = context.ui().browser;
-    if (state.folder.empty() || saves(context)) state.folder = firstFolder(context);
+    if (state.folder.empty() || rowOf(state.task).saves) state.folder = firstFolder(context);
     state.readFolder(fs::path(state.folder));
-    state.path = saves(context) ? proposedName(context) : std::string{};
+    state.path = rowOf(state.task).saves ? proposedName(context) : std::string{};
     state.settling = kSettling;
     state.overwrite.clear();
 }
@@ -355,11 +291,12 @@ void drawFileBrowser(const PanelContext& context) {
     }
     if (!state.shown || state.task != context.ui().browser) prepare(context, state);
     placeDialog(context, {48.0F, 32.0F});
-    if (beginDialog(wordsFor(state.task).title, &open, ImGuiWindowFlags_NoScrollbar))
+    if (beginDialog((rowOf(state.task).title + "###browser").c_str(), &open,
+                    ImGuiWindowFlags_NoScrollbar))
         state.task == BrowserTask::Open ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // After a question the input line has the keyboard focus again.
-    state.settling = dialogWaits(context) ? 2 : std::max(0, state.settling - 1);
+    state.settling = saveDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
     // Unless the click was into another text field.
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     ImGui::End();
