@@ -130,7 +130,7 @@ bool Application::poll() {
 
 Status Application::waitUntilDone() {
     sampling_.waitUntilDone();
-    if (ui_.growth.phase == GrowthPhase::Failed) return Error{ui_.growth.complaint};
+    if (sampling_.growth().phase() == GrowthPhase::Failed) return Error{ui_.growth.complaint};
     lesson_.waitUntilDone();
     if (!lesson_.status()) return lesson_.status();
     session_.waitUntilDone();

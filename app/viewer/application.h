@@ -104,7 +104,7 @@ class Application {
     bool fullScreen() const { return ui_.fullScreen; }
     bool inputFailed() const {
         return session_.input().phase() == SessionPhase::Failed ||
-               ui_.growth.phase == GrowthPhase::Failed || !lesson_.status();
+               sampling_.growth().phase() == GrowthPhase::Failed || !lesson_.status();
     }
     std::string title() const;
     /// Reads recent files and layout from that file and keeps them there; to be called before

@@ -220,14 +220,15 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
 }
 
 /// New points, while their page is open.
-void dumpGrowth(json& out, const GrowthPage& page) {
-    const GrowthNumbers& n = page.numbers;
-    out["growth"] = std::string(growthPhaseName(page.phase));
+void dumpGrowth(json& out, const GrowthPage& page, const Growth& growth) {
+    const GrowthPicture none;
+    const GrowthPicture& n = growth.picture() != nullptr ? *growth.picture() : none;
+    out["growth"] = std::string(growthPhaseName(growth.phase()));
     out["growth_page"] = page.open;
     if (!page.open) return;
-    out["growth_source"] = page.hasPoints() ? sampleSource(page.made) : "";
+    out["growth_source"] = growth.hasPoints() ? sampleSource(growth.spec()) : "";
     out["growth_step"] = n.step;
-    out["growth_points"] = n.points;
+    out["growth_points"] = n.points ? n.points->position.size() : 0;
     out["growth_walls"] = n.onWalls;
     out["growth_corners"] = n.corners;
     out["growth_spacing"] = n.quality.spacing;
@@ -356,7 +357,7 @@ std::string stateDump(Application& app, const InputProgress& input) {
     out["prepare"] = ui.prepare.open;
     out["piece_tool"] = ui.piece.on;
     out["piece_inside"] = ui.piece.inside.size();
-    dumpGrowth(out, ui.growth);
+    dumpGrowth(out, ui.growth, c.sampling.growth());
     out["copied"] = ui.clipboard.copied();
     dumpMeshForm(out, ui);
     dumpExportForm(out, ui);

@@ -168,7 +168,7 @@ void copyCommand(C& c) {
 
 void savePoints(C& c) {
     const bool made = c.session.ready() && c.session.input().spec().points != nullptr;
-    if (c.ui.growth.open ? !c.ui.growth.hasPoints() : !made) {
+    if (c.ui.growth.open ? !c.sampling.growth().hasPoints() : !made) {
         return c.session.messages().say("There are no new points to save.");
     }
     openBrowser(c, BrowserTask::SavePoints);

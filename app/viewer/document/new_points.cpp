@@ -73,18 +73,6 @@ void addDomain(const Model& model, const GrowthPicture& picture, const Palette& 
     }
 }
 
-GrowthNumbers numbersOf(const GrowthPicture& picture) {
-    GrowthNumbers numbers;
-    const std::vector<std::uint8_t>& type = picture.points->type;
-    numbers.step = picture.step;
-    numbers.points = type.size();
-    numbers.onWalls = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isBoundary));
-    numbers.corners = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isCorner));
-    numbers.wanted = picture.wanted;
-    numbers.quality = picture.quality;
-    return numbers;
-}
-
 }  // namespace
 
 void NewPoints::begin(SampleSpec spec) {
@@ -133,35 +121,25 @@ void NewPoints::start() {
 }
 
 bool NewPoints::poll() {
-    GrowthPage& page = c_.ui.growth;
-    page.found = growth_.found();
-    if (page.open && !before_) before_ = c_.camera.pose();
-    if (growth_.poll()) {
-        takePicture();
-        return true;
-    }
-    page.phase = growth_.phase();
-    return false;
+    if (c_.ui.growth.open && !before_) before_ = c_.camera.pose();
+    const bool news = growth_.poll();
+    if (news) takePicture();
+    return news;
 }
 
 void NewPoints::takePicture() {
-    GrowthPage& page = c_.ui.growth;
-    page.phase = growth_.phase();
-    page.made = growth_.spec();
-    if (page.phase == GrowthPhase::Failed) page.complaint = growth_.error();
+    if (growth_.phase() == GrowthPhase::Failed) c_.ui.growth.complaint = growth_.error();
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) {
-        page.numbers = {};
         // Until the new particles are there, the old ones stay visible.
-        if (page.phase != GrowthPhase::Finding) model_.reset();
+        if (growth_.phase() != GrowthPhase::Finding) model_.reset();
         ++revision_;
         return;
     }
-    page.numbers = numbersOf(*picture);
     const bool first = picture->step == 0 || model_ == nullptr;
     model_ = modelOf(*picture, first ? nullptr : model_.get());
     ++revision_;
-    const std::string& surface = page.made.surface;
+    const std::string surface = growth_.spec().surface;
     if (first && std::exchange(homeOf_, surface) != surface) home();
 }
 
@@ -172,10 +150,8 @@ void NewPoints::home() {
 }
 
 void NewPoints::playOrPause() {
-    const GrowthPhase phase = growth_.phase();
-    const bool moves = phase == GrowthPhase::Spreading || phase == GrowthPhase::Finding;
-    if (moves) return growth_.pause();
-    phase == GrowthPhase::Paused ? growth_.play() : start();
+    if (growth_.moving()) return growth_.pause();
+    growth_.phase() == GrowthPhase::Paused ? growth_.play() : start();
 }
 
 void NewPoints::finish() { growth_.phase() == GrowthPhase::Idle ? start() : growth_.finish(); }
@@ -203,11 +179,8 @@ void NewPoints::leave() {
 }
 
 void NewPoints::close() {
-    GrowthPage& page = c_.ui.growth;
     growth_.cancel();
-    page.open = false;
-    page.numbers = {};
-    page.phase = GrowthPhase::Idle;
+    c_.ui.growth.open = false;
     model_.reset();
     homeOf_.clear();
     ++revision_;

@@ -45,7 +45,9 @@ class NewPoints {
 
     /// Blocks until nothing moves: for pictures without a user.
     void waitUntilDone();
-    bool moving() const { return c_.ui.growth.open && c_.ui.growth.moving(); }
+    bool moving() const { return c_.ui.growth.open && growth_.moving(); }
+    /// The particles, and what their thread does.
+    const Growth& growth() const { return growth_; }
 
     /// Drawing of the view, in view space.
     const DrawList& drawList(const Palette& palette);

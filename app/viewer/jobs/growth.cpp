@@ -69,6 +69,9 @@ GrowthPicture pictureOf(const Field& field, const Sampler& sampler, Measurer& me
     GrowthPicture picture;
     picture.points = std::make_shared<const PointFile>(sampler.points());
     picture.step = sampler.steps();
+    const std::vector<std::uint8_t>& type = picture.points->type;
+    picture.onWalls = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isBoundary));
+    picture.corners = static_cast<std::size_t>(std::count_if(type.begin(), type.end(), isCorner));
     picture.wanted = sampler.spacing();
     picture.quality = measurer.of(field, *picture.points, resting, goOn);
     picture.low = field.low;

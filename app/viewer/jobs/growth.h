@@ -28,6 +28,8 @@ std::string_view growthPhaseName(GrowthPhase phase);
 struct GrowthPicture {
     std::shared_ptr<const PointFile> points;  ///< With normals and types.
     int step = 0;
+    std::size_t onWalls = 0;  ///< Points; corners among them.
+    std::size_t corners = 0;
     double wanted = 0.0;       ///< Target spacing.
     SampleQuality quality;     ///< Of these particles; while running, of those a few steps earlier.
     Vec3 low{0.0}, high{0.0};  ///< The domain.
@@ -61,6 +63,11 @@ class Growth {
     void waitUntilDone();
 
     GrowthPhase phase() const { return phase_; }
+    /// The surface is being found, or steps are being made.
+    bool moving() const {
+        return phase_ == GrowthPhase::Finding || phase_ == GrowthPhase::Spreading;
+    }
+    bool hasPoints() const { return picture_ && picture_->points->position.size() > 0; }
     /// Null until the surface is found, and after a failure or cancel().
     const GrowthPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
     /// Share done while the surface is searched and particles are scattered over it.

@@ -1,11 +1,9 @@
-/// The page on which new points spread: the user's input as text fields and choices, and its
-/// content. Plain values.
+/// The page on which new points spread: the user's input as text fields and choices. Plain values.
 #pragma once
 
 #include <array>
 #include <string>
 
-#include "jobs/growth.h"
 #include "run/sample_spec.h"
 
 namespace se::view {
@@ -41,28 +39,11 @@ struct GrowthForm {
     void cutByOwnBox();
 };
 
-/// The particles in numbers.
-struct GrowthNumbers {
-    int step = 0;
-    std::size_t points = 0;
-    std::size_t onWalls = 0;  ///< Corners among them.
-    std::size_t corners = 0;
-    double wanted = 0.0;  ///< Target spacing.
-    SampleQuality quality;
-};
-
 struct GrowthPage {
     bool open = false;
     GrowthForm form;
-    GrowthPhase phase = GrowthPhase::Idle;
-    double found = 0.0;     ///< Share done of the search for the surface.
     std::string complaint;  ///< Error of the form, the surface or the file.
     std::string message;    ///< Last success message.
-    SampleSpec made;        ///< Specification of these points; unused while there are none.
-    GrowthNumbers numbers;  ///< Zero while there are none.
-
-    bool moving() const { return phase == GrowthPhase::Finding || phase == GrowthPhase::Spreading; }
-    bool hasPoints() const { return numbers.points > 0; }
 };
 
 }  // namespace se::view

@@ -64,26 +64,26 @@ TEST_CASE("On the page with new points keys act on them, keys of the run have no
     const auto presses = [&](const char* id) {
         runCommand(*findCommand(id), app.context);
         app.sampling.poll();
-        return ui.growth.phase;
+        return app.sampling.growth().phase();
     };
     CHECK(presses("view.home") == GrowthPhase::Finding);
     presses("run.play");
     CHECK_FALSE(app.playback.playing());
     app.sampling.waitUntilDone();
-    CHECK(ui.growth.phase == GrowthPhase::Paused);
-    const int step = ui.growth.numbers.step;
+    CHECK(app.sampling.growth().phase() == GrowthPhase::Paused);
+    const int step = app.sampling.growth().picture()->step;
     presses("step.event.next");
     app.sampling.waitUntilDone();
-    CHECK(ui.growth.numbers.step == step + 1);
+    CHECK(app.sampling.growth().picture()->step == step + 1);
     presses("run.end");
     app.sampling.waitUntilDone();
-    CHECK(ui.growth.phase == GrowthPhase::Done);
+    CHECK(app.sampling.growth().phase() == GrowthPhase::Done);
     const LayerModes before = ui.settings.layers;
     presses("layer.normals");
     CHECK(ui.settings.layers == before);
     presses("view.theme");
     CHECK(ui.settings.theme == Theme::Light);
-    CHECK(ui.growth.phase == GrowthPhase::Done);
+    CHECK(app.sampling.growth().phase() == GrowthPhase::Done);
     presses("help.leave");
     CHECK_FALSE(ui.growth.open);
     runCommand(*findCommand("layer.normals"), app.context);
@@ -95,7 +95,7 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     app.sampling.openPage(GrowthSource::Volume);
     CHECK(app.ui.fileBrowser);
     CHECK(app.ui.browser == BrowserTask::Volume);
-    CHECK(app.ui.growth.phase == GrowthPhase::Idle);
+    CHECK(app.sampling.growth().phase() == GrowthPhase::Idle);
     CHECK(rowOf(BrowserTask::Volume).lists("a.nhdr"));
     CHECK_FALSE(rowOf(BrowserTask::Volume).lists("a.ply"));
     CHECK(rowOf(BrowserTask::SavePoints).lists("a.ply"));
@@ -108,7 +108,7 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     CHECK(app.ui.growth.open);
     CHECK(app.ui.growth.form.volume == "/data/scan.nhdr");
     app.sampling.poll();
-    CHECK(app.ui.growth.phase != GrowthPhase::Idle);
+    CHECK(app.sampling.growth().phase() != GrowthPhase::Idle);
     CHECK(app.session.input().phase() == SessionPhase::Empty);
 }
 

@@ -23,9 +23,9 @@ TEST_CASE("New points: a shape is clicked, a number typed, and each step moves t
     app.clickOn("shape gyroid");
     CHECK(app["growth_source"].starts_with("sample:gyroid"));
     app.press("End");
-    CHECK(app.ui.growth.numbers.onWalls > 50);
-    CHECK(app.ui.growth.numbers.quality.variation < 0.10);
-    CHECK(app.ui.growth.numbers.quality.off < 0.0001);
+    CHECK(app.app.context().sampling.growth().picture()->onWalls > 50);
+    CHECK(app.app.context().sampling.growth().picture()->quality.variation < 0.10);
+    CHECK(app.app.context().sampling.growth().picture()->quality.off < 0.0001);
     // Enter starts with a typed number, also in the next field without input.
     app.clickOn("shape torus");
     app.clickOn("field Points");

@@ -85,8 +85,10 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
 
 /// The sampled points: of the page, or of the open input.
 std::string stemOfMade(const PanelContext& context) {
-    const GrowthPage& page = context.state<GrowthPage>();
-    if (page.open) return sampleStem(page.made, page.numbers.points);
+    const GrowthPicture* picture = context.commands.sampling.growth().picture();
+    if (context.state<GrowthPage>().open)
+        return sampleStem(context.commands.sampling.growth().spec(),
+                          picture != nullptr ? picture->points->position.size() : 0);
     const Session& session = context.session();
     const Result<SampleSpec> spec = sampleFromSource(session.input().spec().source);
     return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";

@@ -175,15 +175,14 @@ class Values {
 };
 
 void drawValues(const PanelContext& context) {
-    const GrowthPage& page = context.state<GrowthPage>();
-    const GrowthNumbers& n = page.numbers;
-    if (!page.hasPoints()) {
-        ImGui::TextDisabled("%s", page.phase == GrowthPhase::Finding ? "Finding the surface ..."
-                                                                     : "There are no points yet.");
-        return;
-    }
+    const Growth& growth = context.commands.sampling.growth();
+    if (!growth.hasPoints())
+        return ImGui::TextDisabled("%s", growth.phase() == GrowthPhase::Finding
+                                             ? "Finding the surface ..."
+                                             : "There are no points yet.");
+    const GrowthPicture& n = *growth.picture();
     Values values(context);
-    values.add("points", grouped(n.points));
+    values.add("points", grouped(n.points->position.size()));
     values.add("spacing", formatted("%.4g", n.quality.spacing));
     values.add("varying by", formatted("%.1f %%", 100.0 * n.quality.variation));
     values.add("off by at most", formatted("%.1g spacings", n.quality.off));
@@ -201,9 +200,9 @@ struct Button {
 };
 
 void drawSteppers(const PanelContext& context) {
-    const GrowthPage& page = context.state<GrowthPage>();
-    const bool over = page.phase == GrowthPhase::Done;
-    const bool plays = page.moving();
+    const Growth& growth = context.commands.sampling.growth();
+    const bool over = growth.phase() == GrowthPhase::Done;
+    const bool plays = growth.moving();
     const std::array buttons = {
         Button{"##restart", Icon::SkipStart, "run.start", "Restart"},
         Button{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
@@ -214,7 +213,7 @@ void drawSteppers(const PanelContext& context) {
         Button{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
     for (const Button& b : buttons) {
         const bool forward = b.icon == Icon::StepForward || b.icon == Icon::SkipEnd;
-        const bool enabled = !forward || (!over && page.phase != GrowthPhase::Failed);
+        const bool enabled = !forward || (!over && growth.phase() != GrowthPhase::Failed);
         const std::string help = std::string(b.text) + " (" + context.key(b.command) + ")";
         if (iconButton(b.id, b.icon, help.c_str(), enabled, b.icon == Icon::Pause, context)) {
             context.run(b.command);
@@ -225,21 +224,22 @@ void drawSteppers(const PanelContext& context) {
 }
 
 void drawProgress(const PanelContext& context, float width) {
-    const GrowthPage& page = context.state<GrowthPage>();
+    const Growth& growth = context.commands.sampling.growth();
     const int all = Sampler::allSteps();
-    const bool finding = page.phase == GrowthPhase::Finding;
-    const std::string step =
-        finding ? "finding the surface"
-                : "step " + std::to_string(page.numbers.step) + " of " + std::to_string(all);
-    const float share = finding ? static_cast<float>(page.found)
-                                : static_cast<float>(page.numbers.step) / static_cast<float>(all);
+    const int made = growth.picture() != nullptr ? growth.picture()->step : 0;
+    const bool finding = growth.phase() == GrowthPhase::Finding;
+    const std::string step = finding
+                                 ? "finding the surface"
+                                 : "step " + std::to_string(made) + " of " + std::to_string(all);
+    const float share = finding ? static_cast<float>(growth.found())
+                                : static_cast<float>(made) / static_cast<float>(all);
     ImGui::ProgressBar(share, {width, ImGui::GetFrameHeight()}, step.c_str());
 }
 
 /// Buttons to use or save the points.
 void drawEndings(const PanelContext& context) {
-    GrowthPage& page = context.state<GrowthPage>();
-    ImGui::BeginDisabled(!page.hasPoints());
+    const Growth& growth = context.commands.sampling.growth();
+    ImGui::BeginDisabled(!growth.hasPoints());
     ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           toVec4(mix(context.palette.accent, context.palette.text, 0.15F)));
@@ -247,11 +247,11 @@ void drawEndings(const PanelContext& context) {
     const bool use = ImGui::Button("Use these points");
     ImGui::PopStyleColor(3);
     nameItem(context, "growth use",
-             page.phase == GrowthPhase::Done ? "Open a run on them"
-                                             : "Open a run on them as they are now");
+             growth.phase() == GrowthPhase::Done ? "Open a run on them"
+                                                 : "Open a run on them as they are now");
     if (use) context.commands.sampling.use();
     ImGui::SameLine();
-    const std::string command = sampleCommand(page.made);
+    const std::string command = sampleCommand(growth.spec());
     if (textButton(
             context, "Save as PLY...", "growth save",
             command.empty() ? "Save them as they are now" : "The same file as by\n" + command))
@@ -288,22 +288,23 @@ void drawBar(const PanelContext& context) {
 
 /// Legend of the shapes.
 void drawKey(const PanelContext& context) {
-    const GrowthNumbers& n = context.state<GrowthPage>().numbers;
-    if (n.onWalls == 0) return;
+    const GrowthPicture* picture = context.commands.sampling.growth().picture();
+    if (picture == nullptr || picture->onWalls == 0) return;
     struct Row {
         Shape shape;
         Color Palette::*color;
         const char* text;
         bool there;
     };
-    const std::array rows = {Row{Shape::Disc, &Palette::used, "inside", true},
-                             Row{Shape::Square, &Palette::first, "on a wall", true},
-                             Row{Shape::Diamond, &Palette::last, "in a corner", n.corners > 0}};
+    const std::array rows = {
+        Row{Shape::Disc, &Palette::used, "inside", true},
+        Row{Shape::Square, &Palette::first, "on a wall", true},
+        Row{Shape::Diamond, &Palette::last, "in a corner", picture->corners > 0}};
     const float em = context.em;
     ScreenPainter painter(context);
     glm::vec2 at = context.rects.view.min + glm::vec2(1.0F * em, 0.9F * em);
     const float width = ImGui::CalcTextSize(rows[1].text).x + 2.0F * em;
-    const float height = (n.corners > 0 ? 4.05F : 2.7F) * em;
+    const float height = (picture->corners > 0 ? 4.05F : 2.7F) * em;
     painter.box(at - glm::vec2(0.4F, 0.3F) * em, at + glm::vec2(width - 0.4F * em, height),
                 painter.ink(&Palette::background, 0.78F), 0.3F * em);
     for (const Row& row : rows) {
