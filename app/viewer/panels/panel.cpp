@@ -101,8 +101,9 @@ void drawDivider(const PanelContext& context) {
 
 /// The dial beside the view of a picture.
 void drawDialBeside(const PanelContext& context) {
-    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse))
-        drawDial(context);
+    const bool open =
+        beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse);
+    if (open && context.session().ready()) drawDial(context);
     ImGui::End();
 }
 

@@ -382,8 +382,7 @@ void drawNames(const PanelContext& context) {
 
 void drawCompare(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
-    if (!context.session().ready() || page.now == nullptr)
-        return ImGui::TextDisabled("Nothing is open.");
+    if (page.now == nullptr) return ImGui::TextDisabled("Nothing is open.");
     if (!page.now->chosen() || page.choosing) return drawCompareForm(context);
     drawNames(context);
     if (!page.now->complaint().empty())

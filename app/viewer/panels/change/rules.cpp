@@ -172,7 +172,6 @@ std::optional<RunSpec> drawRuleList(const PanelContext& context, const RunSpec& 
 
 void drawRules(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RunSpec rules = session.input().rules();
     const std::size_t count = differingCount(rules);
     const RuleListFields place{context.state<RuleFilter>().typed, ""};

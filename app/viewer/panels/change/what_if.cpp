@@ -133,7 +133,6 @@ void drawPoint(const PanelContext& context, const RunSpec& rules) {
 void drawWhatIf(const PanelContext& context) {
     const Session& session = context.session();
     context.state<MoveTool>().offeredIn = ImGui::GetFrameCount();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const RunSpec rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
     partNote(count == 0 ? "" : counted(count, "change", "changes"));

@@ -405,7 +405,6 @@ void drawSearch(const PanelContext& context) {
 
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());

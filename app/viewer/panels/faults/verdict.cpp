@@ -193,7 +193,6 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
 
 void drawVerdict(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
     if (alerts.done()) return drawFound(context, alerts);
     if (!alerts.complaint().empty()) return wrappedText(alerts.complaint());

@@ -299,7 +299,6 @@ void drawBreakLog(const PanelContext& context) {
 }  // namespace
 
 void drawBreakpoints(const PanelContext& context) {
-    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     std::vector<Breakpoint>& all = context.state<BreakpointsPanel>().all;
     drawTitle(context);
     drawButtons(context);

@@ -93,7 +93,6 @@ void drawRunCharts(const PanelContext& context) {
 }  // namespace
 
 void drawCharts(const PanelContext& context) {
-    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     drawCounters(context);
     ImGui::Spacing();
     drawRunCharts(context);

@@ -70,7 +70,6 @@ void drawInput(const PanelContext& context) {
 
 void drawCounters(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return;
     const bool complete = session.picture().complete;
     const RunState& state = complete ? session.record().after : session.record().before;
     const Counters& c = state.counters;

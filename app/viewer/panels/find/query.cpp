@@ -220,8 +220,6 @@ void drawClosest(const PanelContext& context) {
 }  // namespace
 
 void drawQuery(const PanelContext& context) {
-    const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     drawChoice(context);
     context.state<QueryPanel>().shown == QueryList::Found ? drawByWords(context)
                                                           : drawClosest(context);

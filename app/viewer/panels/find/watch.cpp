@@ -184,7 +184,6 @@ void drawScan(const PanelContext& context) {
 
 void drawWatch(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     std::vector<std::string>& all = context.state<WatchPanel>().expressions;
     partNote(all.empty() ? "" : "at the end of pivot " + grouped(session.record().pivot));
     if (textButton(context, "Add...", "add watch")) ImGui::OpenPopup("##terms");

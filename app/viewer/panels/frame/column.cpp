@@ -86,6 +86,12 @@ float heightBelow(const PanelContext& context, std::span<const Shown> parts, std
     return sum;
 }
 
+/// All parts but the lessons are about the open input.
+void drawBody(const PanelContext& context, const PartRow& part) {
+    if (context.session().ready() || part.task == Task::Lesson) return part.draw(context);
+    dimText("Nothing is open.");
+}
+
 void drawContent(const PanelContext& context, std::span<const Shown> parts, std::size_t number) {
     const Shown& part = parts[number];
     const float from = ImGui::GetCursorPosY();
@@ -94,10 +100,10 @@ void drawContent(const PanelContext& context, std::span<const Shown> parts, std:
             ImGui::GetContentRegionAvail().y - heightBelow(context, parts, number + 1);
         const float height = std::max(part.row->least * context.em, rest);
         if (ImGui::BeginChild("##content", {0.0F, height}, false, ImGuiWindowFlags_NavFlattened))
-            part.row->draw(context);
+            drawBody(context, *part.row);
         ImGui::EndChild();
     } else {
-        part.row->draw(context);
+        drawBody(context, *part.row);
         ImGui::Spacing();
     }
     context.state<Column>().heights[part.number] = ImGui::GetCursorPosY() - from;

@@ -71,12 +71,10 @@ Progressed moved(const Session& session) {
             static_cast<float>(at) / static_cast<float>(end)};
 }
 
-/// Known share of the run. A closed surface has two triangles per point.
+/// What is known of the run so far.
 Progressed goneThrough(const Session& session) {
-    const RunOverview& run = session.overview();
-    const auto expected = 2.0F * static_cast<float>(session.model().points.size());
-    const auto made = static_cast<float>(run.triangles.empty() ? 0 : run.triangles.back());
-    return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
+    return {"pivot " + grouped(session.overview().lastPivot),
+            static_cast<float>(session.madeShare())};
 }
 
 /// Only for moves that take a while; others are over before this is drawn.

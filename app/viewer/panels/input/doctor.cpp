@@ -171,7 +171,6 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
 
 void drawDoctor(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const DoctorJob& doctorJob = session.doctorJob();
     const std::size_t count = doctorJob.findings().size();
     partNote(count == 0 ? "" : withS(count, "finding"));

@@ -29,7 +29,6 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
 void drawPrepare(const PanelContext& context) {
     PrepareForm& form = context.state<PrepareForm>();
     const Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     // Until it is edited, the form shows the options of the open input.
     if (!form.open && form.shown != session.generation()) {
         form.take(session.input().spec(), session.model());

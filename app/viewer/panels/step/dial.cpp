@@ -85,7 +85,6 @@ ImVec2 roomOf(const PanelContext& context) {
 
 void drawDial(const PanelContext& context) {
     Session& session = context.session();
-    if (!session.ready()) return;
     const DecisionState& state = session.picture();
     const Dial dial = makeDial(session.shown(), state, state.event ? &*state.event : nullptr);
     if (dial.empty()) {

@@ -167,7 +167,6 @@ void drawEvidence(const PanelContext& context, const Event& event) {
 
 void drawInspect(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return;
     if (const Event* event = session.event()) {
         drawStep(context, *event);
     } else {

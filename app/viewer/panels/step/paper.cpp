@@ -84,7 +84,6 @@ void drawFigure(const PanelContext& context) {
 
 void drawPaper(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) return;
     drawGallery(context);
     drawFigure(context);
     const Event* event = session.event();

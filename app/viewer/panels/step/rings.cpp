@@ -249,11 +249,11 @@ void drawList(const PanelContext& context, float height, float row) {
 
 void drawRings(const PanelContext& context) {
     const Session& session = context.session();
-    const std::size_t count = session.ready() ? session.picture().rings.size() : 0;
-    const std::size_t stacked = session.ready() ? stackedCount(session.picture().rings) : 0;
+    const std::size_t count = session.picture().rings.size();
+    const std::size_t stacked = stackedCount(session.picture().rings);
     partNote(stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
     if (count == 0) {
-        dimText(session.ready() && session.atEnd()
+        dimText(session.atEnd()
                     ? "No ring: the run is finished."
                     : "No ring: the next seed begins one. F10 goes there.");
         return;

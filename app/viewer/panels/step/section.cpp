@@ -201,7 +201,6 @@ std::string planeText(const NormalSection& section, double turnDegrees,
 
 void drawSection(const PanelContext& context) {
     Session& session = context.session();
-    if (!session.ready()) return;
     SectionPanel& panel = context.state<SectionPanel>();
     panel.shownIn = ImGui::GetFrameCount();
     const NormalSection& section = sectionHere(context);

@@ -167,7 +167,6 @@ void drawSteps(const PanelContext& context) {
     const Session& session = context.session();
     const RunOverview& run = session.overview();
     keepSteps(context);
-    if (!session.ready()) return dimText("Open a file, or a scene, to see its steps here.");
     partNote(withS(run.ringLength.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     drawStepFilter(context);
     const StepTree& tree = context.state<Navigation>().steps;

@@ -88,7 +88,6 @@ void followSelection(const PanelContext& context) {
 
 void drawLedger(const PanelContext& context) {
     Session& session = context.session();
-    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     followSelection(context);
     Questions& questions = session.questions();
     partNote(questions.subjectName());
