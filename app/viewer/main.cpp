@@ -8,7 +8,6 @@
 
 #include "application.h"
 #include "document/app_page.h"
-#include "export_options.h"
 #include "export_run.h"
 #include "offscreen.h"
 #include "options.h"

@@ -36,6 +36,10 @@ Status adoptStart(Options& options);
 /// Takes FILE as a lesson if it is one.
 Status adoptLesson(Options& options);
 
+/// Reads the lesson that FILE names for an export, with the steps to export; without a lesson or a
+/// position, the end of the run. Fails with a sentence; `code` is then the exit code.
+Status adoptLesson(Options& o, int& code);
+
 /// Reads standard input to its end, into memory, if FILE is `-`, so that it can be opened again.
 /// Fails with a sentence.
 Status adoptStandardInput(Options& options);

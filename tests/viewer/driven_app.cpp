@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "chord.h"
-#include "export_options.h"
+#include "options.h"
 #include "picture_frames.h"
 #include "state_dump.h"
 

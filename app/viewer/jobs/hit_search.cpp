@@ -40,31 +40,11 @@ std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitLis
     return pivots;
 }
 
-void HitSearch::open(std::shared_ptr<const Model> model) {
-    job_.cancel();
-    model_ = std::move(model);
-    known_.clear();
-    givenUp_ = false;
-    startNext();
-}
-
-void HitSearch::want(std::span<const Breakpoint> breakpoints) {
-    if (std::equal(wanted_.begin(), wanted_.end(), breakpoints.begin(), breakpoints.end())) return;
-    wanted_.assign(breakpoints.begin(), breakpoints.end());
-    givenUp_ = false;
-    startNext();
-}
-
 void HitSearch::cancel() {
     if (!busy()) return;
     for (const Line& line : sought_) known_.erase(line.text);
     job_.cancel();
     givenUp_ = true;
-}
-
-void HitSearch::resume() {
-    givenUp_ = false;
-    startNext();
 }
 
 std::vector<HitSearch::Line> HitSearch::missing() const {
@@ -89,7 +69,6 @@ std::vector<HitSearch::Line> HitSearch::missing() const {
 
 /// Searches all lines that are wanted and not known, in one run, unless that is in progress.
 void HitSearch::startNext() {
-    if (!model_ || givenUp_) return;
     std::vector<Line> lines = missing();
     const auto among = [](const std::vector<Line>& all, const Line& line) {
         return std::any_of(all.begin(), all.end(), [&](const Line& each) {
@@ -110,7 +89,7 @@ void HitSearch::startNext() {
 
 /// The visitor of a search for lines.
 PivotVisitor HitSearch::visitorFor(const Model& model, const std::vector<Line>& lines,
-                                   BackgroundJob<Found>::Results& results) {
+                                   BackgroundJob<FoundHit>::Results& results) {
     std::vector<DecisionQuery> queries;
     queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
@@ -125,8 +104,8 @@ PivotVisitor HitSearch::visitorFor(const Model& model, const std::vector<Line>& 
 
 /// Takes the results of the thread so far.
 bool HitSearch::take() {
-    std::vector<Found> found = job_.take();
-    for (Found& each : found) {
+    std::vector<FoundHit> found = job_.take();
+    for (FoundHit& each : found) {
         LineHits& line = known_[sought_[each.line].text];
         line.list.add(each.hit);
         if (!each.sentence.empty()) line.sentences.push_back(std::move(each.sentence));
@@ -155,18 +134,6 @@ bool HitSearch::poll() {
     job_.close();
     startNext();
     return true;
-}
-
-void HitSearch::waitUntilDone() {
-    while (busy()) {
-        job_.waitUntilDone();
-        poll();
-    }
-}
-
-const LineHits* HitSearch::of(const std::string& line) const {
-    const auto found = known_.find(line);
-    return found == known_.end() ? nullptr : &found->second;
 }
 
 HitSearch::Answer HitSearch::stop(RunPosition here, int direction) const {

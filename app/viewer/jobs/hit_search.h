@@ -2,15 +2,12 @@
 /// Results are kept until another run is open.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "background_job.h"
+#include "kept_pass.h"
 #include "run/model.h"
 #include "spiraling_edge/run/breakpoint.h"
 
@@ -34,29 +31,18 @@ struct LineHits {
 std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitList& list,
                                       std::pair<double, double> window, std::size_t columns);
 
-class HitSearch {
-  public:
-    /// Sets another run, of which nothing is known.
-    void open(std::shared_ptr<const Model> model);
-    /// Sets the breakpoints; the lines of enabled ones are searched. Cheap if nothing is new.
-    void want(std::span<const Breakpoint> breakpoints);
-    /// Takes the results. True if there was anything new.
-    bool poll();
-    /// Blocks until all wanted lines are known.
-    void waitUntilDone();
-    /// Cancels the search, until something else is wanted or resume() is called.
-    void cancel();
-    void resume();
+/// A hit of a line of the search in progress.
+struct FoundHit {
+    std::size_t line;
+    se::Hit hit;
+    std::string sentence;
+};
 
-    bool busy() const { return job_.busy(); }
-    /// Cancelled before all was known, or ended by a failure.
-    bool cancelled() const { return givenUp_; }
-    /// Why a search failed: a sentence, once; empty if none has failed since.
-    std::string takeComplaint() { return std::exchange(complaint_, {}); }
-    /// In [0, 1], while busy.
-    double share() const { return job_.share(); }
-    /// Null if the line was never searched, or is not understood.
-    const LineHits* of(const std::string& line) const;
+/// The lines of enabled breakpoints are searched.
+class HitSearch : public KeptPass<Breakpoint, LineHits, FoundHit> {
+  public:
+    bool poll() override;
+    void cancel() override;
 
     /// Whether the result of stop() is final.
     enum class Known : std::uint8_t { Yes, NotYet, GivenUp };
@@ -66,7 +52,6 @@ class HitSearch {
     };
     /// The next (1) or previous (-1) stop from `here`.
     Answer stop(RunPosition here, int direction) const;
-    const std::vector<Breakpoint>& wanted() const { return wanted_; }
 
   private:
     struct Line {
@@ -74,24 +59,13 @@ class HitSearch {
         DecisionQuery query;
         bool listed = false;  ///< Lines with sentences.
     };
-    struct Found {
-        std::size_t line;
-        se::Hit hit;
-        std::string sentence;
-    };
     static PivotVisitor visitorFor(const Model& model, const std::vector<Line>& lines,
-                                   BackgroundJob<Found>::Results& results);
+                                   BackgroundJob<FoundHit>::Results& results);
     std::vector<Line> missing() const;
-    void startNext();
+    void startNext() override;
     bool take();
 
-    std::shared_ptr<const Model> model_;
-    std::vector<Breakpoint> wanted_;
-    std::map<std::string, LineHits> known_;
-    bool givenUp_ = false;
-    std::string complaint_;
     std::vector<Line> sought_;  ///< Current search.
-    BackgroundJob<Found> job_;
 };
 
 }  // namespace se::view

@@ -4,21 +4,6 @@
 
 namespace se::view {
 
-void WatchScan::open(std::shared_ptr<const Model> model) {
-    job_.cancel();
-    model_ = std::move(model);
-    known_.clear();
-    givenUp_ = false;
-    startNext();
-}
-
-void WatchScan::want(std::span<const std::string> expressions) {
-    if (std::equal(wanted_.begin(), wanted_.end(), expressions.begin(), expressions.end())) return;
-    wanted_.assign(expressions.begin(), expressions.end());
-    givenUp_ = false;
-    if (!busy()) startNext();
-}
-
 void WatchScan::cancel() {
     if (!busy()) return;
     poll();
@@ -28,13 +13,8 @@ void WatchScan::cancel() {
     givenUp_ = true;
 }
 
-void WatchScan::resume() {
-    givenUp_ = false;
-    if (!busy()) startNext();
-}
-
 void WatchScan::startNext() {
-    if (!model_) return;
+    if (busy()) return;
     std::vector<WatchExpression> expressions;
     sought_.clear();
     for (const std::string& each : wanted_) {
@@ -57,10 +37,10 @@ void WatchScan::startNext() {
 bool WatchScan::poll() {
     if (!busy()) return false;
     const bool ended = job_.ended();
-    const std::vector<Values> found = job_.take();
+    const std::vector<WatchValues> found = job_.take();
     for (std::size_t i = 0; i < sought_.size(); ++i) {
         WatchSeries& series = known_[sought_[i]];
-        for (const Values& each : found) {
+        for (const WatchValues& each : found) {
             series.values.resize(each.pivot + std::size_t{1}, each.values[i]);
             series.values.back() = each.values[i];
         }
@@ -76,18 +56,6 @@ bool WatchScan::poll() {
     job_.close();
     startNext();
     return true;
-}
-
-void WatchScan::waitUntilDone() {
-    while (busy()) {
-        job_.waitUntilDone();
-        poll();
-    }
-}
-
-const WatchSeries* WatchScan::of(const std::string& expression) const {
-    const auto found = known_.find(expression);
-    return found == known_.end() ? nullptr : &found->second;
 }
 
 }  // namespace se::view
