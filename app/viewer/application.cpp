@@ -59,7 +59,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
       history_(context_) {
     if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
-    ui_.cheatSheet = options.cheatSheet;
+    if (options.cheatSheet) ui_.help = HelpPage::Keys;
     ui_.picture = options.picture;
     ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
     ui_.follow = followIn(ui_.layoutPreset);
@@ -530,7 +530,7 @@ void Application::character(const KeyPress& typed) {
         if (isText(typed)) ui_.goTo.type(typed.sign);
         return;
     }
-    if (ui_.keyEditor) return;
+    if (ui_.help == HelpPage::ChangeKeys) return;
     // The position of digits and signs differs between keyboards; a key with a command has acted.
     const std::optional<KeyChord> chord = chordOfSign(typed);
     if (chord && commandFor(typed.chord) == nullptr) key(*chord, typed.repeated);
@@ -591,7 +591,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     // A question comes first.
     if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
     if (command == nullptr || (repeated && !command->repeats)) return false;
-    const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
+    const bool closes = ui_.help == HelpPage::Keys && command == findCommand("help.keys");
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard && !isOfLesson(*command)};
     const bool reaches = reachesActions(chord, keyboard);

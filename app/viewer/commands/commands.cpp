@@ -31,6 +31,8 @@ using C = CommandContext;
 
 constexpr bool kRepeats = true;
 
+void togglePage(C& c, HelpPage page) { c.ui.help = c.ui.help == page ? HelpPage::None : page; }
+
 const std::string kSaveMeshHelp =
     "Save the final mesh as " + listText(meshFormats(), &MeshFormat::name, "or") + ".";
 const std::string kSaveMeshSynonyms =
@@ -414,9 +416,9 @@ const auto kCommands = std::to_array<Command>({
      "Type words of an action, a panel or a scene, then press Enter.",
      [](C& c) { c.ui.palette.show(); }},
     {"help.keys", "Help", "Keys and mouse", "F1 ?", "Show this list.",
-     [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }, "shortcuts keyboard help"},
+     [](C& c) { togglePage(c, HelpPage::Keys); }, "shortcuts keyboard help"},
     {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.",
-     [](C& c) { c.ui.keyEditor = !c.ui.keyEditor; }, "shortcuts keyboard bindings"},
+     [](C& c) { togglePage(c, HelpPage::ChangeKeys); }, "shortcuts keyboard bindings"},
     {"help.about", "Help", "About", "", "Version, paper and license.",
      [](C& c) { c.ui.help = HelpPage::About; }, "version license"},
     {"help.leave", "Help", "Close popup, clear selection", "Esc",

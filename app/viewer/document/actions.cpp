@@ -26,9 +26,7 @@ namespace {
 constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
 void closeDialogs(UiState& ui) {
-    ui.cheatSheet = false;
     ui.help = HelpPage::None;
-    ui.keyEditor = false;
     ui.fileBrowser = false;
     ui.palette.open = false;
     ui.prepare.close();

@@ -67,7 +67,7 @@ inline Follow followIn(LayoutPreset layout) {
 }
 
 /// The page of the menu Help that is open.
-enum class HelpPage : std::uint8_t { None, Guide, About };
+enum class HelpPage : std::uint8_t { None, Guide, Keys, ChangeKeys, About };
 
 struct UiState {
     UiState() = default;
@@ -78,8 +78,7 @@ struct UiState {
     /// An overlay above the view takes the keys.
     bool dialogOpen() const { return coversView() || goTo.active(); }
     bool coversView() const {
-        return fileBrowser || cheatSheet || help != HelpPage::None || keyEditor || palette.open ||
-               leaving.asked;
+        return fileBrowser || help != HelpPage::None || palette.open || leaving.asked;
     }
 
     /// The part of the view in which the camera frames its subject.
@@ -108,9 +107,7 @@ struct UiState {
     bool closesPopups = false;  ///< Menus are closed by the next frame.
     GoToBox& goTo = states.of<GoToBox>();
     TypingWait& typing = states.of<TypingWait>();
-    bool cheatSheet = false;
     HelpPage help = HelpPage::None;
-    bool keyEditor = false;
     KeyCapture keyCapture;
     bool fileBrowser = false;
     BrowserTask browser = BrowserTask::Open;

@@ -160,9 +160,8 @@ void drawAll(const PanelContext& context) {
     if (!growth && !startPage) drawPieceStrip(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);
-    drawCheatSheet(context);
     drawHelp(context);
-    drawKeyEditor(context);
+    drawKeySheet(context);
     drawCommandPalette(context);
     drawSubjectMenu(context);
     drawLeaveQuestion(context);

@@ -81,11 +81,10 @@ void drawComparedViews(const PanelContext& context);
 /// empty if there is nothing to say.
 void drawNarration(const PanelContext& context);
 std::optional<Rect> drawCaption(const PanelContext& context);
-void drawCheatSheet(const PanelContext& context);
 /// The guide, or what this program is.
 void drawHelp(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
-void drawKeyEditor(const PanelContext& context);
+void drawKeySheet(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
 /// Context menu of a point, an edge or a triangle, in the view and in lists. Opened by
 /// `state<SubjectMenu>().open(what)` on a right click.

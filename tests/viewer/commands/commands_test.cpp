@@ -119,10 +119,10 @@ TEST_CASE("Stepping by hand pauses playing") {
 TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
     CommandApp app;
     app.press("F1");
-    CHECK(app.ui.cheatSheet);
+    CHECK(app.ui.help == HelpPage::Keys);
     app.open.session.select(3);
     app.press("Esc");
-    CHECK_FALSE(app.ui.cheatSheet);
+    CHECK(app.ui.help == HelpPage::None);
     CHECK(app.open.session.selected() == 3);
     app.ui.layoutPreset = LayoutPreset::Present;
     app.press("Esc");

@@ -91,8 +91,8 @@ void drawAbout(const PanelContext& context) {
 
 void drawHelp(const PanelContext& context) {
     UiState& ui = context.ui();
-    if (ui.help == HelpPage::None) return;
     const bool guide = ui.help == HelpPage::Guide;
+    if (!guide && ui.help != HelpPage::About) return;
     placeDialog(context, guide ? glm::vec2(48.0F, 46.0F) : glm::vec2(30.0F, 13.0F));
     bool open = true;
     if (beginDialog(guide ? "Guide" : "About", &open)) {

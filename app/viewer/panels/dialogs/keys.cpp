@@ -1,4 +1,4 @@
-// The sheet of all keys, and the dialog that changes them.
+// The sheet of all keys, in which they can be changed.
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -9,8 +9,6 @@
 namespace se::view {
 
 namespace {
-
-// ---- The sheet ---------------------------------------------------------------------------------
 
 struct MouseLine {
     const char* action;
@@ -27,6 +25,8 @@ constexpr std::array kMouse = {
     MouseLine{"drop a file", "Open points or a session"},
 };
 
+bool changes(const PanelContext& context) { return context.ui().help == HelpPage::ChangeKeys; }
+
 void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -35,6 +35,30 @@ void keyRow(const PanelContext& context, const std::string& keys, const std::str
     ImGui::PopFont();
     ImGui::TableNextColumn();
     wrappedText(what);
+}
+
+/// An action whose keys a click changes, with a button to reset them.
+void changeableRow(const PanelContext& context, const Command& command) {
+    UiState& ui = context.ui();
+    KeyMap& keys = ui.settings.keys;
+    const bool asked = ui.keyCapture.command() == command.id;
+    const std::string shown = asked ? "press a key" : keys.all(command);
+    ImGui::PushID(command.id.data());
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    const std::string label = (shown.empty() ? std::string("none") : shown) + "##key";
+    if (selectable(context, label, asked, "key " + std::string(command.id)))
+        ui.keyCapture.begin(command.id);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    wrappedText(std::string(command.title));
+    tooltip(std::string(command.id) + ": " + std::string(command.help));
+    if (keys.isChanged(command)) {
+        if (ImGui::SmallButton("reset")) keys.reset(command);
+        tooltip(command.keys.empty() ? "Reset to no key" : "Reset to " + std::string(command.keys));
+    }
+    ImGui::PopID();
 }
 
 bool beginKeys(const char* id, const PanelContext& context) {
@@ -51,18 +75,23 @@ bool bookmarksAreOneRow(const KeyMap& keys) {
     });
 }
 
+void drawKeysOf(const PanelContext& context, const Command& command, bool oneRow) {
+    // Esc cannot be changed.
+    if (changes(context) && command.id != "help.leave") return changeableRow(context, command);
+    const std::string keys = context.settings().keys.all(command);
+    if (keys.empty()) return;
+    const bool bookmark = oneRow && command.id.starts_with("notes.go.");
+    if (!bookmark) keyRow(context, keys, std::string(command.title));
+    if (bookmark && command.id == "notes.go.1")
+        keyRow(context, "Ctrl+1 ... Ctrl+0", "Go to bookmark 1 ... 10");
+}
+
 void drawGroup(const PanelContext& context, std::string_view group) {
     heading(context, std::string(group).c_str());
     if (!beginKeys(std::string(group).c_str(), context)) return;
     const bool oneRow = bookmarksAreOneRow(context.settings().keys);
-    for (const Command& command : commands()) {
-        const std::string keys = context.settings().keys.all(command);
-        if (command.group != group || keys.empty()) continue;
-        const bool bookmark = oneRow && command.id.starts_with("notes.go.");
-        if (!bookmark) keyRow(context, keys, std::string(command.title));
-        if (bookmark && command.id == "notes.go.1")
-            keyRow(context, "Ctrl+1 ... Ctrl+0", "Go to bookmark 1 ... 10");
-    }
+    for (const Command& command : commands())
+        if (command.group == group) drawKeysOf(context, command, oneRow);
     ImGui::EndTable();
     ImGui::Spacing();
 }
@@ -95,55 +124,6 @@ void drawColumns(const PanelContext& context, int columns) {
     ImGui::EndTable();
 }
 
-// ---- The editor --------------------------------------------------------------------------------
-
-/// One action: its title, its keys (a click changes them), and a button to reset them.
-void drawRow(const PanelContext& context, const Command& command) {
-    UiState& ui = context.ui();
-    KeyMap& keys = ui.settings.keys;
-    const bool asked = ui.keyCapture.command() == command.id;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(std::string(command.title).c_str());
-    tooltip(std::string(command.id) + ": " + std::string(command.help));
-    ImGui::TableNextColumn();
-    const std::string shown = asked ? "press a key..." : keys.all(command);
-    ImGui::PushFont(context.fonts.mono);
-    const std::string label = (shown.empty() ? std::string("none") : shown) + "##key";
-    if (selectable(context, label, asked, "key " + std::string(command.id)))
-        ui.keyCapture.begin(command.id);
-    ImGui::PopFont();
-    ImGui::TableNextColumn();
-    if (!keys.isChanged(command)) return;
-    const std::string first(command.keys);
-    if (ImGui::SmallButton("reset")) keys.reset(command);
-    tooltip(first.empty() ? "Reset to no key" : "Reset to " + first);
-}
-
-void drawRows(const PanelContext& context) {
-    constexpr int kFlags =
-        ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
-    if (!ImGui::BeginTable("##actions", 3, kFlags)) return;
-    // As shares: in its first frame the window has no size yet.
-    ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.55F);
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.35F);
-    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthStretch, 0.1F);
-    std::string_view group;
-    for (const Command& command : commands()) {
-        if (command.id == "help.leave") continue;  // Esc cannot be changed.
-        if (command.group != group) {
-            group = command.group;
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::TextDisabled("%s", std::string(group).c_str());
-        }
-        ImGui::PushID(command.id.data());
-        drawRow(context, command);
-        ImGui::PopID();
-    }
-    ImGui::EndTable();
-}
-
 /// Of constant height: rows must not move under the pointer.
 void drawHead(const PanelContext& context) {
     UiState& ui = context.ui();
@@ -162,32 +142,26 @@ void drawHead(const PanelContext& context) {
 
 }  // namespace
 
-void drawCheatSheet(const PanelContext& context) {
-    bool& open = context.ui().cheatSheet;
-    if (!open) return;
+void drawKeySheet(const PanelContext& context) {
+    UiState& ui = context.ui();
+    const bool changing = changes(context);
+    if (!changing) ui.keyCapture.cancel();
+    if (!changing && ui.help != HelpPage::Keys) return;
     const float ems = placeDialog(context, {84.0F, 50.0F}).x / context.em;
+    bool open = true;
     if (beginDialog("Keys and mouse", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
-        if (ImGui::Button("Change keys...")) {
-            open = false;
-            context.ui().keyEditor = true;
+        if (changing) {
+            drawHead(context);
+            // It stays in sight while the rows scroll.
+            ImGui::BeginChild("##rows");
+        } else if (ImGui::Button("Change keys...")) {
+            ui.help = HelpPage::ChangeKeys;
         }
         drawColumns(context, ems > 66.0F ? 4 : ems > 40.0F ? 2 : 1);
+        if (changing) ImGui::EndChild();
     }
     ImGui::End();
-}
-
-void drawKeyEditor(const PanelContext& context) {
-    UiState& ui = context.ui();
-    if (!ui.keyEditor) {
-        ui.keyCapture.cancel();
-        return;
-    }
-    placeDialog(context, {40.0F, 40.0F});
-    if (beginDialog("Change keys", &ui.keyEditor)) {
-        drawHead(context);
-        drawRows(context);
-    }
-    ImGui::End();
+    if (!open) ui.help = HelpPage::None;
 }
 
 }  // namespace se::view
