@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -335,7 +336,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     const auto built = std::chrono::steady_clock::now();
     const bool drawn = draw(size, panelsChanged);
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
-    noteTimes(built);
+    glSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - built).count();
     endFrame(size);
     return drawn;
 }
@@ -414,22 +415,6 @@ void Application::endFrame(glm::ivec2 size) {
         ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
-}
-
-void Application::noteTimes(std::chrono::steady_clock::time_point built) {
-    using Seconds = std::chrono::duration<double>;
-    const bool first = firstFrameSeconds_ == 0.0 && session_.ready();
-    if (first) finishGl();
-    const auto drawn = std::chrono::steady_clock::now();
-    glSeconds_ = Seconds(drawn - built).count();
-    const double sinceStart = Seconds(drawn - options_.began).count();
-    if (first) firstFrameSeconds_ = sinceStart;
-    if (firstWindowSeconds_ == 0.0) firstWindowSeconds_ = sinceStart;
-    if (std::exchange(opening_, session_.input().phase() == SessionPhase::Loading)) {
-        const double gap = Seconds(drawn - lastFrame_).count() - glSeconds_;
-        longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
-    }
-    lastFrame_ = drawn;
 }
 
 void Application::narrate() {

@@ -1,7 +1,6 @@
 /// The whole program: the order of one frame. Independent of GLFW and EGL.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 
@@ -73,13 +72,6 @@ class Application {
     /// Times of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
     double glSeconds() const { return glSeconds_; }
-    /// From the start of the program until the input was first drawn; 0 before.
-    double firstFrameSeconds() const { return firstFrameSeconds_; }
-    /// From the start of the program until the first frame at all, with or without an input.
-    double firstWindowSeconds() const { return firstWindowSeconds_; }
-    /// The longest time between two frames while an input was opened, including the frame that
-    /// shows it, without OpenGL.
-    double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
     /// Everything that a command may use, for pictures without a user and for tests.
     CommandContext& context() { return context_; }
@@ -129,7 +121,6 @@ class Application {
     bool draw(glm::ivec2 size, bool panelsChanged);
     void endFrame(glm::ivec2 size);
 
-    void noteTimes(std::chrono::steady_clock::time_point built);
     PanelRects areasIn(glm::vec2 size) const;
     bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
@@ -188,11 +179,6 @@ class Application {
     int redraws_ = 0;         ///< Number of frames to draw even if nothing changes.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
-    double firstFrameSeconds_ = 0.0;
-    double firstWindowSeconds_ = 0.0;
-    double longestOpeningSeconds_ = 0.0;
-    std::chrono::steady_clock::time_point lastFrame_;
-    bool opening_ = false;  ///< An input was being opened in the previous frame.
 };
 
 }  // namespace se::view

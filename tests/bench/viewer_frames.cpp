@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "../viewer/opening_times.h"
 #include "application.h"
 #include "offscreen.h"
 #include "options.h"
@@ -134,7 +135,7 @@ void benchSteps(int frames, Offscreen& target, Application& application) {
 }
 
 /// Opens the input as a window does: fonts and the empty panels are drawn while it is being read.
-int open(Offscreen& target, Application& application) {
+int open(Offscreen& target, Application& application, test::OpeningTimes& times) {
     if (const auto status = application.start(1.0F); !status)
         return fail(kExitNoDisplay, status.error().message);
     // Nothing else runs beside the frames.
@@ -142,6 +143,7 @@ int open(Offscreen& target, Application& application) {
     const auto draw = [&] {
         target.beginFrame();
         application.frame(target.size(), 1.0 / 60.0);
+        times.noteFrame(application);
     };
     while (!application.session().ready() && !application.inputFailed()) {
         draw();
@@ -154,6 +156,7 @@ int open(Offscreen& target, Application& application) {
 }
 
 int run(int frames, Options options) {
+    test::OpeningTimes times(test::OpeningTimes::Clock::now());
     options.noConfig = true;
     if (options.input.source.empty()) options.input.source = sceneSource(se::scenes().front().id);
     // A scene would open at its decision.
@@ -164,14 +167,14 @@ int run(int frames, Options options) {
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
     Offscreen& target = *offscreen.value();
     Application application(options, settings);
-    if (const int code = open(target, application); code != kExitGood) return code;
+    if (const int code = open(target, application, times); code != kExitGood) return code;
     const Model& model = application.session().model();
     if (whole) frameModel(model, application.context().ui.viewPart(), application.camera());
     std::printf("%zu points at %dx%d; first frame %.3f s after the start\n", model.points.size(),
-                target.size().x, target.size().y, application.firstFrameSeconds());
+                target.size().x, target.size().y, times.firstFrame());
     std::printf(
         "window %.3f s after the start; at most %.0f ms from frame to frame while opening\n",
-        application.firstWindowSeconds(), 1e3 * application.longestOpeningSeconds());
+        times.firstWindow(), 1e3 * times.longest());
     benchSteps(frames, target, application);
     benchStill(frames, target, application);
     benchDrag(frames, target, application);

@@ -24,6 +24,8 @@ namespace {
 
 using nlohmann::json;
 
+const auto kBegan = test::OpeningTimes::Clock::now();
+
 json indexOrNull(Index index) { return index == kNone ? json(nullptr) : json(index); }
 
 json addressOrNull(const std::optional<Address>& address) {
@@ -296,7 +298,7 @@ void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) 
 
 namespace test {
 
-std::string stateDump(Application& app, const InputProgress& input) {
+std::string stateDump(Application& app, const InputProgress& input, const OpeningTimes& times) {
     const CommandContext& c = app.context();
     const UiState& ui = c.ui;
     const Session& session = c.session;
@@ -312,9 +314,9 @@ std::string stateDump(Application& app, const InputProgress& input) {
              {"theme", std::string(themeName(ui.settings.theme))},
              {"layout", std::string(rowOf(ui.layoutPreset).name)},
              {"blank", ui.blank != BlankScreen::None},
-             {"first_frame_seconds", app.firstFrameSeconds()},
-             {"first_window_seconds", app.firstWindowSeconds()},
-             {"longest_opening_seconds", app.longestOpeningSeconds()},
+             {"first_frame_seconds", times.firstFrame()},
+             {"first_window_seconds", times.firstWindow()},
+             {"longest_opening_seconds", times.longest()},
              {"start_page", session.startPage()},
              {"recent", ui.recent.size()},
              {"session_file", ui.sessionPath},
@@ -394,7 +396,9 @@ std::string stateDump(Application& app, const InputProgress& input) {
 Status Application::writeState(const InputProgress& input) {
     const char* file = std::getenv("SPIRALING_EDGE_STATE");
     if (file == nullptr) return success();
-    const std::string state = test::stateDump(*this, input);
+    static test::OpeningTimes times(kBegan);
+    times.noteFrame(*this);
+    const std::string state = test::stateDump(*this, input, times);
     return readText(file) == state ? success() : writeFileAtomically(file, state);
 }
 

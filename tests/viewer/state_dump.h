@@ -6,10 +6,12 @@
 #include <string>
 
 #include "application.h"
+#include "opening_times.h"
 
 namespace se::view::test {
 
 /// Requires a started application.
-std::string stateDump(Application& app, const InputProgress& input = {});
+std::string stateDump(Application& app, const InputProgress& input = {},
+                      const OpeningTimes& times = OpeningTimes({}));
 
 }  // namespace se::view::test

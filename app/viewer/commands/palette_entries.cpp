@@ -6,6 +6,7 @@
 #include "document/actions.h"
 #include "document/document.h"
 #include "jobs/open_lesson.h"
+#include "panel_state/column.h"
 #include "run/model.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -17,29 +18,6 @@ namespace {
 
 constexpr std::string_view kPanelNote = "Panel";
 constexpr std::string_view kSceneNote = "Scene";
-
-/// Synonyms of panels that no action opens.
-struct PanelWords {
-    std::string_view title;
-    std::string_view synonyms;
-};
-constexpr auto kPanelWords = std::to_array<PanelWords>({
-    {"Steps", "tree list events pivots"},
-    {"Rings", "stack edge"},
-    {"Dial", "angles tangent plane circle"},
-    {"Inspect", "values properties details numbers selection"},
-    {"Paper", "rule pseudocode section"},
-    {"Layers", "show hide visible"},
-    {"Notes", "bookmarks text"},
-    {"Ledger", "why history explain"},
-    {"Query", "find search filter"},
-});
-
-std::string_view wordsForPanel(std::string_view title) {
-    const auto found = std::find_if(kPanelWords.begin(), kPanelWords.end(),
-                                    [&](const PanelWords& each) { return each.title == title; });
-    return found == kPanelWords.end() ? std::string_view{} : found->synonyms;
-}
 
 PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
     return {PaletteEntry::Kind::Scene, scene.title, kSceneNote, synonyms, scene.id, scene.watch};
@@ -79,18 +57,18 @@ Fit fitOf(const PaletteEntry& entry, std::string_view filter, std::span<const st
 
 }  // namespace
 
-std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels) {
+std::vector<PaletteEntry> paletteEntries() {
     std::vector<PaletteEntry> entries;
     for (const Command& each : commands())
         entries.push_back({PaletteEntry::Kind::Action, each.title, each.group, each.synonyms,
                            each.id, each.help});
-    for (const std::string_view title : panels) {
+    for (const PartRow& part : partRows()) {
         const auto all = commands();
-        const bool known = std::any_of(all.begin(), all.end(),
-                                       [&](const Command& each) { return each.title == title; });
+        const bool known = std::any_of(
+            all.begin(), all.end(), [&](const Command& each) { return each.title == part.title; });
         if (!known)
-            entries.push_back({PaletteEntry::Kind::Panel, title, kPanelNote, wordsForPanel(title),
-                               title, "Show this panel."});
+            entries.push_back({PaletteEntry::Kind::Panel, part.title, kPanelNote, part.synonyms,
+                               part.title, "Show this panel."});
     }
     for (const LessonEntry& each : lessonEntries())
         entries.push_back({PaletteEntry::Kind::Lesson, each.title, "Lesson", "teach course open",

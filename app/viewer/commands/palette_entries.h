@@ -21,9 +21,9 @@ struct PaletteEntry {
     std::string_view help;
 };
 
-/// All of them: actions as in their table, then `panels` by title, then lessons, then scenes,
-/// those that fail last. A panel with the title of an action is listed once, as the action.
-std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels);
+/// All of them: actions as in their table, then the parts of the column, then lessons, then scenes,
+/// those that fail last. A part with the title of an action is listed once, as the action.
+std::vector<PaletteEntry> paletteEntries();
 
 /// The entries in which every word of `filter` begins a word, in any case: of the title, of
 /// its synonyms, or otherwise of group, id and help. The one with exactly that title comes first,

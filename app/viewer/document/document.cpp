@@ -20,6 +20,16 @@
 
 namespace se::view {
 
+void resetInputOptions(RunSpec& spec) {
+    spec.leftOut = {};
+    spec.piece = {};
+    spec.normals = NormalSource::AsGiven;
+    spec.walls = {};
+    spec.scanner.reset();
+    spec.start = {};
+    spec.rim = false;
+}
+
 SessionFile captureSession(const CommandContext& context) {
     const Session& session = context.session;
     SessionFile file;
@@ -139,12 +149,7 @@ void Document::openNow(const std::string& path) {
     spec.leftOut = {};
     spec.piece = {};
     if (std::exchange(spec.source, path) != path) {
-        // These options were chosen for another input.
-        spec.normals = NormalSource::AsGiven;
-        spec.walls = {};
-        spec.scanner.reset();
-        spec.start = {};
-        spec.rim = false;
+        resetInputOptions(spec);
         spec.points = nullptr;
         spec.whatIf.clear();
     }

@@ -20,6 +20,8 @@ namespace se::view {
 
 /// The session file of the open input. Requires context.session.ready().
 SessionFile captureSession(const CommandContext& context);
+/// Resets the options that were chosen for the points of another input.
+void resetInputOptions(RunSpec& spec);
 
 /// The open input with its annotations and session file: opened, run again, left and saved.
 class Document {

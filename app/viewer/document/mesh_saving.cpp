@@ -121,8 +121,7 @@ void MeshSaving::copyCommand(const std::string& path) {
     const bool known =
         form.savedSource == c_.session.input().spec().source && !form.savedPath.empty();
     const std::string usual =
-        known ? form.savedPath
-              : meshStem(c_.session) + std::string(form.chosen().extension);
+        known ? form.savedPath : meshStem(c_.session) + std::string(form.chosen().extension);
     const MeshCommand command =
         meshCommand(c_.session, {path.empty() ? usual : path, form.usedOnly, form.faultFields});
     if (command.text.empty()) {

@@ -163,14 +163,8 @@ void NewPoints::use() {
     RunSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
-    spec.leftOut = {};
-    spec.piece = {};
-    // These options were chosen for another input: sampled points have normals and walls.
-    spec.normals = NormalSource::AsGiven;
-    spec.walls = {};
-    spec.scanner.reset();
-    spec.start = {};
-    spec.rim = false;
+    // Sampled points have normals and walls.
+    resetInputOptions(spec);
     c_.document.openSpec(std::move(spec));
 }
 

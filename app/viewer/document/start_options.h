@@ -1,7 +1,6 @@
 /// Options of the command line of the viewer.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -48,8 +47,6 @@ struct LinkOptions : Looks {
 };
 
 struct Options : LinkOptions {
-    /// Start of the program, from which the time to the first frame is counted.
-    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     std::string startFile;           ///< --start; empty: the start of the input.
     std::optional<SampleSpec> grow;  ///< --new: begin with these particles spreading.
     std::string sessionPath;

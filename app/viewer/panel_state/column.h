@@ -51,6 +51,7 @@ struct PartRow {
     float least = 0.0F;
     /// Null: the part is always there.
     bool (*isThere)(const PanelContext& context) = nullptr;
+    std::string_view synonyms = {};  ///< For the palette, of a part that no action opens.
 };
 /// The table of the parts, in their order; it is in panels/parts.cpp.
 std::span<const PartRow> partRows();

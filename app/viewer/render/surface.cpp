@@ -11,13 +11,68 @@
 #include <tuple>
 #include <utility>
 
-#include "draw_pacer.h"
 #include "scene/detail.h"
-#include "vertex_upload.h"
 
 namespace se::view {
 
+/// Draws parts of bound batches. OpenGL in software keeps every item until it is drawn, 300 bytes
+/// per point; it is ahead by two pieces at most here. Nothing is waited for in draws of one piece.
+class DrawPacer {
+  public:
+    DrawPacer() = default;
+    ~DrawPacer();
+    DrawPacer(const DrawPacer&) = delete;
+    DrawPacer& operator=(const DrawPacer&) = delete;
+
+    /// Draws the points `first` up to but not including `last`.
+    void drawPoints(std::size_t first, std::size_t last);
+    /// Draws the triangles `first` up to but not including `last`, of three vertices each.
+    void drawTriangles(std::size_t first, std::size_t last);
+
+  private:
+    void draw(unsigned mode, std::size_t vertices, std::size_t first, std::size_t last);
+    void endPiece();
+
+    std::size_t full_ = 0;   ///< Items of the present piece.
+    void* fence_ = nullptr;  ///< GLsync at the end of the piece before; null: none.
+};
+
 namespace {
+
+// All of a large mesh at once would take its memory twice.
+
+/// Writes vertices one after the other to buffer 0 of a batch, which must outlive this object.
+template <typename Vertex>
+class VertexUpload {
+  public:
+    /// Room for the vertices `from` up to but not including `to`, which follow.
+    VertexUpload(Batch& batch, std::size_t from, std::size_t to) : batch_(batch), next_(from) {
+        batch_.reserve(0, to * sizeof(Vertex));
+    }
+    ~VertexUpload() { flush(); }
+    VertexUpload(const VertexUpload&) = delete;
+    VertexUpload& operator=(const VertexUpload&) = delete;
+
+    void add(const Vertex& vertex) {
+        vertices_.push_back(vertex);
+        if (vertices_.size() == kPiece) flush();
+    }
+
+  private:
+    static constexpr std::size_t kPiece = std::size_t{1} << 16U;
+
+    void flush() {
+        if (vertices_.empty()) return;
+        batch_.append(0, next_ * sizeof(Vertex), vertices_.data(),
+                      vertices_.size() * sizeof(Vertex));
+        next_ += vertices_.size();
+        vertices_.clear();
+    }
+
+    Batch& batch_;
+    std::size_t next_;  ///< Number of the first vertex of `vertices_`.
+    std::vector<Vertex> vertices_;
+};
 
 struct CloudVertex {
     glm::vec3 position;
@@ -110,6 +165,11 @@ Bounds boundsOf(const std::vector<Face>& faces) {
     }
     return all;
 }
+
+/// Items of a piece.
+constexpr std::size_t kPiece = std::size_t{1} << 16U;
+/// Longest wait for a piece, in nanoseconds: nothing depends on its success.
+constexpr GLuint64 kLongestWait = 1'000'000'000;
 
 }  // namespace
 
@@ -435,6 +495,35 @@ void Surface::drawPoints(Shader& shader, const DrawList& list, const SurfaceView
     for (const auto& [first, last] :
          cloudBounds_.within(view.camera, view.size, view.rect, places_.size()))
         pacer.drawPoints(first, last);
+}
+
+DrawPacer::~DrawPacer() { glDeleteSync(static_cast<GLsync>(fence_)); }
+
+void DrawPacer::drawPoints(std::size_t first, std::size_t last) { draw(GL_POINTS, 1, first, last); }
+
+void DrawPacer::drawTriangles(std::size_t first, std::size_t last) {
+    draw(GL_TRIANGLES, 3, first, last);
+}
+
+void DrawPacer::draw(unsigned mode, std::size_t vertices, std::size_t first, std::size_t last) {
+    while (first < last) {
+        if (full_ == kPiece) endPiece();
+        const std::size_t count = std::min(last - first, kPiece - full_);
+        glDrawArrays(mode, static_cast<GLint>(vertices * first),
+                     static_cast<GLsizei>(vertices * count));
+        first += count;
+        full_ += count;
+    }
+}
+
+/// Waits until the piece before this one is drawn.
+void DrawPacer::endPiece() {
+    full_ = 0;
+    const auto before =
+        static_cast<GLsync>(std::exchange(fence_, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)));
+    if (before == nullptr) return;
+    glClientWaitSync(before, GL_SYNC_FLUSH_COMMANDS_BIT, kLongestWait);
+    glDeleteSync(before);
 }
 
 }  // namespace se::view

@@ -1,7 +1,5 @@
 #include "commands/commands.h"
 
-#include "commands/availability.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,10 +41,8 @@ struct CommandApp {
     }
 };
 
-constexpr std::array<std::string_view, 4> kPanels{"Steps", "Dial", "Rules", "Doctor"};
-
 std::vector<PaletteEntry> found(std::string_view filter) {
-    return matchingEntries(paletteEntries(kPanels), filter);
+    return matchingEntries(paletteEntries(), filter);
 }
 
 bool finds(std::string_view filter, std::string_view id) {
@@ -172,7 +168,7 @@ TEST_CASE("The list of actions names each one once") {
 }
 
 TEST_CASE("The palette finds actions by words, those in the title first") {
-    CHECK(found("").size() == paletteEntries(kPanels).size());
+    CHECK(found("").size() == paletteEntries().size());
     CHECK(found("no such action").empty());
     const auto pivots = found("PIVOT next");
     REQUIRE_FALSE(pivots.empty());

@@ -39,9 +39,7 @@ bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chos
 }
 
 std::vector<PaletteEntry> matchesNow(const CommandPalette& palette) {
-    std::vector<std::string_view> panels;
-    for (const PartRow& each : partRows()) panels.emplace_back(each.title);
-    return matchingEntries(paletteEntries(panels), palette.filter.data());
+    return matchingEntries(paletteEntries(), palette.filter.data());
 }
 
 }  // namespace

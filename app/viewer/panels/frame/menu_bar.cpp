@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "commands/availability.h"
 #include "document/actions.h"
 #include "document/document.h"
 #include "document/ui_state.h"

@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "document/ui_state.h"
+#include "input/view_drag.h"
 #include "paint/text_cut.h"
 #include "panel_state/settings.h"
 #include "rows/evidence_rows.h"
 #include "rows/paper_words.h"
+#include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
@@ -67,6 +72,9 @@ int grow(ImGuiInputTextCallbackData* data) {
     data->Buf = text.data();
     return 0;
 }
+
+/// A press that moves by this share of the window's height is a drag.
+constexpr float kDragShare = 0.01F;
 
 }  // namespace
 
@@ -368,6 +376,96 @@ std::string addressAndSection(const Session& session) {
     if (!session.ready() || session.event() == nullptr) return address;
     const std::string section = sectionOf(*session.event());
     return address + " \xC2\xB7 " + (section.empty() ? "not in the paper" : section);
+}
+
+glm::vec2 placeDialog(const PanelContext& context, glm::vec2 ems, glm::vec2 margin) {
+    const glm::vec2 screen = context.rects.window;
+    const glm::vec2 size = glm::min(ems * context.em, screen - margin * context.em);
+    ImGui::SetNextWindowPos(toVec2(0.5F * screen), ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(toVec2(size));
+    return size;
+}
+
+bool beginDialog(const char* title, bool* open, int extraFlags) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool shown = ImGui::Begin(title, open,
+                                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoCollapse |
+                                        ImGuiWindowFlags_NoSavedSettings | extraFlags);
+    ImGui::PopStyleVar();
+    return shown;
+}
+
+bool beginOverView(const PanelContext& context, const char* name, std::optional<float> top,
+                   std::optional<float> width) {
+    const Rect& view = context.rects.view;
+    const float y = top ? *top * context.em : 0.5F * view.size.y;
+    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + y}, ImGuiCond_Always,
+                            {0.5F, top ? 0.0F : 0.5F});
+    if (width) ImGui::SetNextWindowSize({std::min(*width * context.em, 0.9F * view.size.x), 0.0F});
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                            ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+bool beginView(const PanelContext& context, const char* name) {
+    const Rect& view = context.rects.view;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
+    const bool open =
+        beginRegion(name, view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return open && view.size.x >= 1.0F && view.size.y >= 1.0F;
+}
+
+void offerView(const PanelContext& context) {
+    ImGui::SetCursorScreenPos(toVec2(context.rects.view.min));
+    ImGui::InvisibleButton("##scene", toVec2(context.rects.view.size),
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+}
+
+void drawViewPicture(const PanelContext& context) {
+    const Rect& view = context.rects.view;
+    const auto texture =
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
+    const auto& tile = context.ui().picture.tile;
+    if (!tile)
+        return ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()),
+                                                    {0, 1}, {1, 0});
+    const PixelRect part = partOfView(view, tile);
+    const float bottom = view.min.y + std::floor(view.size.y);
+    ImGui::GetWindowDrawList()->AddImage(
+        texture,
+        {view.min.x + static_cast<float>(part.min.x), bottom - static_cast<float>(part.max.y)},
+        {view.min.x + static_cast<float>(part.max.x), bottom - static_cast<float>(part.min.y)},
+        {0, 1}, {1, 0});
+}
+
+bool isClick(const PanelContext& context, ImGuiMouseButton button) {
+    return ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(button) &&
+           !context.state<ViewDrag>().drags();
+}
+
+void moveCameraByMouse(const PanelContext& context) {
+    const Rect& view = context.rects.view;
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::vec2 pointer(io.MousePos.x, io.MousePos.y);
+    ViewDrag& drag = context.state<ViewDrag>();
+    if (ImGui::IsItemActivated()) drag.begin();
+    if (ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
+        const glm::vec2 moved = drag.move(pointer, kDragShare * io.DisplaySize.y);
+        const bool turns = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift;
+        if (moved != glm::vec2(0.0F))
+            turns ? context.camera().orbit(moved, view.size.y)
+                  : context.camera().pan(moved, view.size.y);
+    }
+    if (!ImGui::IsItemHovered() || io.MouseWheel == 0.0F) return;
+    const glm::vec2 at = (pointer - view.min) / view.size;
+    context.camera().zoomAt(io.MouseWheel, {2.0F * at.x - 1.0F, 1.0F - 2.0F * at.y},
+                            view.size.x / view.size.y);
 }
 
 }  // namespace se::view
