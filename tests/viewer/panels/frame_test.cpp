@@ -345,7 +345,6 @@ TEST_CASE("Another key for an action is pressed in its row, a used one only by a
     DrivenApp app({"scene:sphere"});
     if (!app) return;
     app.command("change keys");
-    app.wheel({640, 400}, -2.0F);
     app.clickOn("key run.unit");
     app.press("N");
     CHECK(app["changed_keys"] == "0");
