@@ -34,22 +34,12 @@ namespace se::view {
 
 namespace {
 
-std::string sceneList() {
-    std::string text = "Scenes:";
-    for (const Scene& scene : scenes()) {
-        text += "\n  scene:" + std::string(scene.id);
-        text.append(scene.id.size() < 18 ? 18 - scene.id.size() : 1, ' ');
-        text += std::string(scene.title);
-    }
-    return text;
-}
-
-std::string shapeList() {
-    std::string text = "Shapes for --new:";
-    for (const se::Shape& shape : shapes()) {
-        text += "\n  " + std::string(shape.id);
-        text.append(shape.id.size() < 24 ? 24 - shape.id.size() : 1, ' ');
-        text += std::string(shape.title);
+/// A title and the rows of a table: `prefix` and id, then the title in a column `width` further on.
+template <typename Rows>
+std::string listOf(std::string text, std::string_view prefix, const Rows& rows, std::size_t width) {
+    for (const auto& row : rows) {
+        text.append("\n  ").append(prefix).append(row.id);
+        text.append(row.id.size() < width ? width - row.id.size() : 1, ' ').append(row.title);
     }
     return text;
 }
@@ -267,7 +257,10 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag("--keys", o.cheatSheet, "Start with the list of keys open");
     app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and quit");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
-    app.footer([] { return sceneList() + "\n\n" + shapeList(); });
+    app.footer([] {
+        return listOf("Scenes:", kScenePrefix, scenes(), 18) + "\n\n" +
+               listOf("Shapes for --new:", "", shapes(), 24);
+    });
 }
 
 /// New points of --new; --box clips their surface. Throws as takeOver() does.

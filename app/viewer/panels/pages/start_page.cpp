@@ -129,19 +129,26 @@ void drawTilePlates(const PanelContext& context, const Rect& tile, const Rect& p
                         beside ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersTop);
 }
 
+/// A tile with its picture in the upper left corner; true if any of it is in sight.
+bool drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size, glm::vec2 pictured) {
+    offerTile(context, tile, size);
+    if (!ImGui::IsItemVisible()) return false;
+    const Rect picture{lastItem().min, pictured};
+    drawTilePlates(context, lastItem(), picture);
+    drawPicture(context, ImGui::GetWindowDrawList(), tile, toVec2(picture.min),
+                toVec2(picture.max()));
+    frameItem(context, 0.3F);
+    return true;
+}
+
 /// A scene: its picture above title and sentence.
 void drawSceneTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const float em = context.em;
-    offerTile(context, tile, size);
-    if (!ImGui::IsItemVisible()) return;
+    if (!drawTile(context, tile, size, {size.x, kTilePicture * em})) return;
     const Rect area = lastItem();
-    const Rect picture{area.min, {area.size.x, kTilePicture * em}};
     ImDrawList* list = ImGui::GetWindowDrawList();
-    drawTilePlates(context, area, picture);
-    drawPicture(context, list, tile, toVec2(picture.min), toVec2(picture.max()));
-    frameItem(context, 0.3F);
     const float room = size.x - 1.0F * em;
-    const float y = picture.max().y;
+    const float y = area.min.y + kTilePicture * em;
     ImGui::PushFont(context.fonts.strong);
     list->AddText({area.min.x + 0.5F * em, y + 0.35F * em}, toU32(context.palette.text),
                   fitted(std::string(tile.title), room).c_str());
@@ -152,15 +159,10 @@ void drawSceneTile(const PanelContext& context, const SceneTile& tile, ImVec2 si
 /// A lesson: its picture beside title and length.
 void drawLessonTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const float em = context.em;
-    offerTile(context, tile, size);
-    if (!ImGui::IsItemVisible()) return;
+    if (!drawTile(context, tile, size, {1.3F * size.y, size.y})) return;
     const Rect area = lastItem();
-    const Rect picture{area.min, {1.3F * size.y, size.y}};
     ImDrawList* list = ImGui::GetWindowDrawList();
-    drawTilePlates(context, area, picture);
-    drawPicture(context, list, tile, toVec2(picture.min), toVec2(picture.max()));
-    frameItem(context, 0.3F);
-    glm::vec2 at(picture.max().x + 0.6F * em, area.min.y + 0.45F * em);
+    glm::vec2 at(area.min.x + 1.3F * size.y + 0.6F * em, area.min.y + 0.45F * em);
     ImGui::PushFont(context.fonts.strong);
     std::vector<std::string> lines =
         wrapped(std::string(tile.title), area.max().x - at.x - 0.4F * em);
