@@ -253,9 +253,8 @@ void drawRings(const PanelContext& context) {
     const std::size_t stacked = stackedCount(session.picture().rings);
     partNote(stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
     if (count == 0) {
-        dimText(session.atEnd()
-                    ? "No ring: the run is finished."
-                    : "No ring: the next seed begins one. F10 goes there.");
+        dimText(session.atEnd() ? "No ring: the run is finished."
+                                : "No ring: the next seed begins one. F10 goes there.");
         return;
     }
     const float em = context.em;
