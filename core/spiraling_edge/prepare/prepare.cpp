@@ -32,6 +32,7 @@ class Preparation {
         set_.position = file_.position;
         takeTypes();
         setAsideUnusable();
+        if (Status status = checkSize(); !status) return status.error();
         if (Status status = takeStraysAside(); !status) return status.error();
         derives_ = options_.normals == NormalSource::Derived || lacksNormals(file_.normal, usable_);
         if (Status status = makeNormals(); !status) return status.error();
@@ -52,6 +53,23 @@ class Preparation {
     }
 
   private:
+    /// Fails if most points lie where squares of distances are beyond the range of double. A few
+    /// are far from all others, and left over.
+    Status checkSize() const {
+        std::size_t present = 0;
+        std::size_t tooFar = 0;
+        for (std::size_t p = 0; p < usable_.size(); ++p) {
+            if (!usable_[p]) continue;
+            const Vec3 x = glm::abs(set_.position[p]);
+            ++present;
+            tooFar += std::max({x.x, x.y, x.z}) > kGreatestCoordinate ? 1U : 0U;
+        }
+        if (2 * tooFar <= present) return success();
+        return Error{
+            "coordinates are too large: beyond 1e152, squares of distances are no numbers of "
+            "double precision; scale the points"};
+    }
+
     void takeTypes() {
         StopWatch watch;
         if (options_.walls) {

@@ -131,9 +131,13 @@ struct Prepared {
     PrepareReport report;
 };
 
+/// Coordinates of most points must not be greater, in magnitude.
+inline constexpr double kGreatestCoordinate = 1e152;
+
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
 /// are put in order and cleaned. Fails if k is 0, if the radius is not positive or the scanner not
-/// finite, if a list names a point that does not exist, or if cancelled. Neighbor lists are ordered
+/// finite, if a list names a point that does not exist, if most points are beyond
+/// kGreatestCoordinate, or if cancelled. Neighbor lists are ordered
 /// by distance, ties by index: the result does not depend on the search method. Requires `leaveOut`
 /// to name existing points.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,

@@ -481,3 +481,21 @@ TEST_CASE("prepare: points to leave out are set aside, and the rest is as in a f
                          [&](Index a, Index b) { return number[a] == b; }));
     }
 }
+
+TEST_CASE("prepare: points whose squared distances are no numbers are refused as too large") {
+    PointFile file = findScene("sphere")->build();
+    file.neighbors = {};
+    file.type.clear();
+    const auto scaledBy = [&](double factor) {
+        PointFile scaled = file;
+        for (Vec3& x : scaled.position) x *= factor;
+        return prepare(scaled, {});
+    };
+    CHECK(scaledBy(1e150).ok());
+    const Result<Prepared> large = scaledBy(1e300);
+    REQUIRE_FALSE(large.ok());
+    CHECK(large.error().message.find("coordinates are too large") != std::string::npos);
+    // One place that stands for no value does not make the others too large.
+    file.position[0] = Vec3(1e300);
+    CHECK(scaledBy(1.0).ok());
+}
