@@ -23,7 +23,7 @@ Reading reading(const Evidence& evidence) {
     REQUIRE(found.has_value());
     return *found;
 }
-double degreesOf(double radians) { return radians * 180.0 / kPi; }
+double inDegrees(double radians) { return radians * 180.0 / kPi; }
 
 }  // namespace
 
@@ -33,7 +33,7 @@ TEST_CASE("reading: the margin of an angle in a sector is that to the nearer lim
         CHECK(at.value - at.threshold ==
               doctest::Approx(at.threshold > 0 ? degrees - 100.0
                                                : (degrees > 180 ? degrees - 360.0 : degrees)));
-        return degreesOf(at.margin);
+        return inDegrees(at.margin);
     };
     CHECK(margin(10, Verdict::Kept) == doctest::Approx(10));
     CHECK(margin(95, Verdict::Kept) == doctest::Approx(5));
@@ -61,10 +61,10 @@ TEST_CASE("reading: of the two tests of 6.3 the one that decides has the margin"
     // Outside, and kept for the gap.
     const Reading gap = of(0.5, 0.9, 150, Verdict::GapTooWide);
     CHECK(gap.quantity == "gap");
-    CHECK(degreesOf(gap.margin) == doctest::Approx(30));
+    CHECK(inDegrees(gap.margin) == doctest::Approx(30));
     // Removed: the nearer of the two.
     CHECK(of(0.5, 0.6, 60, Verdict::Removed).margin == doctest::Approx(-0.1));
-    CHECK(degreesOf(of(0.5, 2.0, 119, Verdict::Removed).margin) == doctest::Approx(-1));
+    CHECK(inDegrees(of(0.5, 2.0, 119, Verdict::Removed).margin) == doctest::Approx(-1));
 }
 
 TEST_CASE("reading: a point that is DONE, or an end of the sector, was settled before") {
