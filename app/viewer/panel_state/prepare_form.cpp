@@ -87,6 +87,7 @@ void PrepareForm::take(const RunSpec& spec, const Model& model) {
 
 void PrepareForm::show(Fix fix) {
     if (fix == Fix::Orient) normals = NormalSource::Oriented;
+    if (fix == Fix::Derive) normals = NormalSource::Derived;
     if (fix == Fix::Symmetric) symmetric = true;
     if (fix == Fix::Walls) walls = WallChoice::From::Around;
     if (fix == Fix::Rim) rim = true;

@@ -96,6 +96,7 @@ std::string_view fixText(Fix fix) {
         "Repairs all that needs no guessing, and runs the result.",
         "Drops the points that are too many, and repairs all that needs no guessing.",
         "Flips normals so that they agree, outward on closed parts.",
+        "Replaces the normals of the file by those derived from the positions.",
         "Replaces the neighbor lists of the file by the 12 nearest points.",
         "Makes neighbor lists symmetric.",
         "Replaces the walls of the file by the box around all points.",
@@ -107,7 +108,7 @@ std::string_view fixText(Fix fix) {
 
 std::vector<std::string> safeFixes(std::span<const Finding> findings) {
     std::vector<std::string> fixes;
-    for (const Fix kind : {Fix::Repair, Fix::Orient}) {
+    for (const Fix kind : {Fix::Repair, Fix::Orient, Fix::Derive}) {
         const auto found = std::find_if(findings.begin(), findings.end(),
                                         [kind](const Finding& f) { return f.check->fix == kind; });
         if (found != findings.end()) fixes.emplace_back(found->check->name);
@@ -153,6 +154,10 @@ std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptio
         file.normal = points.normal;
         done.push_back(
             counted(prepared.report.derived.turnedNormals, "normal flipped", "normals flipped"));
+    }
+    if (has(fixes, Fix::Derive) && options.normals == NormalSource::Derived) {
+        file.normal = points.normal;
+        done.emplace_back("normals derived from the positions");
     }
     if (has(fixes, Fix::Walls)) {
         file.type = points.type;

@@ -49,7 +49,11 @@ struct ExaminedFile {
     /// a point has six others about it. 0 without others.
     std::vector<double> spacing;
     double middleSpacing = 0.0;  ///< Median over the present points.
-    Sides sides;                 ///< Of a file without normals: no components.
+    NormalFit fit;               ///< Of the given normals to the planes of the points.
+    bool normalsFit = false;     ///< normalsFit(); false without normals.
+    /// The normals fit, or are rough: near enough to the planes that their sides tell something.
+    bool normalsNear = false;
+    Sides sides;  ///< Without normals that are near: no components.
     std::vector<Roughness> roughness;
     std::optional<Layers> layers;  ///< Nothing: one layer.
 
@@ -107,7 +111,9 @@ std::optional<Finding> findNoNormals(const ExaminedFile& examined);
 std::optional<Finding> findZeroNormals(const ExaminedFile& examined);
 std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined);
 std::optional<Finding> findCloseSheets(const ExaminedFile& examined);
-// Normals against each other.
+// normal_fit_checks.cpp: normals against the planes of the points
+std::optional<Finding> findUnfitNormals(const ExaminedFile& examined);
+// normal_checks.cpp: normals against each other
 std::optional<Finding> findFlippedNormals(const ExaminedFile& examined);
 std::optional<Finding> findInsideOut(const ExaminedFile& examined);
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view kFix = "spiraling-edge doctor IN --fix OUT.ply";
 constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply";
+constexpr std::string_view kDerive = "spiraling-edge run IN --derive-normals -o OUT.ply";
 constexpr std::string_view kBest = "spiraling-edge run IN --best -o OUT.ply";
 constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
 
@@ -68,6 +69,10 @@ constexpr std::array kChecks{
     DoctorCheck{"unscaled_normals", "6.2",
                 "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
                 Fix::Repair, findUnscaledNormals},
+    DoctorCheck{"unfit_normals", "6.1",
+                "The sort by angle takes place about the normal: the order about one that is not "
+                "the surface's is wrong.",
+                kDerive, Fix::Derive, findUnfitNormals},
     DoctorCheck{"flipped_normals", "6.1",
                 "Seen from the other side the ring runs clockwise: holes and overlaps follow.",
                 kOrient, Fix::Orient, findFlippedNormals},
@@ -114,6 +119,23 @@ double medianAboveZero(std::vector<double> values) {
     values.erase(std::remove(values.begin(), values.end(), 0.0), values.end());
     if (values.empty()) return 0.0;
     return medianOf(values);
+}
+
+/// True if normals are off by little more than those that fit: of noise, not wrong ones.
+bool isRough(const NormalFit& fit) {
+    constexpr double kMedianCosine = 0.94551857559931696;  // 19 degrees
+    return fit.normals > 0 && fit.medianCosine >= kMedianCosine &&
+           static_cast<double>(fit.near) >= kFitLimits.nearShare * static_cast<double>(fit.places);
+}
+
+/// Measures whether the given normals fit, as the judge of meshes does.
+void measureFit(ExaminedFile& examined) {
+    if (!examined.file.hasNormals()) return;
+    std::vector<Vec3> normal = examined.normal;
+    averageOverCopies(examined.file.position, normal);
+    examined.fit = fitOf({examined.file.position, normal, examined.present, examined.nearest});
+    examined.normalsFit = normalsFit(examined.fit);
+    examined.normalsNear = examined.normalsFit || isRough(examined.fit);
 }
 
 }  // namespace
@@ -200,7 +222,8 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
         examined.spacing[p] = examined.distance(p, list[std::min(kAround, list.size()) - 1]);
     }
     examined.middleSpacing = medianAboveZero(examined.spacing);
-    if (file.hasNormals()) {
+    measureFit(examined);
+    if (examined.normalsNear) {
         examined.sides =
             sidesOf({file.position, examined.normal, examined.present, examined.nearest});
     } else {

@@ -33,6 +33,7 @@ enum class Fix : std::uint8_t {
     Repair,     ///< applyFixes(), without guessing.
     Drop,       ///< applyFixes(), which also drops the points that were found.
     Orient,     ///< NormalSource::Oriented.
+    Derive,     ///< NormalSource::Derived.
     NewLists,   ///< The 12 nearest, even if the file has lists.
     Symmetric,  ///< NeighborOptions::symmetric.
     Walls,      ///< Types of the walls of the box around all points.

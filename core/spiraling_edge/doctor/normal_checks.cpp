@@ -47,7 +47,7 @@ std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined) {
 }
 
 std::optional<Finding> findCloseSheets(const ExaminedFile& examined) {
-    if (!examined.file.hasNormals()) return std::nullopt;
+    if (!examined.normalsNear) return std::nullopt;
     auto points = pointsWhere(examined.size(), [&](Index p) {
         if (!examined.hasSide(p) || examined.nearest[p].empty()) return false;
         const Index q = examined.nearest[p].front();

@@ -19,7 +19,7 @@ constexpr std::size_t kFitsPerThread = 1024;
 
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
 bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
-    if (!examined.file.hasNormals() || !examined.hasSide(p) || !examined.hasSide(q)) return true;
+    if (!examined.normalsNear || !examined.hasSide(p) || !examined.hasSide(q)) return true;
     return !normalsOppose(examined.normal[p], examined.normal[q]);
 }
 

@@ -120,7 +120,7 @@ bool isMarked(const PointFile& file, Index p) {
 
 std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
     const PointFile& file = examined.file;
-    if (!file.hasNormals()) return std::nullopt;
+    if (!examined.normalsNear) return std::nullopt;
     const Result<Rim> rim = rimOf(examined);
     if (!rim) return std::nullopt;
     // Rim points in the file do not count without types.

@@ -49,6 +49,14 @@ double cosineAt(const GivenNormals& given, Index p) {
     return planar ? std::abs(glm::dot(plane.normal, given.normal[p])) : kNoPlace;
 }
 
+/// The cosine that this number of tenths stay below; at most 1.
+double tenthOf(std::vector<double>& cosines, std::size_t tenths) {
+    const auto at =
+        cosines.begin() + static_cast<std::ptrdiff_t>((cosines.size() - 1) * tenths / 10);
+    std::nth_element(cosines.begin(), at, cosines.end());
+    return std::min(*at, 1.0);
+}
+
 }  // namespace
 
 std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
@@ -88,6 +96,8 @@ NormalFit fitOf(const GivenNormals& given, unsigned threads) {
     fit.places = cosines.size();
     if (cosines.empty()) return fit;
     fit.medianCosine = std::min(medianOf(cosines), 1.0);
+    fit.leastTenth = tenthOf(cosines, 1);
+    fit.mostTenth = tenthOf(cosines, 9);
     fit.near = static_cast<std::size_t>(std::count_if(
         cosines.begin(), cosines.end(), [](double c) { return c >= kFitLimits.nearCosine; }));
     return fit;

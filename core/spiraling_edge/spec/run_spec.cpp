@@ -37,6 +37,7 @@ RunSpec withFixesAsOptions(RunSpec spec) {
         const DoctorCheck* check = findDoctorCheck(name);
         const Fix fix = check != nullptr ? check->fix : Fix::None;
         if (fix == Fix::Orient) spec.normals = NormalSource::Oriented;
+        if (fix == Fix::Derive) spec.normals = NormalSource::Derived;
         if (fix == Fix::Symmetric) spec.neighbors.symmetric = true;
         if (fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
         if (fix == Fix::Rim) spec.rim = true;
