@@ -1263,6 +1263,7 @@ doctor_remedies_help() {
     awk '{ print $1, $2, $3 }' good.xyz >bare.xyz
     { cat good.xyz; awk 'NR == 40 { $1 += 1e-9; print }' good.xyz; } >twin.xyz
     awk '{ $4 = 0; $5 = 0; $6 = 1; print }' good.xyz >alike.xyz
+    { cat good.xyz; awk '{ $1 += 0.004; $2 -= 0.003; print }' good.xyz; } >pairs.xyz
     local file command
     # A surface that ends without a wall is a note, and --derive-rim helps.
     awk '$3 < 0.6' good.xyz >open.xyz
@@ -1274,7 +1275,7 @@ doctor_remedies_help() {
     expect 0 doctor OUT.ply
     says out "nothing found"
     rm OUT.ply
-    for file in patch inside bare twin alike; do
+    for file in patch inside bare twin alike pairs; do
         expect 1 doctor $file.xyz
         command=$(sed -n 's/^ *try: spiraling-edge \(.*\) OUT.ply\(.*\)$/\1 OUT.ply\2/p' out)
         # shellcheck disable=SC2086

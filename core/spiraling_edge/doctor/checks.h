@@ -34,6 +34,13 @@ struct Layers {
     double height() const { return std::sqrt(0.25 * apart * apart + noise * noise); }
 };
 
+/// Axes with different units (pattern_checks.cpp).
+struct MixedUnits {
+    Vec3 extent{0.0};           ///< Of the points, along each axis.
+    double planar = 0.0;        ///< Share of planar places (given_normals.h),
+    double planarScaled = 0.0;  ///< and that with equal extents.
+};
+
 /// A file under examination. Everything except `file` is derived from it.
 struct ExaminedFile {
     explicit ExaminedFile(const PointFile& points) : file(points) {}
@@ -55,7 +62,8 @@ struct ExaminedFile {
     bool normalsNear = false;
     Sides sides;  ///< Without normals that are near: no components.
     std::vector<Roughness> roughness;
-    std::optional<Layers> layers;  ///< Nothing: one layer.
+    std::optional<Layers> layers;     ///< Nothing: one layer.
+    std::optional<MixedUnits> units;  ///< Nothing: one unit, as far as the points show.
 
     Index size() const { return static_cast<Index>(file.position.size()); }
     /// True if the point is present and has a normal. Requires a file with normals.
@@ -72,6 +80,9 @@ struct ExaminedFile {
 std::vector<Roughness> roughnessOf(const ExaminedFile& examined);
 /// The layers of a file whose other members are filled in, `roughness` too.
 std::optional<Layers> layersOf(const ExaminedFile& examined);
+
+/// The units of a file whose lists are filled in.
+std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined);
 
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
@@ -101,6 +112,11 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined);
 std::optional<Finding> findInLine(const ExaminedFile& examined);
 std::optional<Finding> findUnevenSpacing(const ExaminedFile& examined);
 std::optional<Finding> findTies(const ExaminedFile& examined);
+
+// pattern_checks.cpp
+std::optional<Finding> findMixedUnits(const ExaminedFile& examined);
+std::optional<Finding> findTwins(const ExaminedFile& examined);
+std::optional<Finding> findLines(const ExaminedFile& examined);
 
 // surface_checks.cpp
 std::optional<Finding> findNoise(const ExaminedFile& examined);

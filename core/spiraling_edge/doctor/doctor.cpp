@@ -44,6 +44,18 @@ constexpr std::array kChecks{
                 findIsolatedPoints},
     DoctorCheck{"in_line", "6.3", "Three points in line have no circle, and no plane to sort in.",
                 "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Fix::Drop, findInLine},
+    DoctorCheck{"mixed_units", "3",
+                "The nearest points are not those about a point: convert the coordinates to one "
+                "unit first.",
+                "", Fix::None, findMixedUnits},
+    DoctorCheck{"twins", "6.1",
+                "The order about a point is chance where another is so near: keep one of each "
+                "pair.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop twins", Fix::Drop, findTwins},
+    DoctorCheck{"lines", "3",
+                "Lists of the nearest points do not reach from one line to the next: thin the "
+                "points along the lines.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop lines", Fix::Drop, findLines},
     DoctorCheck{"uneven_spacing", "3",
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
                 kBest, Fix::None, findUnevenSpacing},
@@ -230,6 +242,7 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
         examined.sides = {std::vector<Index>(file.position.size(), kNone),
                           std::vector<bool>(file.position.size(), false)};
     }
+    examined.units = mixedUnitsOf(examined);
     examined.roughness = roughnessOf(examined);
     examined.layers = layersOf(examined);
     return examined;

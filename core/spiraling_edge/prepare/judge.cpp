@@ -18,7 +18,9 @@
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/prepare/normals.h"
 #include "spiraling_edge/prepare/rim.h"
+#include "spiraling_edge/prepare/scan_lines.h"
 #include "spiraling_edge/prepare/strays.h"
+#include "spiraling_edge/prepare/twins.h"
 
 namespace se {
 namespace {
@@ -28,12 +30,8 @@ constexpr double kListsDone = 0.4;
 constexpr double kMeasuredDone = 0.5;
 constexpr double kPreparedDone = 0.8;
 
-/// A twin's nearest point is nearer than this share of the distance to the fourth nearest.
-constexpr double kTwinShare = 0.25;
 /// Parts of the points are joined by mutual neighbors within this many spacings of both.
 constexpr double kJoined = 2.0;
-/// Points lie in lines if the median of the spread along a place by that across is above this.
-constexpr double kInLines = 5.0;
 
 /// Finite points without their copies, and the 12 nearest of each.
 struct Surroundings {
@@ -130,57 +128,6 @@ double distanceTo(const PointFile& file, const Surroundings& around, Index p, st
     return list.empty() ? 0.0 : distanceBetween(file, p, list[std::min(n, list.size()) - 1]);
 }
 
-/// The nearest point of a twin; else kNone.
-Index twinOf(const PointFile& file, const Surroundings& around, Index p) {
-    const std::span<const Index> list = around.nearest[p];
-    if (list.size() < 4) return kNone;
-    const bool isTwin =
-        distanceBetween(file, p, list[0]) < kTwinShare * distanceBetween(file, p, list[3]);
-    return isTwin ? list[0] : kNone;
-}
-
-/// The axis of the points around a place, and how much longer they reach along it than across.
-struct LineAt {
-    Vec3 axis{0.0};
-    double ratio = 1.0;
-};
-LineAt lineAt(const PointFile& file, const Surroundings& around, Index p) {
-    const PlaneFit plane = planeAt(file.position, p, around.nearest[p]);
-    const std::span<const Index> list = around.nearest[p];
-    if (list.empty() || !(plane.variance[2] > 0.0)) return {};
-    const Vec3 far = file.position[list.back()] - file.position[p];
-    return {glm::normalize(far),
-            std::sqrt(plane.variance[2] / std::max(plane.variance[1], 1e-4 * plane.variance[2]))};
-}
-
-/// The distance of lines of points; 0 where points do not lie in lines. Measured at about 256
-/// points: to the nearest point that is more across than along.
-double lineDistance(const PointFile& file, const Surroundings& around) {
-    constexpr std::size_t kMeasured = 256;
-    const std::size_t step = std::max<std::size_t>(1, around.present.size() / kMeasured);
-    std::vector<double> ratios;
-    std::vector<Index> measured;
-    for (std::size_t p = 0; p < around.present.size(); p += step) {
-        if (!around.present[p]) continue;
-        measured.push_back(static_cast<Index>(p));
-        ratios.push_back(lineAt(file, around, measured.back()).ratio);
-    }
-    if (ratios.empty() || !(medianOf(ratios) > kInLines)) return 0.0;
-    std::vector<double> across;
-    for (const Index p : measured) {
-        const Vec3 axis = lineAt(file, around, p).axis;
-        double nearest = std::numeric_limits<double>::max();
-        for (Index q = 0; q < around.present.size(); ++q) {
-            const Vec3 d = file.position[q] - file.position[p];
-            const double along = std::abs(glm::dot(d, axis));
-            if (around.present[q] && q != p && 2.0 * along * along <= glm::dot(d, d))
-                nearest = std::min(nearest, glm::length(d));
-        }
-        if (nearest < std::numeric_limits<double>::max()) across.push_back(nearest);
-    }
-    return across.empty() ? 0.0 : medianOf(across);
-}
-
 /// Parts of at least three points, connected by mutual neighbors within kJoined spacings.
 std::size_t countPieces(const PointFile& file, const Surroundings& around, const MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
@@ -203,7 +150,8 @@ std::size_t countPieces(const PointFile& file, const Surroundings& around, const
 /// Measures the distances of the points.
 void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
-    const double lines = lineDistance(file, around);
+    const auto scan = scanLinesOf(file.position, around.present, around.nearest);
+    const double lines = scan ? scan->across : 0.0;
     judge.spacing.assign(n, 0.0);
     judge.reach.assign(n, 0.0);
     judge.twin.assign(n, kNone);
@@ -211,7 +159,7 @@ void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge
         if (!around.present[p]) continue;
         judge.spacing[p] = std::max(lines, distanceTo(file, around, p, 3));
         judge.reach[p] = std::max(lines, distanceTo(file, around, p, 12));
-        judge.twin[p] = twinOf(file, around, p);
+        judge.twin[p] = twinOf(file.position, p, around.nearest[p]);
     }
     if (lines == 0.0) judge.pieces = countPieces(file, around, judge);
 }

@@ -1,0 +1,161 @@
+/// Checks of how points are spread over the surface as a whole: pairs, as of two stations, and
+/// lines, as of a scanner, which are thinned (piece.h); and axes with different units. O(points),
+/// but for a second search for the nearest where one axis is much longer than both others.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/prepare/piece.h"
+#include "spiraling_edge/prepare/scan_lines.h"
+#include "spiraling_edge/prepare/twins.h"
+
+namespace se {
+namespace {
+
+/// Of the present points those that --thin with this spacing leaves out.
+std::vector<Index> thinnedOut(const ExaminedFile& examined, double spacing) {
+    std::vector<Index> points =
+        pointsWhere(examined.size(), [&](Index p) { return examined.present[p]; });
+    std::vector<Vec3> position;
+    position.reserve(points.size());
+    for (const Index p : points) position.push_back(examined.file.position[p]);
+    const std::vector<bool> kept = pointsIn(position, {{}, spacing});
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!kept[i]) points[left++] = points[i];
+    }
+    points.resize(left);
+    return points;
+}
+
+/// Adds what thinning leaves to the text.
+void thin(const ExaminedFile& examined, double spacing, Finding& finding) {
+    finding.surplus = thinnedOut(examined, spacing);
+    const std::string length = shortNumber(spacing);
+    finding.text += "; --thin " + length + " leaves " +
+                    counted(examined.presentCount - finding.surplus->size(), "point");
+    finding.dropReason = "the rest are " + length + " apart";
+}
+
+/// `value` rounded as its text is, so that the text says exactly what is done.
+double rounded(double value) { return std::strtod(shortNumber(value).c_str(), nullptr); }
+
+/// The distance that this share of the values stays below.
+double quantile(std::vector<double>& values, double share) {
+    const auto at = values.begin() +
+                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Share of places that are planar, of about two thousand; 0 without points.
+double planarShare(std::span<const Vec3> position, const std::vector<bool>& present,
+                   const NeighborLists& nearest) {
+    constexpr std::size_t kPlaces = 2000;
+    const auto count = static_cast<std::size_t>(std::count(present.begin(), present.end(), true));
+    const std::size_t step = std::max<std::size_t>(1, count / kPlaces);
+    std::vector<bool> tried(present.size(), false);
+    std::size_t next = 0;
+    for (std::size_t p = 0; p < present.size(); ++p) tried[p] = present[p] && next++ % step == 0;
+    const std::vector<Vec3> any(position.size(), Vec3(0.0, 0.0, 1.0));
+    const NormalFit fit = fitOf({position, any, tried, nearest});
+    if (fit.normals == 0) return 0.0;
+    return static_cast<double>(fit.places) / static_cast<double>(fit.normals);
+}
+
+/// True if the three extents differ so much that units may: the middle one is the second longest.
+bool isOneAxisLong(const Vec3& extent) {
+    constexpr double kLong = 100.0;
+    std::array<double, 3> sorted{extent.x, extent.y, extent.z};
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[0] > 0.0 && sorted[2] > kLong * sorted[1];
+}
+
+}  // namespace
+
+std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
+    // Surfaces have 60 % and more, points in other units than the lists expect nearly none.
+    constexpr double kSurface = 0.5;
+    constexpr double kNoSurface = 0.1;
+    const WallBox box = boxAround(examined.file.position);
+    MixedUnits units{box.high - box.low};
+    if (!isOneAxisLong(units.extent)) return std::nullopt;
+    units.planar = planarShare(examined.file.position, examined.present, examined.nearest);
+    if (units.planar > kNoSurface) return std::nullopt;
+    std::vector<Vec3> position = examined.file.position;
+    for (Vec3& x : position) x = (x - box.low) / units.extent;
+    const auto nearest = nearestPoints(position, examined.present, KNearest{}.k);
+    if (!nearest) return std::nullopt;
+    units.planarScaled = planarShare(position, examined.present, nearest.value());
+    if (units.planarScaled < kSurface) return std::nullopt;
+    return units;
+}
+
+std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
+    if (!examined.units) return std::nullopt;
+    const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
+    const Vec3& extent = examined.units->extent;
+    return Finding{nullptr,
+                   Severity::Error,
+                   examined.presentCount,
+                   {},
+                   "x, y and z have different units, as degrees beside meters: they span " +
+                       shortNumber(extent.x) + ", " + shortNumber(extent.y) + " and " +
+                       shortNumber(extent.z) + "; " + percent(examined.units->planar) +
+                       " of the places are planar, and " + percent(examined.units->planarScaled) +
+                       " with equal spans"};
+}
+
+std::optional<Finding> findTwins(const ExaminedFile& examined) {
+    if (examined.units) return std::nullopt;
+    auto points = pointsWhere(examined.size(), [&](Index p) {
+        return twinOf(examined.file.position, p, examined.nearest[p]) != kNone;
+    });
+    if (2 * points.size() <= examined.presentCount) return std::nullopt;
+    std::vector<double> pairs;
+    std::vector<double> others;
+    for (const Index p : points) {
+        pairs.push_back(examined.distance(p, examined.nearest[p][0]));
+        others.push_back(examined.distance(p, examined.nearest[p][1]));
+    }
+    const double apart = medianOf(pairs);
+    // Between the pairs, and the other points about them.
+    constexpr double kMostPairs = 0.98;
+    constexpr double kNearestOthers = 0.02;
+    const double spacing =
+        rounded(std::sqrt(quantile(pairs, kMostPairs) * quantile(others, kNearestOthers)));
+    std::optional<Finding> finding =
+        findingAt(std::move(points), Severity::Warning,
+                  "of " + std::to_string(examined.presentCount) +
+                      " in pairs, as of two stations: the nearest point is " + shortNumber(apart) +
+                      " away in the median, under a quarter of the distance to the fourth");
+    if (finding) thin(examined, spacing, *finding);
+    return finding;
+}
+
+std::optional<Finding> findLines(const ExaminedFile& examined) {
+    const auto lines = scanLinesOf(examined.file.position, examined.present, examined.nearest);
+    if (!lines || examined.units) return std::nullopt;
+    // Nearer lines have others in their lists. Farther ones are no surface that thinning would
+    // show.
+    constexpr double kLeast = 2.0;
+    constexpr double kMost = 50.0;
+    const double ratio = lines->across / lines->along;
+    if (ratio < kLeast || ratio > kMost) return std::nullopt;
+    // Points of one line stay nearly as far apart as lines.
+    constexpr double kThinned = 0.9;
+    Finding finding{nullptr,
+                    Severity::Warning,
+                    examined.presentCount,
+                    {},
+                    "the points lie in lines: " + shortNumber(lines->along) +
+                        " apart along them, and " + shortNumber(lines->across) + " across"};
+    thin(examined, rounded(kThinned * lines->across), finding);
+    return finding;
+}
+
+}  // namespace se

@@ -1,0 +1,25 @@
+/// Points in lines, as of a scanner that is faster along its lines than across them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/points/point_set.h"
+
+namespace se {
+
+/// Distances in lines of points, in scene units: medians over about 256 points.
+struct ScanLines {
+    double along = 0.0;   ///< Of the two nearest points, in the mean.
+    double across = 0.0;  ///< To the nearest that is more across than along its line.
+};
+
+/// Lines of points; nothing where the points do not lie in lines: these reach over five times as
+/// far along one axis as across, in the median over places. `nearest`: the 12 nearest of each
+/// point; `present` is false for points to leave out. O(points).
+std::optional<ScanLines> scanLinesOf(std::span<const Vec3> position,
+                                     const std::vector<bool>& present,
+                                     const NeighborLists& nearest);
+
+}  // namespace se
