@@ -118,6 +118,9 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined);
 std::optional<Finding> findTwins(const ExaminedFile& examined);
 std::optional<Finding> findLines(const ExaminedFile& examined);
 
+// digit_checks.cpp
+std::optional<Finding> findLostDigits(const ExaminedFile& examined);
+
 // surface_checks.cpp
 std::optional<Finding> findNoise(const ExaminedFile& examined);
 std::optional<Finding> findTwoLayers(const ExaminedFile& examined);

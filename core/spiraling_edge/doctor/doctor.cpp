@@ -48,6 +48,10 @@ constexpr std::array kChecks{
                 "The nearest points are not those about a point: convert the coordinates to one "
                 "unit first.",
                 "", Fix::None, findMixedUnits},
+    DoctorCheck{"lost_digits", "3",
+                "Points were moved by up to half a step: write the file again with more digits, or "
+                "subtract an offset first.",
+                "", Fix::None, findLostDigits},
     DoctorCheck{"twins", "6.1",
                 "The order about a point is chance where another is so near: keep one of each "
                 "pair.",
