@@ -47,6 +47,12 @@ std::string readableText() {
            " can be read; convert it to one of these, e.g. with MeshLab or CloudCompare";
 }
 
+/// The extension of a path, that of the packed file for one packed by gzip.
+std::string extensionOf(const fs::path& path) {
+    const std::string extension = lowerExtension(path);
+    return extension == ".gz" ? lowerExtension(path.stem()) : extension;
+}
+
 /// A line of XYZ that begins with two slashes, as CloudCompare writes it.
 bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
 
@@ -55,10 +61,7 @@ io::FileStart startOf(std::string_view bytes, const std::string& name) {
     while (lines.nextContent('#') && isSlashComment(lines.line())) {
     }
     const std::string_view line = lines.line();
-    const fs::path path(name);
-    const bool packed = lowerExtension(path) == ".gz";
-    return {bytes, line, io::Fields(line, ',', ';').next(),
-            lowerExtension(packed ? path.stem() : path)};
+    return {bytes, line, io::Fields(line, ',', ';').next(), extensionOf(name)};
 }
 
 // ---- encodings ----------------------------------------------------------------------------------
@@ -150,7 +153,7 @@ constexpr std::array kUnreadKinds{
 std::span<const PointFormat> pointFormats() { return kPointFormats; }
 
 const PointFormat* pointFormatOf(const fs::path& path) {
-    const std::string extension = lowerExtension(path);
+    const std::string extension = extensionOf(path);
     const auto found =
         std::find_if(kPointFormats.begin(), kPointFormats.end(), [&](const PointFormat& format) {
             const auto& all = format.extensions;

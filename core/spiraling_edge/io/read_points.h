@@ -34,7 +34,8 @@ struct PointFormat {
 /// PLY (ascii, binary little and big endian), STL, LAS, PTX, XYZ (`x y z` with normals, colors,
 /// both or an intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD.
 std::span<const PointFormat> pointFormats();
-/// The format of a path's extension, in upper or lower case. Null if no format has it.
+/// The format of a path's extension, in upper or lower case, before ".gz". Null if no format has
+/// it.
 const PointFormat* pointFormatOf(const std::filesystem::path& path);
 
 /// A function that unpacks a gzip stream, to at most `limit` bytes. Its errors name the file. This

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/common.hpp>
 #include <string>
 #include <utility>
 
