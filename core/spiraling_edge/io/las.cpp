@@ -123,7 +123,7 @@ class LasReader : FirstProblem {
 
     bool readScale() {
         for (int axis = 0; axis < 3; ++axis) {
-            const auto step = static_cast<std::size_t>(8 * axis);
+            const auto step = std::size_t{8} * static_cast<std::size_t>(axis);
             scale_[axis] = at<double>(kScaleAt + step);
             offset_[axis] = at<double>(kOffsetAt + step);
             if (std::isfinite(scale_[axis]) && scale_[axis] != 0.0 && std::isfinite(offset_[axis]))

@@ -62,13 +62,13 @@ Key keyOf(const Event& event) {
 }
 
 /// The result of a test: equal results have the same consequence.
-struct Answer {
+struct TestResult {
     Outcome outcome;      ///< None, Taken or Refused.
     Index third = kNone;  ///< §7: the inserted point and its place.
     Verdict place = Verdict::Kept;
-    friend bool operator==(const Answer&, const Answer&) = default;
+    friend bool operator==(const TestResult&, const TestResult&) = default;
 };
-Answer answerOf(const Event& event) {
+TestResult resultOf(const Event& event) {
     const Outcome outcome = isAgainst(outcomeOf(event)) ? Outcome::Refused : outcomeOf(event);
     if (const auto* insert = as<InsertEvidence>(event))
         return {outcome, insert->third, insert->verdict};
@@ -202,7 +202,7 @@ class PivotPair {
                         const OrderedEvent& place) {
         const Event& event = mine.at(place);
         if (const OrderedEvent* const there = other.counterpart(place, mine))
-            return answerOf(other.at(*there)) != answerOf(event);
+            return resultOf(other.at(*there)) != resultOf(event);
         if (onlyListed(mine, other, event)) return false;
         // Candidates stay unless refused; start, end and the ring stay unless moved.
         const bool changes = isA<LimitEvidence>(event) || isA<InsertEvidence>(event);
@@ -235,7 +235,7 @@ class PivotPair {
         // Repeated more often here: compared with the last result there.
         if (there == nullptr && isTest(mine.at(place))) there = other.lastOf(place);
         const bool decides =
-            there != nullptr && answerOf(other.at(*there)) != answerOf(mine.at(place));
+            there != nullptr && resultOf(other.at(*there)) != resultOf(mine.at(place));
         if (decides) return {place.event, there->event, true, true, false};
         return {place.event, other.instead(place.rank()), true, false, false};
     }
@@ -288,7 +288,7 @@ bool sameResult(std::span<const Event> a, std::span<const Event> b) {
 std::optional<Mismatch> firstOtherTest(std::span<const Event> a, std::span<const Event> b) {
     const bool alike =
         std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Event& x, const Event& y) {
-            return x.address == y.address && keyOf(x) == keyOf(y) && answerOf(x) == answerOf(y);
+            return x.address == y.address && keyOf(x) == keyOf(y) && resultOf(x) == resultOf(y);
         });
     if (alike) return {};  // most pivots, at once
     return PivotPair(a, b).otherTest();

@@ -97,15 +97,15 @@ void drawInput(const Pen& pen) {
         pen.dot(x, y, 0.19F);
 }
 
-/// An open book.
-void drawLesson(const Pen& pen) {
+/// An open book. Not "drawLesson", which draws a part.
+void drawLessonMark(const Pen& pen) {
     pen.line({{0.0F, -0.6F}, {-1.0F, -0.8F}, {-1.0F, 0.6F}, {0.0F, 0.8F}}, true);
     pen.line({{0.0F, -0.6F}, {1.0F, -0.8F}, {1.0F, 0.6F}, {0.0F, 0.8F}}, true);
 }
 
 /// By Task.
 constexpr std::array<void (*)(const Pen&), kTaskCount> kDraw = {
-    drawStep, drawWhy, drawFaults, drawFind, drawChange, drawInput, drawLesson};
+    drawStep, drawWhy, drawFaults, drawFind, drawChange, drawInput, drawLessonMark};
 
 /// Draws the sign of a task around `center`, `size` pixels high.
 void drawRailIcon(ImDrawList* list, Task task, ImVec2 center, float size, ImU32 color) {
