@@ -35,7 +35,7 @@ bool drawChoice(const PanelContext& context, const std::string& label, bool on,
         ImGui::SameLine(0.0F, context.em);
         if (ImGui::GetContentRegionAvail().x < width) {
             ImGui::NewLine();
-            ImGui::SameLine(kFieldColumn * context.em);
+            ImGui::SetCursorPosX(kFieldColumn * context.em);
         }
     }
     const bool chosen = ImGui::RadioButton(label.c_str(), on);
