@@ -2,7 +2,6 @@
 // Packed files (LAZ) have the highest bit of the point format set.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -59,6 +58,7 @@ class LasReader : FirstProblem {
         readPositions();
         keep("intensity", ScalarType::UInt16, kIntensityAt);
         keep("classification", ScalarType::UInt8, layout().classAt);
+        maskClasses();
         keepColors();
         return std::move(file_);
     }
@@ -103,6 +103,12 @@ class LasReader : FirstProblem {
 
     bool readCount() {
         begin_ = at<std::uint32_t>(kPointsBeginAt);
+        if (begin_ < kLeastHeader) {
+            return fail(kPointsBeginAt,
+                        "expected the place of the points after the header, found " +
+                            std::to_string(begin_) +
+                            "; the header is damaged: copy the file again");
+        }
         std::uint64_t count = at<std::uint32_t>(kCountAt);
         const bool hasLongCount = at<std::uint8_t>(kMinorAt) >= 4 &&
                                   at<std::uint16_t>(kHeaderSizeAt) >= kLongCountAt + 8 &&
@@ -161,6 +167,16 @@ class LasReader : FirstProblem {
         const auto isZero = [](double value) { return value == 0.0; };
         if (std::all_of(column.values.begin(), column.values.end(), isZero)) return;
         file_.attributes.push_back(std::move(column));
+    }
+
+    /// Formats before 6 hold three flags above the five bits of the class.
+    void maskClasses() {
+        constexpr unsigned kClass = 31;
+        for (Attribute& column : file_.attributes) {
+            if (format_ >= 6 || column.name != "classification") continue;
+            for (double& value : column.values)
+                value = static_cast<double>(static_cast<unsigned>(value) & kClass);
+        }
     }
 
     /// Colors have 16 bits; many writers use the lower 8 alone.

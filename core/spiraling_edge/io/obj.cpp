@@ -50,15 +50,18 @@ class ObjReader : LineByLine {
             while (!line.empty() && isSpace(line.back())) line.remove_suffix(1);
             return line.ends_with('\\');
         };
-        if (!isContinued(lines_.line())) return lines_.line();
+        // A path of Windows in another statement may end so as well.
+        const std::string_view keyword = Fields(lines_.line()).next();
+        const bool isRead = keyword == "v" || keyword == "vn" || keyword == "f";
+        if (!isRead || !isContinued(lines_.line())) return lines_.line();
         joined_.clear();
         bool more = true;
         while (more) {
             more = isContinued(lines_.line());
-            const std::string_view line = lines_.line();
+            const std::string_view line = beforeComment(lines_.line(), '#');
             joined_ += line.substr(0, more ? line.rfind('\\') : line.size());
             joined_ += ' ';
-            more = more && lines_.nextContent('#');
+            more = more && lines_.next();
         }
         return joined_;
     }
@@ -76,9 +79,16 @@ class ObjReader : LineByLine {
     /// A color may follow the position; a weight is read over.
     bool readPoint(Fields& fields) {
         if (!readVector(fields, file_.position)) return false;
-        Fields weight = fields;
-        weight.next();
-        if (!weight.next().empty()) colors_.add(fields);
+        Fields rest = fields;
+        std::size_t more = 0;
+        double number = 0.0;
+        for (auto field = rest.next(); !field.empty(); field = rest.next(), ++more) {
+            if (!parseDouble(field, number)) {
+                return fail("expected a color of three numbers after the position, found " +
+                            inQuotes(field) + "; correct the line");
+            }
+        }
+        if (more >= 3) colors_.add(fields);
         return true;
     }
     bool readVector(Fields& fields, std::vector<Vec3>& target) {

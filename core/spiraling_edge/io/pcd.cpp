@@ -44,7 +44,7 @@ struct PcdField {
 /// most `size`; fewer if the stream is damaged.
 std::string unpackLzf(std::string_view packed, std::size_t size) {
     std::string bytes;
-    bytes.reserve(std::min(size, 256 * packed.size()));
+    bytes.reserve(std::min(size, 88 * packed.size()));
     std::size_t at = 0;
     const auto byte = [&] { return static_cast<std::uint8_t>(packed[at++]); };
     while (at < packed.size()) {
@@ -203,9 +203,9 @@ class PcdReader : LineByLine {
             numbers += field.count;
         }
         // Checked before allocation: a number has at least two bytes in text, with its separator.
-        // No byte of a compressed file unpacks to more than 256.
+        // Three bytes of a compressed file unpack to 264 at most.
         std::uint64_t room = lines_.rest().size() + 1;
-        if (data_ == Data::Compressed) room *= 256;
+        if (data_ == Data::Compressed) room *= 88;
         const std::uint64_t least = data_ == Data::Text ? 2 * numbers : rowSize_;
         if (*points_ <= room / least) return true;
         if (data_ != Data::Text) return failCut(0);

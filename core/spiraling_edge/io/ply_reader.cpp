@@ -2,6 +2,8 @@
 /// binary are checked alike. Elements without lists are read column by column.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -442,6 +444,13 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
     return success();
 }
 
+/// Whole numbers up to this one are exact as double.
+constexpr double kGreatestWhole = 9007199254740992.0;
+std::string wholeText(double value) {
+    if (std::abs(value) > kGreatestWhole) return value < 0.0 ? "less than -2^53" : "more than 2^53";
+    return std::to_string(static_cast<std::int64_t>(value));
+}
+
 /// Appends the triangles of strips, which kNone separates: each corner makes one with the two
 /// before it, every second one turned; none where two are the same.
 void appendStrips(std::span<const Index> corners, std::vector<Triangle>& triangles) {
@@ -564,9 +573,9 @@ class BodyReader {
     bool readList(const PlyElement& element, const PlyProperty& property, bool isTaken) {
         double count = 0.0;
         if (!rows_.scalar(property, property.countType, count)) return false;
-        if (count < 0.0) {
+        if (count < 0.0 || count > kGreatestWhole) {
             return rows_.fail("expected the length of list " + inQuotes(property.name) +
-                              ", found " + std::to_string(static_cast<std::int64_t>(count)));
+                              ", found " + wholeText(count));
         }
         if (!isTaken) return rows_.skipList(property, static_cast<std::uint64_t>(count));
         list_.clear();
@@ -579,10 +588,9 @@ class BodyReader {
                 continue;
             }
             if (value < 0.0 || value >= static_cast<double>(points_)) {
-                return rows_.fail("list " + inQuotes(property.name) + " names point " +
-                                  std::to_string(static_cast<std::int64_t>(value)) +
-                                  ", but the points are numbered from 0 to below " +
-                                  std::to_string(points_));
+                return rows_.fail(
+                    "list " + inQuotes(property.name) + " names point " + wholeText(value) +
+                    ", but the points are numbered from 0 to below " + std::to_string(points_));
             }
             list_.push_back(static_cast<Index>(value));
         }

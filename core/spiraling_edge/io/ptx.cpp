@@ -2,7 +2,7 @@
 // rows, the place and axes of the scanner, a 4 by 4 matrix, and one line per point.
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +46,8 @@ class PtxReader : LineByLine {
         const std::string_view field = fields.next();
         return (parseCount(field, count, kNone - 1) && fields.next().empty()) ||
                fail("expected a number of columns or rows of a scan, found " +
-                    inQuotes(lines_.line()));
+                    inQuotes(lines_.line()) +
+                    (scans_ > 0 ? "; the scan before has more points than its numbers say" : ""));
     }
 
     /// Reads a line of `count` numbers.
@@ -76,7 +77,7 @@ class PtxReader : LineByLine {
                 matrix_[static_cast<std::size_t>(row)][i] = numbers[static_cast<std::size_t>(i)];
         }
         // At least "0 0 0 0" and a line end each, checked before the product is used.
-        const std::uint64_t room = lines_.rest().size() / 6 + 1;
+        const std::uint64_t room = (lines_.rest().size() + 1) / 8;
         if (rows != 0 && columns > room / rows) {
             return fail("the file is too short for a scan of " + std::to_string(columns) + " by " +
                         std::to_string(rows) + " points; it is cut short");
@@ -106,9 +107,9 @@ class PtxReader : LineByLine {
 
     /// Row vectors: the place times the matrix.
     void keep(const std::vector<double>& n) {
-        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
         Vec3 place = n[0] * matrix_[0] + n[1] * matrix_[1] + n[2] * matrix_[2] + matrix_[3];
-        if (n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0) place = Vec3(kNone);
+        if (n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0) place = Vec3(kNaN);
         file_.position.push_back(place);
         others_.insert(others_.end(), n.begin() + 3, n.end());
     }

@@ -53,6 +53,11 @@ std::string extensionOf(const fs::path& path) {
     return extension == ".gz" ? lowerExtension(path.stem()) : extension;
 }
 
+bool isXyzName(const std::string& extension) {
+    return std::find(kXyzExtensions.begin(), kXyzExtensions.end(), extension) !=
+           kXyzExtensions.end();
+}
+
 /// A line of XYZ that begins with two slashes, as CloudCompare writes it.
 bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
 
@@ -79,13 +84,15 @@ void appendUtf8(std::string& text, std::uint32_t code) {
 }
 
 /// A text in UTF-16, after its byte order mark, as UTF-8. Halves of pairs alone become "?".
-std::string fromUtf16(std::string_view bytes, bool bigEndian) {
+enum class ByteOrder : std::uint8_t { Little, Big };
+std::string fromUtf16(std::string_view bytes, ByteOrder order) {
     std::string text;
     text.reserve(bytes.size() / 2);
     const auto unit = [&](std::size_t at) {
         const auto first = static_cast<unsigned char>(bytes[at]);
         const auto second = static_cast<unsigned char>(bytes[at + 1]);
-        return static_cast<std::uint32_t>(bigEndian ? first << 8U | second : second << 8U | first);
+        return static_cast<std::uint32_t>(order == ByteOrder::Big ? first << 8U | second
+                                                                  : second << 8U | first);
     };
     for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
         std::uint32_t code = unit(at);
@@ -102,11 +109,13 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian) {
 /// The text in another encoding, or with line ends of CR alone, as the readers expect it; empty if
 /// it is so already.
 std::string recoded(std::string_view bytes) {
-    if (bytes.starts_with("\xff\xfe")) return fromUtf16(bytes.substr(2), false);
-    if (bytes.starts_with("\xfe\xff")) return fromUtf16(bytes.substr(2), true);
+    std::string decoded;
+    if (bytes.starts_with("\xff\xfe")) decoded = fromUtf16(bytes.substr(2), ByteOrder::Little);
+    if (bytes.starts_with("\xfe\xff")) decoded = fromUtf16(bytes.substr(2), ByteOrder::Big);
+    if (!decoded.empty()) bytes = decoded;
     const bool oneLine = bytes.find('\n') == std::string_view::npos;
     const bool text = bytes.find('\0') == std::string_view::npos;
-    if (!oneLine || !text || bytes.find('\r') == std::string_view::npos) return {};
+    if (!oneLine || !text || bytes.find('\r') == std::string_view::npos) return decoded;
     std::string lines(bytes);
     std::replace(lines.begin(), lines.end(), '\r', '\n');
     return lines;
@@ -190,6 +199,8 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
     for (const UnreadKind& kind : kUnreadKinds) {
         if (bytes.starts_with(kind.magic)) return Error{name + ": " + kind.remedy};
     }
+    // Its error says how rows and names of columns have to be.
+    if (isXyzName(start.extension)) return io::readXyz(bytes, name);
     return Error{name + ": is of no known kind. " + readableText()};
 }
 

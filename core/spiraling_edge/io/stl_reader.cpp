@@ -1,7 +1,7 @@
 // STL, text and binary: triangles with corners of their own. Corners at the same place are one
 // point.
 #include <array>
-#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,11 +20,24 @@ namespace {
 constexpr std::size_t kHeader = 84;  ///< 80 bytes of any text, and the number of triangles.
 constexpr std::size_t kTriangle = 50;
 
+/// A place as a key: its bits, the same for both zeros and for all that is not a number.
+struct PlaceKey {
+    std::array<std::uint64_t, 3> bits{};
+
+    explicit PlaceKey(const Vec3& x) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!std::isnan(x[axis]))
+                bits[static_cast<std::size_t>(axis)] = bitsAs<std::uint64_t>(x[axis] + 0.0);
+            else
+                bits[static_cast<std::size_t>(axis)] = ~std::uint64_t{0};
+        }
+    }
+    friend bool operator==(const PlaceKey&, const PlaceKey&) = default;
+};
 struct PlaceHash {
-    std::size_t operator()(const Vec3& x) const {
+    std::size_t operator()(const PlaceKey& key) const {
         std::uint64_t hash = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            hash = (hash ^ bitsAs<std::uint64_t>(x[axis] + 0.0)) * 0x9e3779b97f4a7c15U;
+        for (const std::uint64_t each : key.bits) hash = (hash ^ each) * 0x9e3779b97f4a7c15U;
         return static_cast<std::size_t>(hash ^ (hash >> 32U));
     }
 };
@@ -39,7 +52,7 @@ class Soup {
         std::array<Index, 3> numbers{};
         for (std::size_t i = 0; i < 3; ++i) {
             const auto next = static_cast<Index>(file_.position.size());
-            const auto [found, fresh] = numbers_.try_emplace(corners[i], next);
+            const auto [found, fresh] = numbers_.try_emplace(PlaceKey(corners[i]), next);
             if (fresh) {
                 file_.position.push_back(corners[i]);
                 directions_.emplace_back();
@@ -58,14 +71,15 @@ class Soup {
         for (std::size_t p = 0; all && p < directions_.size(); ++p)
             file_.normal.push_back(meanOfDirections(directions_[p]));
         file_.notes.emplace_back(
-            "corners at one place are one point, with the mean of their normals");
+            all ? "corners at one place are one point, with the mean of their normals"
+                : "corners at one place are one point; some have no normal, so all are left out");
         return std::move(file_);
     }
     bool empty() const { return file_.position.empty(); }
 
   private:
     PointFile file_;
-    std::unordered_map<Vec3, Index, PlaceHash> numbers_;
+    std::unordered_map<PlaceKey, Index, PlaceHash> numbers_;
     std::vector<std::vector<Vec3>> directions_;  // Of each point, those that differ.
 };
 
@@ -88,6 +102,10 @@ std::optional<Vec3> shiftIn(std::string_view header) {
 }
 
 Result<PointFile> readBinary(std::string_view bytes, const std::string& name) {
+    if (bytes.size() < kHeader) {
+        return errorAt(name, "byte " + std::to_string(bytes.size()),
+                       "the file ends within its header of 84 bytes; it is cut short");
+    }
     const std::size_t room = (bytes.size() - kHeader) / kTriangle;
     const std::size_t count = announced(bytes);
     if (count != room || kHeader + room * kTriangle != bytes.size()) {
@@ -124,11 +142,15 @@ class TextReader : LineByLine {
         Soup soup;
         while (lines_.nextContent()) {
             Fields fields(lines_.line());
-            const std::string_view word = fields.next();
+            const std::string word = lowerCase(fields.next());
+            ended_ = word == "endsolid";
             if (word == "facet") {
+                if (!corners_.empty()) {
+                    fail("the triangle before this line has no endfacet; correct it");
+                    return problem_;
+                }
                 fields.next();  // "normal"
                 if (!readVector(fields, normal_)) return problem_;
-                corners_.clear();
             } else if (word == "vertex") {
                 if (!readVector(fields, corners_.emplace_back())) return problem_;
             } else if (word == "endfacet") {
@@ -141,8 +163,8 @@ class TextReader : LineByLine {
                 corners_.clear();
             }
         }
-        if (!corners_.empty()) {
-            fail("the file ends within a triangle; it is cut short");
+        if (!ended_) {
+            fail("the file ends without endsolid; it is cut short");
             return problem_;
         }
         if (soup.empty()) return Error{name_ + ": holds no triangles"};
@@ -161,6 +183,7 @@ class TextReader : LineByLine {
 
     Vec3 normal_{0.0};
     std::vector<Vec3> corners_;
+    bool ended_ = false;
 };
 
 /// Binary files may begin with "solid" as well.
@@ -168,17 +191,24 @@ bool isBinary(std::string_view bytes) {
     return bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * announced(bytes);
 }
 
+/// True for text, whose keywords may be in capitals.
+bool isText(std::string_view bytes) {
+    constexpr std::size_t kLooked = 2000;
+    const std::string begin = lowerCase(bytes.substr(0, kLooked));
+    LineReader lines(begin);
+    return lines.nextContent() && Fields(lines.line()).next() == "solid" &&
+           begin.find("facet") != std::string::npos && !isBinary(bytes);
+}
+
 }  // namespace
 
 bool isStl(const FileStart& start) {
-    if (isBinary(start.bytes)) return true;
-    const bool text = start.word == "solid" && start.bytes.find("facet") != std::string_view::npos;
-    return text || (start.extension == ".stl" && start.bytes.size() >= kHeader);
+    if (isBinary(start.bytes) || isText(start.bytes)) return true;
+    return start.extension == ".stl" && start.bytes.size() >= kHeader;
 }
 
 Result<PointFile> readStl(std::string_view bytes, const std::string& name) {
-    const bool text = bytes.starts_with("solid") && !isBinary(bytes);
-    return text ? TextReader(bytes, name).read() : readBinary(bytes, name);
+    return isText(bytes) ? TextReader(bytes, name).read() : readBinary(bytes, name);
 }
 
 }  // namespace se::io

@@ -20,7 +20,7 @@ namespace {
 
 // ---- the meaning of columns ---------------------------------------------------------------------
 
-// XYZ has no header: the meaning of its columns is inferred from the numbers of the whole file
+// Without a header the meaning of columns is inferred from the numbers of the whole file
 // (range, whole numbers, length), and only where one reading is possible. O(numbers).
 
 /// The columns that follow the position, over all rows.
@@ -160,6 +160,8 @@ Result<NamedColumns> recognizeNine(const ExtraColumns& extra) {
 }
 
 std::string usualName(std::string_view word) {
+    std::string_view plain = word.substr(0, word.find_first_of("[("));  // "X_[m]"
+    while (!plain.empty() && plain.back() == '_') plain.remove_suffix(1);
     constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kNames{{
         {"x", "x"},
         {"y", "y"},
@@ -189,7 +191,7 @@ std::string usualName(std::string_view word) {
         {"normals:1", "ny"},
         {"normals:2", "nz"},
     }};
-    const std::string lower = lowerCase(word);
+    const std::string lower = lowerCase(plain);
     for (const auto& [known, usual] : kNames) {
         if (known == lower) return std::string(usual);
     }
@@ -416,7 +418,11 @@ class XyzReader : LineByLine {
         std::size_t from = 0;  ///< Number of rows before it.
     };
 
-    bool isCount() const { return row_.size() == 1 && rowDigits_[0] != 0; }
+    /// Not after rows that no count announces: there a line that is cut short may look so.
+    bool isCount() const {
+        return row_.size() == 1 && rowDigits_[0] != 0 && row_[0] > 0.0 &&
+               (file_.position.empty() || counts_ > 0);
+    }
 
     bool takeCount() {
         if (!endCount()) return false;
@@ -460,6 +466,10 @@ class XyzReader : LineByLine {
     }
 
     bool readRow(std::string_view content) {
+        while (!content.empty() && isSpace(content.back())) content.remove_suffix(1);
+        if (content.find('\r') != std::string_view::npos) {
+            return fail("the file has line ends of two kinds, CR and LF; save it with LF alone");
+        }
         if (!checkSeparators(content)) return false;
         row_.clear();
         rowDigits_.clear();
@@ -499,6 +509,9 @@ class XyzReader : LineByLine {
             return fail("expected a number between two semicolons; correct the line");
         }
         const Commas commas = commasOf(content);
+        if (commas == Commas::Mixed && !hasFieldsBetween(content, ',', content.size())) {
+            return fail("expected a number between two commas; write nan, or remove the column");
+        }
         const bool decimal = commas == Commas::Decimal;
         if (file_.position.empty()) decimalComma_ = decimal;
         if (commas == Commas::Mixed) {
@@ -577,6 +590,10 @@ class XyzReader : LineByLine {
                               "in a line before the points, such as \"# id x y z\"");
             }
             Result<NamedColumns> named = recognizeColumns(extra_);
+            if (!named && isPts()) {
+                named = NamedColumns{{"intensity", "red", "green", "blue"},
+                                     "in the order of PTS files, which begin with a count"};
+            }
             if (!named) return failIn(firstLine_, named.error().message);
             names_ = std::move(named.value().names);
             file_.columns.reason = std::move(named.value().reason);
@@ -590,6 +607,11 @@ class XyzReader : LineByLine {
         for (const std::string& name : all)
             file_.columns.names += (file_.columns.names.empty() ? "" : " ") + name;
         return true;
+    }
+
+    /// Seven columns after a count, of which the last three can be colors.
+    bool isPts() const {
+        return counts_ > 0 && others_.size() == 4 && isColorful(lookOf(extra_, 1));
     }
 
     /// A sentence such as "x y z in mm, up" may have as many words as there are columns. It does
@@ -657,8 +679,8 @@ class XyzReader : LineByLine {
     std::vector<double> row_;
     std::vector<char> rowDigits_;   // Per number of the row: 1 if it is digits alone.
     std::vector<char> digitsOnly_;  // Per column: 1 while all numbers are digits alone.
-    bool namedInRow_ = false;       // header_ is from a row, not from a comment.
-    bool startsWithCount_ = false;  // The first row is three whole numbers.
+    bool namedInRow_ = false;       // named_ is from a row, not from a comment.
+    bool startsWithCount_ = false;  // The first row is "N 0 0", of 3 or more.
     Count count_;                   // The last one.
     std::size_t counts_ = 0;
     bool decimalComma_ = false;

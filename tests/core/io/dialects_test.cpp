@@ -77,6 +77,7 @@ TEST_CASE("Text: UTF-16 and line ends of CR alone are read") {
     const std::string text = "1 2 3\n4 5 6\n";
     for (const bool big : {false, true})
         CHECK(mustRead(inUtf16(text, big), "a.xyz").position == mustRead(text).position);
+    CHECK(mustRead(inUtf16("1 2 3\r4 5 6\r", false)).position == mustRead(text).position);
     CHECK(mustRead("1 2 3\r4 5 6\r").position == mustRead(text).position);
     CHECK(mustRead("# x y z\r1 2 3\r").position.size() == 1);
 }
@@ -120,7 +121,25 @@ TEST_CASE("XYZ: a first row of names is a header, with any separator and quotati
     CHECK(file.position[0] == Vec3(1, 2, 3));
     CHECK(column(file, "Scalar_field") == std::vector<double>{0.5});
     CHECK(contains(errorOf("x,y,z,w\n1,2,3\n"), "line 2: found 3 numbers, but line 1 names 4"));
-    CHECK(contains(errorOf("a,b,c\n1,2,3\n", "a.csv"), "of no known kind"));
+    CHECK(contains(errorOf("a,b,c\n1,2,3\n", "a.csv"), "names of columns with x, y and z"));
+    CHECK(mustRead("X [m],Y [m],Z [m]\n1,2,3\n").position[0] == Vec3(1, 2, 3));
+    CHECK(contains(errorOf("x,y,z,i\n0,0,0,1\n0,0,,1\n"), "line 3: expected a number between"));
+}
+
+TEST_CASE("XYZ: a last row that is cut to one digit is no count") {
+    CHECK(contains(errorOf("0.5 0 0\n1 0 0\n0.25 1 0\n0"), "line 4: expected 3 numbers"));
+    CHECK(contains(errorOf("0.5 0 0\n1 0 0\n0.25 1 0\n3"), "line 4: expected 3 numbers"));
+}
+
+TEST_CASE("XYZ: seven columns after a count are those of PTS files") {
+    const PointFile file = mustRead("2\n0.5 0 0 7 10 20 30\n1 0 0 9 40 50 60\n", "a.pts");
+    CHECK(column(file, "intensity") == std::vector<double>{7, 9});
+    CHECK(column(file, "red") == std::vector<double>{10, 40});
+}
+
+TEST_CASE("XYZ: line ends of two kinds are refused") {
+    CHECK(contains(errorOf("0.5 0 0\r0.1 0.2 -0.9\n"), "line ends of two kinds"));
+    CHECK(mustRead("0.5 0 0\r\n0.1 0.2 -0.9\r\n").position.size() == 2);
 }
 
 TEST_CASE("PTX: each scan is moved by its matrix, and places without a return are not numbers") {
@@ -168,6 +187,10 @@ TEST_CASE("OBJ: a backslash continues a statement in the next line") {
     const PointFile file = mustRead("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 \\\n 2 \\\n 3\n");
     CHECK(file.position[0] == Vec3(0, 0, 0));
     CHECK(file.faces == std::vector<Triangle>{{0, 1, 2}});
+    // A path of Windows is none, and an empty line ends a statement.
+    CHECK(mustRead("mtllib C:\\m\\\nv 0 0 0\n").position.size() == 1);
+    CHECK(mustRead("v 0 0 0 \\\n\nv 1 0 0\n").position.size() == 2);
+    CHECK(contains(errorOf("v 0 0 0 v 1 0 0\n"), "expected a color"));
 }
 
 TEST_CASE("PLY: a text row may go on in the next line, if it ends there") {
@@ -237,6 +260,11 @@ TEST_CASE("STL: corners at one place are one point, in text and binary") {
     // The first point has both normals; the second triangle that of its winding, +x.
     CHECK(glm::distance(file.normal[0], glm::normalize(Vec3(1, 0, 1))) < 1e-12);
     CHECK(contains(errorOf(replaced(text, "vertex 0 1 0\nendloop", "endloop")), "three corners"));
+    CHECK(contains(errorOf(replaced(text, "endfacet\nfacet", "facet")), "has no endfacet"));
+    CHECK(contains(errorOf(replaced(text, "endsolid\n", "")), "without endsolid"));
+    CHECK(mustRead("\n " + replaced(text, "solid a", "SOLID a")).position.size() == 4);
+    CHECK_FALSE(readPoints("\nsolid x\nfacet normal 0 0 1\n", "a").ok());
+    CHECK_FALSE(readPoints("solid", "a.stl").ok());
 
     const PointFile cube = findScene("sphere")->build();
     const std::vector<Triangle> triangles{{0, 1, 2}, {2, 1, 3}};
@@ -258,6 +286,12 @@ TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
     CHECK(column(file, "green") == std::vector<double>{1, 1});
     for (std::size_t size = 4; size < lasOfTwo().size(); ++size)
         CHECK_FALSE(readPoints(lasOfTwo().substr(0, size), "cut.las").ok());
+    std::string flagged = lasOfTwo();
+    flagged[227 + 15] = '\x46';  // With a flag above the class.
+    CHECK(column(mustRead(flagged), "classification") == std::vector<double>{6, 6});
+    std::string nowhere = lasOfTwo();
+    nowhere.replace(96, 4, 4, '\0');
+    CHECK(contains(errorOf(nowhere), "byte 96"));
     std::string packed = lasOfTwo();
     packed[104] = '\x82';
     CHECK(contains(errorOf(packed), "laszip -i"));

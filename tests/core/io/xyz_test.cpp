@@ -183,7 +183,7 @@ TEST_CASE("XYZ: commas that could be either are refused with their line") {
     CHECK(contains(errorOf("0,1 0,2 0,3\n1 2 3\n"), "line 2: expected one decimal comma"));
     CHECK(contains(errorOf("0,1 0,2 0,3\n1,2,3\n"), "line 2: expected one decimal comma"));
     CHECK(contains(errorOf("1 2 3\n0,1 0,2 0,3\n"), "line 2: found decimal commas"));
-    CHECK(contains(errorOf("1,2,3,4,,6\n"), "line 1: expected commas"));
+    CHECK(contains(errorOf("1,2,3,4,,6\n"), "line 1: expected a number between two commas"));
     CHECK(contains(errorOf("1;2;3;;5;6;7\n"), "line 1: expected a number between two semicolons"));
 }
 

@@ -10,7 +10,7 @@
 namespace se {
 
 /// The bytes of a gzip file of one or several streams; an Unpack of readPoints(). Errors begin with
-/// `name`: damaged, cut short, or more than `limit`, which is never exceeded in memory.
+/// `name`: damaged, cut short, or more than `limit`, of which at most 1 MiB more is unpacked.
 Result<std::string> unpackGzip(std::string_view packed, const std::string& name,
                                const ByteLimit& limit);
 
