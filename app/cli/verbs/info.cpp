@@ -140,8 +140,9 @@ void addFacts(const Facts& facts, Answer& answer) {
          {"nearest_distance", Json()}});
     if (const auto& place = file.viewpoint) {
         answer.json["viewpoint"] = {place->x, place->y, place->z};
-        answer.line("viewpoint", fmt::format("{:g} {:g} {:g}: the sensor, which open sheets face",
-                                             place->x, place->y, place->z));
+        answer.line("viewpoint",
+                    fmt::format("{:g} {:g} {:g}: the sensor; open sheets without normals face it",
+                                place->x, place->y, place->z));
     }
     answer.line("kept", keptSentence(facts.points));
     answer.line("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
