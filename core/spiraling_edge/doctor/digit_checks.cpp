@@ -62,8 +62,8 @@ bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     std::vector<double> distances;
     for (Index p = 0; p < examined.size(); ++p) {
         if (!examined.present[p] || examined.nearest[p].empty()) continue;
-        if (!cells.insert(cellOf(p)).second) return false;
         const auto here = cellOf(p);
+        if (!cells.insert(here).second) return false;
         double nearest = std::numeric_limits<double>::max();
         for (const Index q : examined.nearest[p]) {
             const auto there = cellOf(q);
