@@ -444,8 +444,6 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
     return success();
 }
 
-/// Whole numbers up to this one are exact as double.
-constexpr double kGreatestWhole = 9007199254740992.0;
 std::string wholeText(double value) {
     if (std::abs(value) > kGreatestWhole) return value < 0.0 ? "less than -2^53" : "more than 2^53";
     return std::to_string(static_cast<std::int64_t>(value));

@@ -8,6 +8,7 @@
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se {
 namespace {
@@ -53,11 +54,6 @@ std::string extensionOf(const fs::path& path) {
     return extension == ".gz" ? lowerExtension(path.stem()) : extension;
 }
 
-bool isXyzName(const std::string& extension) {
-    return std::find(kXyzExtensions.begin(), kXyzExtensions.end(), extension) !=
-           kXyzExtensions.end();
-}
-
 /// A line of XYZ that begins with two slashes, as CloudCompare writes it.
 bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
 
@@ -83,8 +79,9 @@ void appendUtf8(std::string& text, std::uint32_t code) {
         add(0x80U | (code >> (6U * static_cast<unsigned>(i)) & 0x3fU));
 }
 
-/// A text in UTF-16, after its byte order mark, as UTF-8. Halves of pairs alone become "?".
 enum class ByteOrder : std::uint8_t { Little, Big };
+
+/// A text in UTF-16, after its byte order mark, as UTF-8. Halves of pairs alone become "?".
 std::string fromUtf16(std::string_view bytes, ByteOrder order) {
     std::string text;
     text.reserve(bytes.size() / 2);
@@ -113,9 +110,8 @@ std::string recoded(std::string_view bytes) {
     if (bytes.starts_with("\xff\xfe")) decoded = fromUtf16(bytes.substr(2), ByteOrder::Little);
     if (bytes.starts_with("\xfe\xff")) decoded = fromUtf16(bytes.substr(2), ByteOrder::Big);
     if (!decoded.empty()) bytes = decoded;
-    const bool oneLine = bytes.find('\n') == std::string_view::npos;
-    const bool text = bytes.find('\0') == std::string_view::npos;
-    if (!oneLine || !text || bytes.find('\r') == std::string_view::npos) return decoded;
+    const auto holds = [&](char c) { return bytes.find(c) != std::string_view::npos; };
+    if (holds('\n') || holds('\0') || !holds('\r')) return decoded;
     std::string lines(bytes);
     std::replace(lines.begin(), lines.end(), '\r', '\n');
     return lines;
@@ -123,12 +119,12 @@ std::string recoded(std::string_view bytes) {
 
 /// Columns of 64-bit integers become double, which formats know; beyond 2^53 they lose digits.
 void narrowColumns(PointFile& file) {
-    constexpr double kExact = 9007199254740992.0;
     for (Attribute& column : file.attributes) {
         if (column.type != ScalarType::Int64 && column.type != ScalarType::UInt64) continue;
         column.type = ScalarType::Double;
-        const bool exact = std::all_of(column.values.begin(), column.values.end(),
-                                       [](double value) { return std::abs(value) < kExact; });
+        const bool exact =
+            std::all_of(column.values.begin(), column.values.end(),
+                        [](double value) { return std::abs(value) < io::kGreatestWhole; });
         if (!exact) {
             file.notes.push_back("column " + column.name +
                                  ": numbers above 2^53 have lost their last digits");
@@ -200,7 +196,8 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name,
         if (bytes.starts_with(kind.magic)) return Error{name + ": " + kind.remedy};
     }
     // Its error says how rows and names of columns have to be.
-    if (isXyzName(start.extension)) return io::readXyz(bytes, name);
+    const PointFormat* named = pointFormatOf(name);
+    if (named != nullptr && named->read == io::readXyz) return named->read(bytes, name);
     return Error{name + ": is of no known kind. " + readableText()};
 }
 

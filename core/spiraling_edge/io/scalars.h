@@ -64,6 +64,9 @@ inline std::string_view nameOf(ScalarType type) {
 /// True if numbers in little endian files are in the other byte order than those of this machine.
 inline constexpr bool kLittleIsSwapped = std::endian::native == std::endian::big;
 
+/// Whole numbers up to 2^53 are exact as double.
+inline constexpr double kGreatestWhole = 9007199254740992.0;
+
 /// The scalar at `bytes`, in the other byte order if `swapped`.
 template <typename Scalar>
 Scalar loadScalar(const char* bytes, bool swapped) {
