@@ -162,36 +162,37 @@ void addFaults(const RunOutcome& outcome, Json& json) {
         if (listed) list.push_back(faultRow(failure));
     }
     json["judged"] = orNull(outcome.judged);
+    json["facts"] = outcome.facts ? inputFactsJson(*outcome.facts) : Json();
     json["fault_list"] = list;
     addPlaces(outcome.places, inspection.failures, rowOf, kMaxFaults, json);
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
-    for (const SetAside& each : setAsides())
-        json["set_aside"][std::string(each.key)] = report.*each.count;
+    json["set_aside"] = setAsideJson(report.aside);
     json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
     json["neighbors_computed"] = report.neighborsComputed;
     const DerivedPieces& derived = report.derived;
-    json["derived"] = {{"normals", derived.normals},
-                       {"orientation", derived.orientation},
-                       {"types", derived.types},
-                       {"rim", derived.rim},
-                       {"neighbors", report.neighborsComputed},
-                       {"completed_normals", derived.completedNormals},
-                       {"turned_normals", derived.turnedNormals},
-                       {"normal_components", derived.normalComponents},
-                       {"unknown_sides", derived.unknownSides},
-                       {"planeless_points", derived.planelessPoints},
-                       {"rim_points", derived.rimPoints},
-                       {"rim_chains", derived.rimChains},
-                       {"seconds",
-                        {{"normals", derived.normalSeconds},
-                         {"orientation", derived.orientationSeconds},
-                         {"types", derived.typeSeconds},
-                         {"rim", derived.rimSeconds},
-                         {"neighbors", derived.neighborSeconds}}}};
+    json["derived"] = {
+        {"normals", derived.normals},
+        {"orientation", derived.orientation},
+        {"types", derived.types},
+        {"rim", derived.rim},
+        {"neighbors", report.neighborsComputed},
+        {"completed_normals", derived.completedNormals},
+        {"turned_normals", derived.turnedNormals},
+        {"normal_components", derived.normalComponents},
+        {"planeless_points", derived.normals ? report.count(Aside::NoNormal) : std::size_t{0}},
+        {"unknown_sides", derived.unknownSides},
+        {"rim_points", derived.rimPoints},
+        {"rim_chains", derived.rimChains},
+        {"seconds",
+         {{"normals", derived.normalSeconds},
+          {"orientation", derived.orientationSeconds},
+          {"types", derived.typeSeconds},
+          {"rim", derived.rimSeconds},
+          {"neighbors", derived.neighborSeconds}}}};
 }
 
 void addRules(const RunOutcome& outcome, Json& json) {
@@ -218,12 +219,15 @@ void addAlerts(const std::vector<Alert>& alerts, Json& json) {
 /// "3 isolated, 2 stranded"; empty if every point is used.
 std::string leftOverSentence(const RunOutcome& outcome) {
     std::string text;
+    const std::size_t aside = outcome.prepared.countAside();
     const auto add = [&](std::size_t count, const char* what) {
         if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
     };
-    add(outcome.state.counters.isolated, "isolated");
+    // Points that were set aside have no neighbors, and are said above.
+    const auto besides = [&](std::size_t count) { return count - std::min(count, aside); };
+    add(besides(outcome.state.counters.isolated), "isolated");
     add(outcome.state.counters.stranded, "stranded");
-    add(outcome.mesh.unusedPoints, "in no triangle");
+    add(besides(outcome.mesh.unusedPoints), "in no triangle");
     return text;
 }
 
@@ -245,10 +249,6 @@ std::string derivedSentence(const DerivedPieces& derived) {
     if (derived.rim) {
         appendPart(text, fmt::format("{} with {}", counted(derived.rimChains, "rim"),
                                      counted(derived.rimPoints, "point")));
-    }
-    if (derived.planelessPoints > 0) {
-        appendPart(text, fmt::format("{} without a plane omitted",
-                                     counted(derived.planelessPoints, "point")));
     }
     return text;
 }
@@ -352,7 +352,7 @@ std::string summaryText(const RunOutcome& outcome) {
     if (!outcome.columns.reason.empty()) summary.line("columns", columnsSentence(outcome.columns));
     addNotes(outcome.notes, summary);
     summary.line("kept", keptSentence(outcome.points));
-    summary.line("set aside", setAsideSentence(outcome.prepared));
+    summary.line("set aside", setAsideSentence(outcome.prepared.aside));
     summary.line("derived", derivedSentence(outcome.prepared.derived));
     summary.line("left over", leftOverSentence(outcome));
     summary.line("open", openSentence(outcome.mesh));

@@ -43,9 +43,10 @@ struct RunOutcome {
     /// Set only if faults were searched.
     std::optional<MeshInspection> inspection;
     bool pairs = true;  ///< False: intersecting triangles and second layers were not searched.
-    std::vector<FaultPlace> places;  ///< Only with `pairs`.
-    MeshVerdict verdict;             ///< Only with `pairs`.
-    std::string judged;              ///< departureText(), with `pairs`.
+    std::vector<FaultPlace> places;   ///< Only with `pairs`.
+    MeshVerdict verdict;              ///< Only with `pairs`.
+    std::string judged;               ///< departureText(), with `pairs`.
+    std::optional<InputFacts> facts;  ///< With `pairs`.
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;

@@ -18,16 +18,6 @@ constexpr std::array kMeshDefects{
     MeshDefect{"flipped_triangles", "flipped triangle", &MeshReport::flippedTriangles},
 };
 
-constexpr std::array kSetAsides{
-    SetAside{"non_finite", "not finite", &PrepareReport::nonFinitePoints},
-    SetAside{"zero_normals", "without a normal direction", &PrepareReport::zeroNormals},
-    SetAside{"duplicates", "copies of another point", &PrepareReport::duplicatePoints},
-    SetAside{"noise", "above or below others, where noise is as wide as the spacing",
-             &PrepareReport::noisyPoints},
-    SetAside{"strays", "far from all others", &PrepareReport::strays},
-    SetAside{"dropped", "that the doctor proposes to drop", &PrepareReport::leftOut},
-};
-
 }  // namespace
 
 std::span<const MeshDefect> meshDefects() { return kMeshDefects; }
@@ -64,15 +54,98 @@ std::string defectSentence(const MeshReport& mesh) {
     return text;
 }
 
-std::span<const SetAside> setAsides() { return kSetAsides; }
-
-std::string setAsideSentence(const PrepareReport& report) {
+std::string setAsideSentence(const std::array<std::size_t, kAsides>& aside) {
     std::string text;
-    for (const SetAside& each : kSetAsides) {
-        if (report.*each.count > 0)
-            appendPart(text, fmt::format("{} {}", report.*each.count, each.words));
+    for (const AsideWords& each : asideReasons()) {
+        const std::size_t count = aside[static_cast<std::size_t>(each.reason)];
+        if (count > 0) appendPart(text, fmt::format("{} {}", count, each.words));
     }
     return text;
+}
+
+Json setAsideJson(const std::array<std::size_t, kAsides>& aside) {
+    Json json = Json::object();
+    for (const AsideWords& each : asideReasons())
+        json[std::string(each.name)] = aside[static_cast<std::size_t>(each.reason)];
+    return json;
+}
+
+namespace {
+
+std::string spacingSentence(const InputFacts& facts) {
+    if (facts.nearestMost == 0.0) return {};
+    return fmt::format("nearest point at {:g} in the median, {:g} to {:g}{}", facts.nearestMedian,
+                       facts.nearestLeast, facts.nearestMost,
+                       facts.across > 0.0 ? "; in lines: " + spacingText(facts) : "");
+}
+
+std::string normalsSentence(const InputFacts& facts, bool given) {
+    if (!facts.hasNormals) {
+        std::string text =
+            given ? "most are zero or not finite: a run derives all" : "none: a run derives them";
+        if (facts.unknownSides > 0)
+            text += "; " + unknownSidesText(facts.unknownSides, facts.sideParts);
+        return text;
+    }
+    std::string text = "yes";
+    if (facts.completedNormals > 0)
+        text +=
+            fmt::format(", but {} zero or not finite: a run derives these", facts.completedNormals);
+    if (!facts.normalsFit)
+        text += fmt::format(
+            "; they do not fit: {:.0f} degrees off the planes of the points in the "
+            "median",
+            facts.normalDegrees);
+    if (facts.flippedNormals > 0)
+        text += fmt::format("; {} against those about them", facts.flippedNormals);
+    if (facts.unscaledNormals > 0)
+        text += fmt::format("; {} not of unit length", facts.unscaledNormals);
+    return text;
+}
+
+std::string piecesSentence(const InputFacts& facts) {
+    std::string text = facts.pieces > 0 ? counted(facts.pieces, "piece") : "";
+    if (facts.openings > 0) appendPart(text, counted(facts.openings, "opening"));
+    return text;
+}
+
+}  // namespace
+
+void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer) {
+    answer.json["facts"] = inputFactsJson(facts);
+    answer.line("spacing", spacingSentence(facts));
+    answer.line("normals", normalsSentence(facts, givenNormals));
+    answer.line("set aside", setAsideSentence(facts.aside));
+    if (facts.twins > 0)
+        answer.line("twins", fmt::format("{} much nearer to another than to the rest",
+                                         counted(facts.twins, "point")));
+    answer.line("pieces", piecesSentence(facts));
+}
+
+Json inputFactsJson(const InputFacts& facts) {
+    return {{"points", facts.points},
+            {"in_run", facts.count(Aside::No)},
+            {"set_aside", setAsideJson(facts.aside)},
+            {"twins", facts.twins},
+            {"box",
+             {{"low", {facts.low.x, facts.low.y, facts.low.z}},
+              {"high", {facts.high.x, facts.high.y, facts.high.z}}}},
+            {"nearest_distance",
+             {{"least", facts.nearestLeast},
+              {"median", facts.nearestMedian},
+              {"most", facts.nearestMost}}},
+            {"lines", facts.across > 0.0 ? Json({{"along", facts.along}, {"across", facts.across}})
+                                         : Json()},
+            {"normals",
+             {{"given", facts.hasNormals},
+              {"fit", facts.normalsFit},
+              {"degrees_off", facts.normalDegrees},
+              {"flipped", facts.flippedNormals},
+              {"completed", facts.completedNormals},
+              {"not_of_unit_length", facts.unscaledNormals},
+              {"parts_of_unknown_side", facts.unknownSides}}},
+            {"pieces", facts.pieces},
+            {"openings", facts.openings}};
 }
 
 std::string keptSentence(const KeptPoints& points) {

@@ -1,6 +1,7 @@
 /// Sentences about meshes and points that `run` and `info` share.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "input.h"
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/points/input_facts.h"
 #include "spiraling_edge/prepare/prepare.h"
 
 namespace se::cli {
@@ -26,15 +28,14 @@ struct MeshDefect {
 std::span<const MeshDefect> meshDefects();
 /// "2 non-manifold edges, 1 flipped triangle"; empty if there is none.
 std::string defectSentence(const MeshReport& mesh);
-/// A reason to set points aside: its key in JSON, its words, its count.
-struct SetAside {
-    std::string_view key;
-    std::string_view words;
-    std::size_t PrepareReport::*count;
-};
-std::span<const SetAside> setAsides();
-/// "15 not finite, 50 duplicates"; empty if nothing was set aside.
-std::string setAsideSentence(const PrepareReport& report);
+/// "15 not finite, 50 copies of another point": numbers of points by Aside; empty if all are 0.
+std::string setAsideSentence(const std::array<std::size_t, kAsides>& aside);
+/// The same as an object by reason.
+Json setAsideJson(const std::array<std::size_t, kAsides>& aside);
+/// The record of the input as lines: spacing, normals, points set aside, twins, pieces; in JSON as
+/// `facts`. `givenNormals`: the file has a column of normals.
+void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer);
+Json inputFactsJson(const InputFacts& facts);
 /// "12345 of 1000000 points: crop, thin 0.5"; empty for a whole file.
 std::string keptSentence(const KeptPoints& points);
 /// The same with the box; null for a whole file.

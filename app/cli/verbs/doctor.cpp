@@ -12,6 +12,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/why/tried_fixes.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -21,6 +22,7 @@ struct DoctorArguments {
     InputArguments input;
     std::string fixed;
     std::vector<std::string> drop;
+    bool tryMany = false;
     bool json = false;
     bool quiet = false;
     ForceOption force;
@@ -38,6 +40,9 @@ struct DoctorArguments {
             ->allow_extra_args(false)
             ->needs(fix);
         force.addTo(app, ", or where fewer than half of the distinct points would be left");
+        app.add_flag("--try", tryMany,
+                     fmt::format("Try the commands that are named on more than {} points, too",
+                                 kManyForFixes));
         app.add_flag("--json", json, "As JSON, with all indices");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
         std::string footer = "\nChecks (docs/doctor.md), * fixed by --fix:\n";
@@ -80,6 +85,14 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
                            [&](const Progress& progress) { return examine(file, progress); });
 }
 
+/// Tries the commands that the findings name.
+void tryCommands(const DoctorArguments& arguments, const PointFile& file, ProgressLine& line,
+                 Diagnosis& diagnosis) {
+    if (arguments.quiet || (file.position.size() > kManyForFixes && !arguments.tryMany)) return;
+    runWithProgress("trying fixes on", arguments.input.input(), line,
+                    [&](const Progress& progress) { return tryFixes(file, diagnosis, progress); });
+}
+
 std::string placesText(const std::vector<Index>& points) {
     constexpr std::size_t kShown = 10;
     std::string text;
@@ -101,6 +114,9 @@ Answer findingAnswer(const Finding& finding, const std::string& input) {
          {"section", check.section},
          {"upsets", check.upsets},
          {"remedy", orNull(remedy)},
+         {"tried", finding.tried
+                       ? Json({{"helps", finding.tried->helps}, {"text", finding.tried->text}})
+                       : Json()},
          {"mended", check.hasSafeFix()},
          {"points", finding.points}}};
     const auto addLine = [&](std::string_view label, std::string_view sentence) {
@@ -108,7 +124,10 @@ Answer findingAnswer(const Finding& finding, const std::string& input) {
     };
     addLine("at point", placesText(finding.points));
     addLine(fmt::format("section {}:", check.section), check.upsets);
-    addLine("try:", remedy);
+    addLine(finding.tried || remedy.empty() ? "try:" : "try (not tried here):", remedy);
+    if (finding.tried && finding.tried->helps) addLine("tried:", finding.tried->text);
+    if (finding.tried && !finding.tried->helps)
+        addLine("without gain:", remedyFor(check, input) + ": " + finding.tried->text);
     return answer;
 }
 
@@ -144,8 +163,8 @@ void addFixed(const Visit& visit, Answer& answer) {
 
 Answer visitAnswer(const Visit& visit) {
     const std::size_t count = visit.findings.findings.size();
-    const Vec3& extent = visit.findings.extent;
-    const std::string size = sizeText(visit.findings);
+    const InputFacts& facts = visit.findings.facts;
+    const std::string size = sizeText(facts);
     const std::string kept = keptSentence(visit.points);
     const Answer found = findingsAnswer(visit.findings, visit.inputWords);
     Answer answer{fmt::format("{}: {}{}{}, {}\n", printable(visit.input),
@@ -154,8 +173,7 @@ Answer visitAnswer(const Visit& visit) {
                   {{"input", visit.input},
                    {"points", visit.points.kept},
                    {"piece", keptJson(visit.points)},
-                   {"spacing", visit.findings.spacing},
-                   {"extent", {extent.x, extent.y, extent.z}},
+                   {"facts", inputFactsJson(facts)},
                    {"accused", hasProblem(visit.findings)},
                    {"findings", found.json},
                    {"fixed", Json()}}};
@@ -199,6 +217,7 @@ ExitCode doctorVerb(const Arguments& words) {
                 arguments.fixed,
                 {},
                 {}};
+    if (arguments.fixed.empty()) tryCommands(arguments, file, line, visit.findings);
     if (!arguments.fixed.empty()) {
         const ProposedDrop drop = proposedDrop(visit.findings, arguments.drop);
         visit.fixed = applyFixes(file, drop.points, drop.reason);

@@ -304,8 +304,7 @@ std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)
         return fmt::format("the run made no triangle of {}", counted(points, "point"));
-    std::size_t setAside = 0;
-    for (const SetAside& each : setAsides()) setAside += outcome.prepared.*each.count;
+    const std::size_t setAside = outcome.prepared.countAside();
     if (setAside <= outcome.mesh.usedPoints) return {};
     return fmt::format("more points were set aside ({}) than used ({})", setAside,
                        outcome.mesh.usedPoints);
@@ -410,6 +409,7 @@ ExitCode runVerb(const Arguments& words) {
                             }),
             outcome.params);
         outcome.judged = departureText(*prepared.points.judge);
+        outcome.facts = prepared.points.judge->facts;
     }
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;

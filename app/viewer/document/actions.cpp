@@ -53,8 +53,7 @@ void escape(C& c) {
     if (ui.piece.on) return endPieceTool(c);
     if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
     const bool picked = c.session.selection().kind != SelectionKind::None ||
-                        !c.session.highlights().marked().empty() ||
-                        c.session.alerts().chosen().has_value();
+                        c.session.highlights().any() || c.session.alerts().chosen().has_value();
     c.session.select(Selection{});
     c.session.highlights().mark({});
     c.session.alerts().choose({});

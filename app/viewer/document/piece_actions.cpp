@@ -144,14 +144,14 @@ void bringBack(CommandContext& context, const AsidePoints& group) {
     const RunSpec& spec = session.input().spec();
     Document& document = context.document;
     actions::pause(context);
-    if (group.reason == AsideReason::LeftOut) document.runWithout({});
-    if (group.reason == AsideReason::Fixed) {
+    if (group.isLeftOut()) document.runWithout({});
+    if (!group.fix.empty()) {
         std::vector<std::string> fixes = spec.fixes;
         std::erase(fixes, group.fix);
         document.runWithFixes(std::move(fixes));
     }
-    if (group.reason == AsideReason::Noise) document.rerun(withRule(spec, "noise", 0.0));
-    if (group.reason == AsideReason::Stray) document.rerun(withRule(spec, "strays", 0.0));
+    if (group.reason == Aside::Noise) document.rerun(withRule(spec, "noise", 0.0));
+    if (group.reason == Aside::Stray) document.rerun(withRule(spec, "strays", 0.0));
 }
 
 namespace actions {

@@ -164,6 +164,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         context.ui.facts.of(session).present,
         now.mesh,
         session.highlights().marked(),
+        session.highlights().lines(),
         now.moment,
         &session.meshIndex(),
         seedBefore(session),
@@ -220,6 +221,7 @@ void ScenePainter::fillTrace(const CommandContext& run, const DecisionState& sta
     input.selection = session.selection();
     input.hovered = session.highlights().hovered();
     input.marked = session.highlights().marked();
+    input.markedLines = session.highlights().lines();
     input.mesh = now.mesh;
     input.theme = settings.theme;
     input.names = session.names();

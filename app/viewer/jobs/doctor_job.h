@@ -18,17 +18,26 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
     void enqueue(std::shared_ptr<const PointFile> file);
     /// Starts the examination, unless it was done.
     void start();
+    /// Tries the commands of the findings, in a thread (tried_fixes.h); not on many points.
+    /// Requires done().
+    void tryFixes();
+    /// Takes their effects. True if there was anything new.
+    bool pollFixes() { return fixes_.poll(); }
+    void waitUntilTried() { fixes_.waitUntilDone(); }
     bool done() const { return answer() != nullptr; }
-    /// Empty before the examination is done.
+    /// Empty before the examination is done; with Finding::tried once all were tried.
     std::span<const Finding> findings() const {
-        return done() ? std::span<const Finding>(answer()->findings) : std::span<const Finding>{};
+        if (!done()) return {};
+        return fixes_.answer() != nullptr ? fixes_.answer()->findings : answer()->findings;
     }
 
-    /// "0.42 between points, 213 x 140 x 90"; empty before the examination is done.
-    std::string sizeText() const { return done() ? se::sizeText(*answer()) : std::string{}; }
+    /// InputFacts in words; empty before the examination is done.
+    std::string sizeText() const { return done() ? se::sizeText(answer()->facts) : std::string{}; }
 
   private:
-    std::shared_ptr<const PointFile> file_;  ///< Null once it is examined.
+    std::shared_ptr<const PointFile> file_;      ///< Null once it is examined.
+    std::shared_ptr<const PointFile> examined_;  ///< Null before.
+    BackgroundQuery<Diagnosis> fixes_;
 };
 
 /// Points of a finding that are highlighted: all, or evenly chosen ones if there are more than

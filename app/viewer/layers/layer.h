@@ -21,6 +21,7 @@
 #include "scene/mesh_index.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
+#include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/run/live_check.h"
 #include "spiraling_edge/run/pivot_replay.h"
 #include "spiraling_edge/why/failure_moments.h"
@@ -42,7 +43,8 @@ struct LayerInput {
     Selection selection{};  ///< The selected edge or triangle as well.
     bool selectionPresent = true;
     MeshColoring mesh{};
-    std::span<const Index> marked{};  ///< Points that are highlighted.
+    std::span<const Index> marked{};              ///< Points that are highlighted,
+    std::span<const EvidenceLine> markedLines{};  ///< and lines.
     Moment moment{};
     const MeshIndex* meshIndex = nullptr;  ///< Index of `triangles`.
     Index seedBefore = kNone;              ///< The first point of the ring before this one.

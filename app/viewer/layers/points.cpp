@@ -62,7 +62,7 @@ std::uint8_t styleOf(const LayerInput& in, PointStatus status, std::size_t point
 }
 
 bool isAside(const Model& model, std::size_t point) {
-    return !model.points.setAside.empty() && model.points.setAside[point];
+    return model.points.isAside(static_cast<Index>(point));
 }
 
 /// Computes the styles of the points in blocks that have changed.

@@ -36,6 +36,11 @@ void addSelection(const LayerInput& in, DrawList& out) {
 
 /// Highlighted points, such as those of a finding: a ring around each, over everything else.
 void addMarked(const LayerInput& in, DrawList& out) {
+    constexpr float kLineWidth = 1.5F;
+    for (const EvidenceLine& each : in.markedLines) {
+        out.line(in.model.toView(each.from), in.model.toView(each.to),
+                 each.asItShouldBe ? in.palette.used : in.palette.rejected, kLineWidth);
+    }
     const float size = in.marked.size() > kLargeMarks ? 0.32F : 0.95F;
     for (const Index p : in.marked) {
         if (!in.model.drawable[p]) continue;

@@ -1,80 +1,40 @@
 #include "aside.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
 #include <utility>
-
-#include "spiraling_edge/points/usable_points.h"
 
 namespace se::view {
 
 namespace {
 
-struct ReasonRow {
-    AsideReason reason;
-    std::string_view name;
-    std::string_view text;
-    std::string_view back;  ///< Effect of a click that returns the points; empty: there is none.
-};
-
-constexpr std::array kReasons = {
-    ReasonRow{AsideReason::LeftOut, "left_out", "left out in the view", "Runs with them again."},
-    ReasonRow{AsideReason::Fixed, "fixed", "dropped by the fix of ",
-              "Takes that fix back, and runs without it."},
-    ReasonRow{AsideReason::NotFinite, "not_finite", "without a finite position: cannot be drawn",
-              ""},
-    ReasonRow{AsideReason::Copy, "copy", "set aside: another point is at the same place", ""},
-    ReasonRow{AsideReason::NoPlane, "no_plane", "set aside: no plane fits their neighbors", ""},
-    ReasonRow{AsideReason::Noise, "noise", "set aside for noise",
-              "Turns the rule noise off, and runs with all points."},
-    ReasonRow{AsideReason::Stray, "strays", "set aside: far from all others",
-              "Turns the rule strays off, and runs with them."},
-};
-
-const ReasonRow& rowOf(AsideReason reason) {
-    const ReasonRow& row = kReasons[static_cast<std::size_t>(reason)];
-    assert(row.reason == reason);
-    return row;
-}
-
-AsideReason reasonOf(const PointSet& points, Index p, Fitness fitness) {
-    switch (fitness) {
-        case Fitness::NonFinite:
-            return AsideReason::NotFinite;
-        case Fitness::Copy:
-            return AsideReason::Copy;
-        case Fitness::Usable:
-            break;
-    }
-    if (!points.stray.empty() && points.stray[p]) return AsideReason::Stray;
-    return points.normal[p] == Vec3(0.0) ? AsideReason::NoPlane : AsideReason::Noise;
+const AsideWords& wordsOf(const AsidePoints& group) {
+    const std::span<const AsideWords> all = asideReasons();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const AsideWords& each) {
+        return each.reason == group.reason;
+    });
+    assert(found != all.end());
+    return *found;
 }
 
 }  // namespace
 
 std::vector<AsidePoints> asideOf(const PointSet& points) {
-    std::array<AsidePoints, kReasons.size()> byReason;
-    for (const ReasonRow& row : kReasons)
-        byReason[static_cast<std::size_t>(row.reason)].reason = row.reason;
-    std::vector<Fitness> fitness;
-    for (Index p = 0; p < points.setAside.size(); ++p) {
-        if (!points.setAside[p]) continue;
-        if (fitness.empty()) fitness = fitnessOf(points.position);
-        AsidePoints& group = byReason[static_cast<std::size_t>(reasonOf(points, p, fitness[p]))];
-        group.points.push_back(p);
-        ++group.count;
-    }
     std::vector<AsidePoints> groups;
-    for (AsidePoints& group : byReason) {
+    for (const AsideWords& each : asideReasons()) {
+        AsidePoints group{each.reason};
+        for (Index p = 0; p < points.aside.size(); ++p) {
+            if (points.aside[p] == each.reason) group.points.push_back(p);
+        }
+        group.count = group.points.size();
         if (group.count > 0) groups.push_back(std::move(group));
     }
     return groups;
 }
 
-AsidePoints asideOf(const PointFile& file, const std::vector<bool>& keep, AsideReason reason,
-                    std::string fix) {
+AsidePoints leftOutOf(const PointFile& file, const std::vector<bool>& keep, std::string fix) {
     assert(keep.size() == file.position.size());
-    AsidePoints group{reason, std::move(fix)};
+    AsidePoints group{Aside::LeftOut, std::move(fix)};
     for (std::size_t p = 0; p < keep.size(); ++p) {
         if (keep[p]) continue;
         ++group.count;
@@ -90,13 +50,21 @@ std::size_t countOf(const std::vector<AsidePoints>& groups) {
 }
 
 std::string nameOf(const AsidePoints& group) {
-    return group.fix.empty() ? std::string(rowOf(group.reason).name) : group.fix;
+    return group.fix.empty() ? std::string(wordsOf(group).name) : group.fix;
 }
 
 std::string reasonText(const AsidePoints& group) {
-    return std::string(rowOf(group.reason).text) + group.fix;
+    if (!group.fix.empty()) return "dropped by the fix of " + group.fix;
+    if (group.isLeftOut()) return "left out in the view";
+    return std::string(wordsOf(group).words);
 }
 
-std::string_view returnText(AsideReason reason) { return rowOf(reason).back; }
+std::string_view returnText(const AsidePoints& group) {
+    if (!group.fix.empty()) return "Takes that fix back, and runs without it.";
+    if (group.isLeftOut()) return "Runs with them again.";
+    if (group.reason == Aside::Noise) return "Turns the rule noise off, and runs with all points.";
+    if (group.reason == Aside::Stray) return "Turns the rule strays off, and runs with them.";
+    return {};
+}
 
 }  // namespace se::view

@@ -78,7 +78,7 @@ Status repair(const std::string& name, const ProposedDrop& drop, std::span<const
     const std::vector<Index> left = takeNumbers(file);
     std::vector<bool> keep(before.position.size(), false);
     for (const Index p : left) keep[p] = true;
-    AsidePoints dropped = asideOf(before, keep, AsideReason::Fixed, name);
+    AsidePoints dropped = leftOutOf(before, keep, name);
     if (dropped.count > 0) done.dropped.push_back(std::move(dropped));
     for (std::size_t i = 0; i < left.size(); ++i) done.kept[i] = done.kept[left[i]];
     done.kept.resize(left.size());

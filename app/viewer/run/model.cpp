@@ -169,7 +169,7 @@ std::string changesText(const Model& model) {
     }
     if (model.fixed) add("Repaired: " + fixesText(model) + ".");
     for (const AsidePoints& each : model.aside) {
-        if (each.reason != AsideReason::LeftOut) continue;
+        if (!each.isLeftOut()) continue;
         add("Left out: " + grouped(each.count) + " of " + grouped(model.pointsInPiece) +
             " points.");
     }
@@ -212,17 +212,33 @@ struct Extent {
     double radius = 0.0;
 };
 
-/// Moves the points, and those that were left out, into the unit sphere.
-void frameModel(Model& model) {
-    std::vector<std::span<const Vec3>> shown{model.points.position};
-    const Extent own(shown);
-    for (const AsidePoints& each : model.aside) {
-        const bool near = std::all_of(each.position.begin(), each.position.end(), [&](auto& p) {
-            return glm::length(p - own.center) <= kNearRadii * own.radius;
-        });
-        if (near || each.reason == AsideReason::LeftOut) shown.emplace_back(each.position);
+/// The points that take part in the run; all if none does.
+std::vector<Vec3> positionsInRun(const PointSet& points) {
+    std::vector<Vec3> position;
+    for (Index p = 0; p < points.size(); ++p) {
+        if (!points.isAside(p)) position.push_back(points.position[p]);
     }
-    const Extent all = shown.size() > 1 ? Extent(shown) : own;
+    return position.empty() ? points.position : position;
+}
+
+/// Moves the points, and those that were left out or set aside nearby, into the unit sphere.
+void frameModel(Model& model) {
+    const std::vector<Vec3> inRun = positionsInRun(model.points);
+    std::vector<std::span<const Vec3>> shown{inRun};
+    const Extent own(shown);
+    const auto isNear = [&](const Vec3& p) {
+        return glm::length(p - own.center) <= kNearRadii * own.radius;
+    };
+    std::vector<Vec3> nearAside;
+    for (const AsidePoints& each : model.aside) {
+        if (each.isLeftOut() || std::all_of(each.position.begin(), each.position.end(), isNear))
+            shown.emplace_back(each.position);
+        for (const Index p : each.points) {
+            if (isNear(model.points.position[p])) nearAside.push_back(model.points.position[p]);
+        }
+    }
+    shown.emplace_back(nearAside);
+    const Extent all(shown);
     model.center = all.center;
     model.scale = all.radius > 0.0 && std::isfinite(all.radius) ? 1.0 / all.radius : 1.0;
     model.boxHalf = glm::vec3(0.5 * model.scale * (own.high - own.low));
@@ -269,7 +285,7 @@ Status leaveOut(const IndexRanges& leftOut, PointFile& file, Model& model) {
     if (leftOut.empty()) return success();
     std::vector<bool> keep = marksOf(leftOut, count);
     keep.flip();
-    AsidePoints aside = asideOf(file, keep, AsideReason::LeftOut);
+    AsidePoints aside = leftOutOf(file, keep);
     if (aside.count == 0) return success();
     if (aside.count == count) return Error{"All " + grouped(count) + " points are left out."};
     for (Index p = 0; p < count; ++p) {

@@ -10,9 +10,10 @@ void Highlights::hover(Index point) {
     ++revision_;
 }
 
-void Highlights::mark(std::vector<Index> points) {
-    if (marked_ == points) return;
+void Highlights::mark(std::vector<Index> points, std::vector<EvidenceLine> lines) {
+    if (marked_ == points && lines_ == lines) return;
     marked_ = std::move(points);
+    lines_ = std::move(lines);
     ++revision_;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/types.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 namespace se::view {
 
@@ -17,7 +18,10 @@ class Highlights {
     void hover(Index point);
     /// Points that are highlighted, such as those of a finding; none by default.
     std::span<const Index> marked() const { return marked_; }
-    void mark(std::vector<Index> points);
+    void mark(std::vector<Index> points, std::vector<EvidenceLine> lines = {});
+    /// Lines that are highlighted with them.
+    std::span<const EvidenceLine> lines() const { return lines_; }
+    bool any() const { return !marked_.empty() || !lines_.empty(); }
     /// Points that show their names, such as the possible answers to a question; none by default.
     std::span<const Index> labeled() const { return labeled_; }
     void label(std::vector<Index> points);
@@ -37,6 +41,7 @@ class Highlights {
     Index chosenRing_ = kNone;
     Index hoveredRing_ = kNone;
     std::vector<Index> marked_;
+    std::vector<EvidenceLine> lines_;
     std::vector<Index> labeled_;
     std::uint32_t revision_ = 0;
 };

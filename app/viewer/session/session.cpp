@@ -141,9 +141,11 @@ bool Session::pollLast() {
     if (!ready() || !runner_->made()) return false;
     doctorJob_.start();
     const bool examined = doctorJob_.poll();
+    if (examined && doctorJob_.done()) doctorJob_.tryFixes();
+    const bool tried = doctorJob_.pollFixes();
     if (!doctorJob_.busy()) alerts_.start(runner_->end());
     const bool alerted = alerts_.poll();
-    const bool news = trials_.poll() || alerted;
+    const bool news = trials_.poll() || alerted || tried;
     if (!examined) return news;
     const auto found = doctorJob_.findings();
     problemFound_ =

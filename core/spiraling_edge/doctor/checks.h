@@ -2,6 +2,7 @@
 /// of them share, computed once.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -12,6 +13,7 @@
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/given_normals.h"
+#include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
@@ -46,18 +48,12 @@ struct ExaminedFile {
     explicit ExaminedFile(const PointFile& points) : file(points) {}
 
     const PointFile& file;
-    std::vector<Fitness> fitness;
-    /// Points that are finite and no copy, with any normal.
-    std::vector<bool> present;
+    Intake intake;
     std::size_t presentCount = 0;
-    std::vector<Vec3> normal;  ///< Scaled; zero where there is no direction. Empty if none at all.
-    NeighborLists nearest;     ///< The 12 nearest present points, with any normals.
     /// Distance to the sixth nearest point, or to the last if there are fewer: on an even surface
     /// a point has six others about it. 0 without others.
     std::vector<double> spacing;
     double middleSpacing = 0.0;  ///< Median over the present points.
-    NormalFit fit;               ///< Of the given normals to the planes of the points.
-    bool normalsFit = false;     ///< normalsFit(); false without normals.
     /// The normals fit, or are rough: near enough to the planes that their sides tell something.
     bool normalsNear = false;
     Sides sides;  ///< Without normals that are near: no components.
@@ -66,13 +62,18 @@ struct ExaminedFile {
     std::optional<MixedUnits> units;  ///< Nothing: one unit, as far as the points show.
 
     Index size() const { return static_cast<Index>(file.position.size()); }
+    const std::vector<bool>& present() const { return intake.present; }
+    const NeighborLists& nearest() const { return intake.nearest; }
+    const std::vector<Vec3>& normal() const { return intake.normal; }
+    /// The given normals fit the points.
+    bool normalsFit() const { return intake.judge->facts.normalsFit; }
     /// True if the point is present and has a normal. Requires a file with normals.
     bool hasSide(Index p) const {
-        assert(p < normal.size());
-        return present[p] && normal[p] != Vec3(0.0);
+        assert(p < normal().size());
+        return present()[p] && normal()[p] != Vec3(0.0);
     }
     /// Its normal, turned to the side of the rest of its component if it is flipped.
-    Vec3 side(Index p) const { return sides.flipped[p] ? -normal[p] : normal[p]; }
+    Vec3 side(Index p) const { return sides.flipped[p] ? -normal()[p] : normal()[p]; }
     double distance(Index p, Index q) const;
 };
 
@@ -97,6 +98,21 @@ std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
     return points;
 }
 
+/// Lines at about 400 of the present points: `at(p)` returns one, or nothing.
+template <typename At>
+std::vector<EvidenceLine> evidenceAt(const ExaminedFile& examined, At&& at) {
+    constexpr std::size_t kPlaces = 400;
+    const std::size_t step = std::max<std::size_t>(1, examined.presentCount / kPlaces);
+    std::vector<EvidenceLine> lines;
+    std::size_t next = 0;
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (!examined.present()[p] || next++ % step != 0) continue;
+        const std::optional<EvidenceLine> line = at(p);
+        if (line) lines.push_back(*line);
+    }
+    return lines;
+}
+
 /// A finding at these points (ascending), or nothing if there are none. Its text is their number,
 /// as "3 points", and `what`.
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
@@ -105,6 +121,7 @@ std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
 // position_checks.cpp: single points
 std::optional<Finding> findNonFinite(const ExaminedFile& examined);
 std::optional<Finding> findDuplicates(const ExaminedFile& examined);
+std::optional<Finding> findSentinels(const ExaminedFile& examined);
 std::optional<Finding> findTooFewPoints(const ExaminedFile& examined);
 // Distances between points.
 std::optional<Finding> findNearDuplicates(const ExaminedFile& examined);

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "spiraling_edge/doctor/checks.h"
-#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
@@ -23,7 +22,7 @@ double stepOf(const ExaminedFile& examined, Vec3::length_type axis, double size)
         constexpr double kRounding = 1e-6;
         for (Index p = 0; p < examined.size(); ++p) {
             const double steps = position[p][axis] / step;
-            if (examined.present[p] && !(std::abs(steps - std::round(steps)) < kRounding))
+            if (examined.present()[p] && !(std::abs(steps - std::round(steps)) < kRounding))
                 return false;
         }
         return true;
@@ -61,11 +60,11 @@ bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     std::set<std::array<double, 3>> cells;
     std::vector<double> distances;
     for (Index p = 0; p < examined.size(); ++p) {
-        if (!examined.present[p] || examined.nearest[p].empty()) continue;
+        if (!examined.present()[p] || examined.nearest()[p].empty()) continue;
         const auto here = cellOf(p);
         if (!cells.insert(here).second) return false;
         double nearest = std::numeric_limits<double>::max();
-        for (const Index q : examined.nearest[p]) {
+        for (const Index q : examined.nearest()[p]) {
             const auto there = cellOf(q);
             nearest = std::min(
                 nearest, std::hypot(here[0] - there[0], here[1] - there[1], here[2] - there[2]));
@@ -80,12 +79,12 @@ Steps wideSteps(const ExaminedFile& examined) {
     // Rounding moves points by 0.3 steps: less is little noise.
     constexpr double kWide = 0.2;
     constexpr double kFar = 20.0;  // Times the longest extent.
-    const WallBox box = boxAround(examined.file.position);
-    const Vec3 extent = box.high - box.low;
+    const InputFacts& facts = examined.intake.judge->facts;
+    const Vec3 extent = facts.extent();
     const double longest = std::max({extent.x, extent.y, extent.z});
     Steps steps{};
     for (Vec3::length_type axis = 0; axis < 3; ++axis) {
-        const double size = std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
+        const double size = std::max(std::abs(facts.low[axis]), std::abs(facts.high[axis]));
         if (!(size > kFar * longest) || !(extent[axis] > 0.0)) continue;
         const double step = stepOf(examined, axis, size);
         if (step > kWide * examined.middleSpacing) steps[static_cast<std::size_t>(axis)] = step;
@@ -105,12 +104,21 @@ std::optional<Finding> findLostDigits(const ExaminedFile& examined) {
         text += text.empty() ? "" : ", and ";
         text += std::string(1, "xyz"[axis]) + " keeps steps of " + shortNumber(steps[axis]);
     }
-    return Finding{
+    Finding finding{
         nullptr,
         Severity::Warning,
         examined.presentCount,
         {},
         text + ": digits were lost; the spacing is " + shortNumber(examined.middleSpacing)};
+    const auto widest = std::max_element(steps.begin(), steps.end());
+    Vec3 step(0.0);
+    step[static_cast<Vec3::length_type>(widest - steps.begin())] = 0.5 * *widest;
+    // A point was anywhere within half a step to either side.
+    finding.lines = evidenceAt(examined, [&](Index p) {
+        const Vec3& x = examined.file.position[p];
+        return std::optional(EvidenceLine{x - step, x + step});
+    });
+    return finding;
 }
 
 }  // namespace se

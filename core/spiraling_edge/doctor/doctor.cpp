@@ -30,6 +30,9 @@ constexpr std::array kChecks{
     DoctorCheck{"duplicates", "3",
                 "\"There is only one point at any particular location\": copies are set aside.",
                 kFix, Fix::Repair, findDuplicates},
+    DoctorCheck{"sentinels", "3",
+                "Lists and sizes would reach to a place where no surface is: these are set aside.",
+                kFix, Fix::Repair, findSentinels},
     DoctorCheck{"too_few_points", "4",
                 "An edge ring begins with two points, and a triangle needs a third.", "", Fix::None,
                 findTooFewPoints},
@@ -144,16 +147,6 @@ bool isRough(const NormalFit& fit) {
            static_cast<double>(fit.near) >= kFitLimits.nearShare * static_cast<double>(fit.places);
 }
 
-/// Measures whether the given normals fit, as the judge of meshes does.
-void measureFit(ExaminedFile& examined) {
-    if (!examined.file.hasNormals()) return;
-    std::vector<Vec3> normal = examined.normal;
-    averageOverCopies(examined.file.position, normal);
-    examined.fit = fitOf({examined.file.position, normal, examined.present, examined.nearest});
-    examined.normalsFit = normalsFit(examined.fit);
-    examined.normalsNear = examined.normalsFit || isRough(examined.fit);
-}
-
 }  // namespace
 
 std::string_view severityName(Severity severity) {
@@ -182,17 +175,10 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
 }
 
 std::string remedyFor(const Finding& finding, std::string_view input, std::string_view output) {
-    if (finding.dropsAll()) return {};
+    if (finding.dropsAll() || (finding.tried && !finding.tried->helps)) return {};
     std::string command = remedyFor(*finding.check, input, output);
     if (finding.dropsMost()) command.append(" ").append(kForceOption);
     return command;
-}
-
-std::string sizeText(const Diagnosis& diagnosis) {
-    if (diagnosis.spacing == 0.0) return {};
-    const Vec3& extent = diagnosis.extent;
-    return shortNumber(diagnosis.spacing) + " between points, " + shortNumber(extent.x) + " x " +
-           shortNumber(extent.y) + " x " + shortNumber(extent.z);
 }
 
 bool hasProblem(const Diagnosis& diagnosis) {
@@ -218,30 +204,23 @@ double ExaminedFile::distance(Index p, Index q) const {
 }
 
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress) {
-    if (const Status status = checkColumns(file); !status) return status.error();
     ExaminedFile examined{file};
-    examined.fitness = fitnessOf(file.position);
-    examined.normal = unitNormals(file.normal);
-    for (const Fitness fitness : examined.fitness) {
-        const bool present = fitness == Fitness::Usable;
-        examined.present.push_back(present);
-        examined.presentCount += present ? 1U : 0U;
-    }
-    Result<NeighborLists> lists =
-        nearestPoints(file.position, examined.present, KNearest{}.k, 0, progress);
-    if (!lists) return lists.error();
-    examined.nearest = std::move(lists.value());
+    Result<Intake> intake = takeIn(file, progress);
+    if (!intake) return intake.error();
+    examined.intake = std::move(intake.value());
+    examined.presentCount = static_cast<std::size_t>(
+        std::count(examined.present().begin(), examined.present().end(), true));
     examined.spacing.resize(file.position.size(), 0.0);
     for (Index p = 0; p < examined.size(); ++p) {
-        const auto list = examined.nearest[p];
+        const auto list = examined.nearest()[p];
         if (list.empty()) continue;
         examined.spacing[p] = examined.distance(p, list[std::min(kAround, list.size()) - 1]);
     }
     examined.middleSpacing = medianAboveZero(examined.spacing);
-    measureFit(examined);
+    examined.normalsNear = examined.normalsFit() || isRough(examined.intake.fit);
     if (examined.normalsNear) {
         examined.sides =
-            sidesOf({file.position, examined.normal, examined.present, examined.nearest});
+            sidesOf({file.position, examined.normal(), examined.present(), examined.nearest()});
     } else {
         examined.sides = {std::vector<Index>(file.position.size(), kNone),
                           std::vector<bool>(file.position.size(), false)};
@@ -262,8 +241,7 @@ std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
     const Result<ExaminedFile> examined = examineFile(file, partOf(progress, 0.0, kSearchShare));
     if (!examined) return examined.error();
-    const WallBox box = boxAround(file.position);
-    Diagnosis diagnosis{{}, examined.value().middleSpacing, box.high - box.low};
+    Diagnosis diagnosis{{}, examined.value().intake.judge->facts};
     for (std::size_t i = 0; i < kChecks.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(kChecks.size());
         if (progress && !progress(kSearchShare + (1.0 - kSearchShare) * done))

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/points/input_facts.h"
 #include "spiraling_edge/points/point_file.h"
 #include "spiraling_edge/prepare/prepare.h"
 
@@ -60,6 +61,19 @@ std::span<const DoctorCheck> doctorChecks();
 /// Null if there is none of that name.
 const DoctorCheck* findDoctorCheck(std::string_view name);
 
+/// A line in space that shows a finding: in the unit of the file.
+struct EvidenceLine {
+    Vec3 from, to;
+    bool asItShouldBe = false;  ///< Not what is wrong, but what the points say instead.
+    friend bool operator==(const EvidenceLine&, const EvidenceLine&) = default;
+};
+
+/// The effect of a command that was tried on the file (why/tried_fixes.h).
+struct TriedFix {
+    bool helps = false;
+    std::string text;  ///< A piece of a sentence: "by paper sound (before faults at 4 places)".
+};
+
 /// A problem of a file, or a fact worth knowing about it.
 struct Finding {
     const DoctorCheck* check = nullptr;
@@ -76,7 +90,11 @@ struct Finding {
 
     /// The points that Fix::Drop leaves out.
     const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
-    std::size_t present = 0;  ///< Points with a place of their own, in the whole file.
+    /// Lines that show it, at some of the places: given normals beside those of the planes, pairs,
+    /// the way along lines of points, steps of rounded coordinates. At most 1,000.
+    std::vector<EvidenceLine> lines{};
+    std::optional<TriedFix> tried{};  ///< Nothing: not tried, or no command.
+    std::size_t present = 0;          ///< Points with a place of their own, in the whole file.
     /// True if Fix::Drop would leave fewer than half of the points: see requireMostLeft().
     bool dropsMost() const { return check->fix == Fix::Drop && 2 * toDrop().size() > present; }
     /// True if Fix::Drop would leave none: no remedy.
@@ -90,7 +108,7 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 
 /// The command that helps with a finding, with kForceOption where it drops most of the points;
-/// empty also if it would drop all.
+/// empty also if it would drop all, or was tried and does not help.
 std::string remedyFor(const Finding& finding, std::string_view input,
                       std::string_view output = "OUT.ply");
 
@@ -98,11 +116,8 @@ std::string remedyFor(const Finding& finding, std::string_view input,
 struct Diagnosis {
     /// Errors, then warnings, then notes; equals in the order of doctorChecks().
     std::vector<Finding> findings;
-    double spacing = 0.0;  ///< Median distance to the sixth nearest point; 0 without others.
-    Vec3 extent{0.0};      ///< Lengths of the box around the finite points.
+    InputFacts facts;  ///< Of the points, with or without findings.
 };
-/// "0.42 between points, 213 x 140 x 90", in the unit of the file; empty without two points.
-std::string sizeText(const Diagnosis& diagnosis);
 /// True if some finding is a problem.
 bool hasProblem(const Diagnosis& diagnosis);
 

@@ -1,6 +1,7 @@
 /// Repairs of a file that need no guess, each with a line in the report. Points are dropped at the
 /// end, together, and lists and faces renumbered once. O(file).
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -44,17 +45,19 @@ class FixApplication {
     }
 
     void markUnfit() {
-        fitness_ = fitnessOf(file_.position);
-        std::size_t notFinite = 0;
-        std::size_t copies = 0;
-        for (std::size_t p = 0; p < fitness_.size(); ++p) {
-            keep_[p] = fitness_[p] == Fitness::Usable;
-            if (fitness_[p] == Fitness::NonFinite) ++notFinite;
-            if (fitness_[p] == Fitness::Copy) ++copies;
+        unusable_ = unusablePoints(file_.position);
+        std::array<std::size_t, kAsides> count{};
+        for (std::size_t p = 0; p < unusable_.size(); ++p) {
+            keep_[p] = unusable_[p] == Aside::No;
+            ++count[static_cast<std::size_t>(unusable_[p])];
         }
-        note("non_finite", notFinite, "point with a coordinate that is not finite dropped",
+        const auto of = [&](Aside reason) { return count[static_cast<std::size_t>(reason)]; };
+        note("non_finite", of(Aside::NotFinite),
+             "point with a coordinate that is not finite dropped",
              "points with coordinates that are not finite dropped");
-        note("duplicates", copies, "exact copy dropped", "exact copies dropped");
+        note("duplicates", of(Aside::Copy), "exact copy dropped", "exact copies dropped");
+        note("sentinels", of(Aside::Sentinel), "point where a missing value was written dropped",
+             "points where a missing value was written dropped");
     }
 
     /// Normals without a direction: takes all normals out, to be derived, if most are so; else
@@ -162,7 +165,7 @@ class FixApplication {
 
     void moveFaces() {
         if (file_.faces.empty()) return;
-        const std::vector<Index> original = originalsOf(file_.position, fitness_);
+        const std::vector<Index> original = originalsOf(file_.position, unusable_);
         const auto moved = [&](Index p) {
             return original[p] == kNone ? kNone : number_[original[p]];
         };
@@ -180,7 +183,7 @@ class FixApplication {
     PointFile file_;
     std::vector<AppliedFix> fixes_;
     std::vector<bool> keep_;
-    std::vector<Fitness> fitness_;
+    std::vector<Aside> unusable_;
     std::vector<Index> number_;  // empty if no point is dropped
 };
 

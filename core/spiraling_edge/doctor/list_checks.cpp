@@ -78,7 +78,7 @@ std::optional<Finding> findShortLists(const ExaminedFile& examined) {
     const PointFile& file = examined.file;
     auto points = pointsWhere(file.neighbors.size(), [&](Index p) {
         const std::size_t least = file.hasTypes() && isBoundary(file.type[p]) ? 2 : 3;
-        return examined.present[p] && file.neighbors[p].size() < least;
+        return examined.present()[p] && file.neighbors[p].size() < least;
     });
     return findingAt(std::move(points), Severity::Warning,
                      "with fewer than three entries, or two at a wall", "list");

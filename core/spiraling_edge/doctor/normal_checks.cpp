@@ -18,9 +18,9 @@ namespace se {
 std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
     if (examined.file.hasNormals() || examined.size() == 0) return std::nullopt;
     std::string text = "the file has no normals";
-    std::vector<Vec3> normal = estimateNormals(examined.file.position, examined.nearest).value();
+    std::vector<Vec3> normal = estimateNormals(examined.file.position, examined.nearest()).value();
     const OrientationReport sides =
-        orientNormals(examined.file.position, examined.nearest, normal).value();
+        orientNormals(examined.file.position, examined.nearest(), normal).value();
     if (sides.unknownSides > 0)
         text += "; " + unknownSidesText(sides.unknownSides, sides.components);
     return Finding{nullptr, Severity::Warning, examined.size(), {}, std::move(text)};
@@ -29,8 +29,8 @@ std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
 std::optional<Finding> findZeroNormals(const ExaminedFile& examined) {
     const std::vector<Vec3>& normal = examined.file.normal;
     auto points = pointsWhere(
-        normal.size(), [&](Index p) { return examined.present[p] && !hasDirection(normal[p]); });
-    const bool all = lacksNormals(normal, examined.present);
+        normal.size(), [&](Index p) { return examined.present()[p] && !hasDirection(normal[p]); });
+    const bool all = lacksNormals(normal, examined.present());
     return findingAt(std::move(points), Severity::Warning,
                      std::string("with a normal that is zero, NaN or infinite: ") +
                          (all ? "most, so all normals are derived from the positions"
@@ -49,8 +49,8 @@ std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined) {
 std::optional<Finding> findCloseSheets(const ExaminedFile& examined) {
     if (!examined.normalsNear) return std::nullopt;
     auto points = pointsWhere(examined.size(), [&](Index p) {
-        if (!examined.hasSide(p) || examined.nearest[p].empty()) return false;
-        const Index q = examined.nearest[p].front();
+        if (!examined.hasSide(p) || examined.nearest()[p].empty()) return false;
+        const Index q = examined.nearest()[p].front();
         return examined.hasSide(q) && normalsOppose(examined.side(p), examined.side(q));
     });
     // Many shapes have thin parts. If every second point has its nearest on another sheet, the

@@ -56,7 +56,7 @@ struct NormalTrial {
             present[p] = true;
         }
         const NormalFit fit = fitOf(
-            {examined.file.position, unitNormals(std::move(normal)), present, examined.nearest});
+            {examined.file.position, unitNormals(std::move(normal)), present, examined.nearest()});
         return fit.places >= kFitLimits.leastPlaces &&
                fit.medianCosine >= kFitLimits.medianCosine && normalsFit(fit);
     }
@@ -114,12 +114,12 @@ std::string asOneDirection(const NormalTrial& trial) {
     constexpr double kAlike = 0.98480775301220802;  // 10 degrees
     constexpr std::size_t kMostOfTwenty = 19;
     Vec3 sum(0.0);
-    for (const Index p : trial.points) sum += trial.examined.normal[p];
+    for (const Index p : trial.points) sum += trial.examined.normal()[p];
     if (!hasDirection(sum)) return {};
     const Vec3 mean = glm::normalize(sum);
-    const auto alike = static_cast<std::size_t>(
-        std::count_if(trial.points.begin(), trial.points.end(),
-                      [&](Index p) { return glm::dot(trial.examined.normal[p], mean) >= kAlike; }));
+    const auto alike = static_cast<std::size_t>(std::count_if(
+        trial.points.begin(), trial.points.end(),
+        [&](Index p) { return glm::dot(trial.examined.normal()[p], mean) >= kAlike; }));
     if (20 * alike < kMostOfTwenty * trial.points.size()) return {};
     return "they are alike: " + percentOf(alike, trial.points.size()) +
            " are within 10 degrees of " + placeText(mean);
@@ -131,7 +131,7 @@ std::optional<Vec3> meetingOf(const NormalTrial& trial, const Vec3& middle) {
     glm::dmat3 sum(0.0);
     Vec3 right(0.0);
     for (const Index p : trial.points) {
-        const Vec3& n = trial.examined.normal[p];
+        const Vec3& n = trial.examined.normal()[p];
         const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(n, n);
         sum += across;
         right += across * (trial.examined.file.position[p] - middle);
@@ -155,7 +155,7 @@ std::string asLinesOfSight(const NormalTrial& trial) {
     const auto along = static_cast<std::size_t>(
         std::count_if(trial.points.begin(), trial.points.end(), [&](Index p) {
             const Vec3 sight = *place - trial.examined.file.position[p];
-            return std::abs(glm::dot(trial.examined.normal[p], sight)) >=
+            return std::abs(glm::dot(trial.examined.normal()[p], sight)) >=
                    kAlong * glm::length(sight);
         }));
     if (10 * along < kMostOfTen * trial.points.size()) return {};
@@ -171,21 +171,21 @@ std::string asChance(const NormalTrial& trial) {
     const auto byChance = [](double cosine) { return cosine > kLeast && cosine < kMost; };
     std::vector<double> cosines;
     for (const Index p : trial.points) {
-        const auto list = trial.examined.nearest[p];
+        const auto list = trial.examined.nearest()[p];
         if (list.empty()) continue;
         cosines.push_back(
-            std::abs(glm::dot(trial.examined.normal[p], trial.examined.normal[list.front()])));
+            std::abs(glm::dot(trial.examined.normal()[p], trial.examined.normal()[list.front()])));
     }
     if (cosines.empty()) return {};
     const double median = medianOf(cosines);
-    if (!byChance(median) || !byChance(trial.examined.fit.medianCosine)) return {};
+    if (!byChance(median) || !byChance(trial.examined.intake.fit.medianCosine)) return {};
     return "they look random: those of nearest points are " + shortNumber(angleOf(median)) +
            " degrees apart in the median";
 }
 
 /// About the same angle everywhere.
 std::string asTilted(const NormalTrial& trial) {
-    const NormalFit& fit = trial.examined.fit;
+    const NormalFit& fit = trial.examined.intake.fit;
     constexpr double kSteep = 50.0;
     constexpr double kLeastShare = 0.4;
     constexpr double kMostShare = 1.6;
@@ -203,10 +203,10 @@ constexpr std::array kKinds{asUnsigned,     asOtherAxes, asOneDirection,
 }  // namespace
 
 std::optional<Finding> findUnfitNormals(const ExaminedFile& examined) {
-    const NormalFit& fit = examined.fit;
+    const NormalFit& fit = examined.intake.fit;
     // Where most are missing, all are derived.
-    if (examined.normalsFit || fit.normals == 0 ||
-        lacksNormals(examined.file.normal, examined.present))
+    if (examined.normalsFit() || fit.normals == 0 ||
+        lacksNormals(examined.file.normal, examined.present()))
         return std::nullopt;
     std::string text = "the normals do not fit the points: they are " +
                        shortNumber(angleOf(fit.medianCosine)) +
@@ -220,7 +220,20 @@ std::optional<Finding> findUnfitNormals(const ExaminedFile& examined) {
         break;
     }
     const Severity severity = examined.normalsNear ? Severity::Note : Severity::Warning;
-    return Finding{nullptr, severity, fit.normals, {}, std::move(text)};
+    Finding finding{nullptr, severity, fit.normals, {}, std::move(text)};
+    const double length = 1.5 * examined.middleSpacing;
+    const auto normalAt = [&](const std::vector<Vec3>& normal, bool asItShouldBe) {
+        return evidenceAt(examined, [&](Index p) {
+            const Vec3& x = examined.file.position[p];
+            return std::optional(EvidenceLine{x, x + length * normal[p], asItShouldBe});
+        });
+    };
+    finding.lines = normalAt(examined.normal(), false);
+    // The judge's are derived, where given ones do not fit.
+    const auto right = normalAt(examined.intake.judge->points.normal, true);
+    if (!examined.normalsNear)
+        finding.lines.insert(finding.lines.end(), right.begin(), right.end());
+    return finding;
 }
 
 }  // namespace se

@@ -8,10 +8,7 @@
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
-#include "spiraling_edge/points/wall_types.h"
 #include "spiraling_edge/prepare/piece.h"
-#include "spiraling_edge/prepare/scan_lines.h"
-#include "spiraling_edge/prepare/twins.h"
 
 namespace se {
 namespace {
@@ -19,7 +16,7 @@ namespace {
 /// Of the present points those that --thin with this spacing leaves out.
 std::vector<Index> thinnedOut(const ExaminedFile& examined, double spacing) {
     std::vector<Index> points =
-        pointsWhere(examined.size(), [&](Index p) { return examined.present[p]; });
+        pointsWhere(examined.size(), [&](Index p) { return examined.present()[p]; });
     std::vector<Vec3> position;
     position.reserve(points.size());
     for (const Index p : points) position.push_back(examined.file.position[p]);
@@ -81,16 +78,16 @@ std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
     // Surfaces have 60 % and more, points in other units than the lists expect nearly none.
     constexpr double kSurface = 0.5;
     constexpr double kNoSurface = 0.1;
-    const WallBox box = boxAround(examined.file.position);
-    MixedUnits units{box.high - box.low};
+    const InputFacts& facts = examined.intake.judge->facts;
+    MixedUnits units{facts.extent()};
     if (!isOneAxisLong(units.extent)) return std::nullopt;
-    units.planar = planarShare(examined.file.position, examined.present, examined.nearest);
+    units.planar = planarShare(examined.file.position, examined.present(), examined.nearest());
     if (units.planar > kNoSurface) return std::nullopt;
     std::vector<Vec3> position = examined.file.position;
-    for (Vec3& x : position) x = (x - box.low) / units.extent;
-    const auto nearest = nearestPoints(position, examined.present, KNearest{}.k);
+    for (Vec3& x : position) x = (x - facts.low) / units.extent;
+    const auto nearest = nearestPoints(position, examined.present(), KNearest{}.k);
     if (!nearest) return std::nullopt;
-    units.planarScaled = planarShare(position, examined.present, nearest.value());
+    units.planarScaled = planarShare(position, examined.present(), nearest.value());
     if (units.planarScaled < kSurface) return std::nullopt;
     return units;
 }
@@ -112,15 +109,14 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
 
 std::optional<Finding> findTwins(const ExaminedFile& examined) {
     if (examined.units) return std::nullopt;
-    auto points = pointsWhere(examined.size(), [&](Index p) {
-        return twinOf(examined.file.position, p, examined.nearest[p]) != kNone;
-    });
+    auto points = pointsWhere(examined.size(),
+                              [&](Index p) { return examined.intake.judge->twinOf(p) != kNone; });
     if (2 * points.size() <= examined.presentCount) return std::nullopt;
     std::vector<double> pairs;
     std::vector<double> others;
     for (const Index p : points) {
-        pairs.push_back(examined.distance(p, examined.nearest[p][0]));
-        others.push_back(examined.distance(p, examined.nearest[p][1]));
+        pairs.push_back(examined.distance(p, examined.nearest()[p][0]));
+        others.push_back(examined.distance(p, examined.nearest()[p][1]));
     }
     const double apart = medianOf(pairs);
     // Between the pairs, and the other points about them.
@@ -133,18 +129,24 @@ std::optional<Finding> findTwins(const ExaminedFile& examined) {
                   "of " + std::to_string(examined.presentCount) +
                       " in pairs, as of two stations: the nearest point is " + shortNumber(apart) +
                       " away in the median, under a quarter of the distance to the fourth");
-    if (finding) thin(examined, spacing, *finding);
+    if (!finding) return finding;
+    thin(examined, spacing, *finding);
+    finding->lines = evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
+        const Index twin = examined.intake.judge->twinOf(p);
+        if (twin == kNone) return std::nullopt;
+        return EvidenceLine{examined.file.position[p], examined.file.position[twin]};
+    });
     return finding;
 }
 
 std::optional<Finding> findLines(const ExaminedFile& examined) {
-    const auto lines = scanLinesOf(examined.file.position, examined.present, examined.nearest);
-    if (!lines || examined.units) return std::nullopt;
+    const InputFacts& facts = examined.intake.judge->facts;
+    if (facts.across == 0.0 || examined.units) return std::nullopt;
     // Nearer lines have others in their lists. Farther ones are no surface that thinning would
     // show.
     constexpr double kLeast = 2.0;
     constexpr double kMost = 50.0;
-    const double ratio = lines->across / lines->along;
+    const double ratio = facts.across / facts.along;
     if (ratio < kLeast || ratio > kMost) return std::nullopt;
     // Points of one line stay nearly as far apart as lines.
     constexpr double kThinned = 0.9;
@@ -152,9 +154,15 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
                     Severity::Warning,
                     examined.presentCount,
                     {},
-                    "the points lie in lines: " + shortNumber(lines->along) +
-                        " apart along them, and " + shortNumber(lines->across) + " across"};
-    thin(examined, rounded(kThinned * lines->across), finding);
+                    "the points lie in lines: " + shortNumber(facts.along) +
+                        " apart along them, and " + shortNumber(facts.across) + " across"};
+    thin(examined, rounded(kThinned * facts.across), finding);
+    finding.lines = evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
+        const auto list = examined.nearest()[p];
+        if (list.empty()) return std::nullopt;
+        // All of the list lies along the line.
+        return EvidenceLine{examined.file.position[p], examined.file.position[list.back()]};
+    });
     return finding;
 }
 

@@ -13,18 +13,33 @@ namespace se {
 
 // ---- single points ------------------------------------------------------------------------------
 
+namespace {
+
+std::vector<Index> unusableFor(Aside reason, const ExaminedFile& examined) {
+    return pointsWhere(examined.size(),
+                       [&](Index p) { return examined.intake.unusable[p] == reason; });
+}
+
+}  // namespace
+
 std::optional<Finding> findNonFinite(const ExaminedFile& examined) {
-    auto points = pointsWhere(examined.size(),
-                              [&](Index p) { return examined.fitness[p] == Fitness::NonFinite; });
-    return findingAt(std::move(points), Severity::Error,
+    return findingAt(unusableFor(Aside::NotFinite, examined), Severity::Error,
                      "with a coordinate that is NaN or infinite");
 }
 
 std::optional<Finding> findDuplicates(const ExaminedFile& examined) {
-    auto points =
-        pointsWhere(examined.size(), [&](Index p) { return examined.fitness[p] == Fitness::Copy; });
-    return findingAt(std::move(points), Severity::Warning,
+    return findingAt(unusableFor(Aside::Copy, examined), Severity::Warning,
                      "exactly where a point with a lower index stands");
+}
+
+std::optional<Finding> findSentinels(const ExaminedFile& examined) {
+    std::vector<Index> points = unusableFor(Aside::Sentinel, examined);
+    if (points.empty()) return std::nullopt;
+    const Vec3& first = examined.file.position[points.front()];
+    return findingAt(std::move(points), Severity::Warning,
+                     "far off all others, as where a missing value was written: the first is at (" +
+                         shortNumber(first.x) + ", " + shortNumber(first.y) + ", " +
+                         shortNumber(first.z) + ")");
 }
 
 std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {
@@ -44,9 +59,10 @@ std::optional<Finding> findNearDuplicates(const ExaminedFile& examined) {
     // A thousandth of the spacing: a triangle on such a pair has an angle of 0.06 degrees, and no
     // surface sampled at that spacing has a detail of that size. Strong noise stays above 0.01.
     constexpr double kSamePointTolerance = 1e-3;
+    if (examined.units) return std::nullopt;
     std::vector<Index> points;
     for (Index p = 0; p < examined.size(); ++p) {
-        for (const Index q : examined.nearest[p]) {
+        for (const Index q : examined.nearest()[p]) {
             if (!(examined.distance(p, q) < kSamePointTolerance * examined.spacing[p])) break;
             points.push_back(std::max(p, q));
         }
@@ -67,17 +83,18 @@ constexpr double kFar = 8.0;
 /// Median of the spacings of the points that p lists.
 double spacingAround(const ExaminedFile& examined, Index p, std::vector<double>& room) {
     room.clear();
-    for (const Index q : examined.nearest[p]) room.push_back(examined.spacing[q]);
+    for (const Index q : examined.nearest()[p]) room.push_back(examined.spacing[q]);
     return medianOf(room);
 }
 
 /// Of the strays, those far by the second nearest point as well: single ones and pairs. The rest is
 /// found on clean sets, too.
 std::vector<bool> farStrays(const ExaminedFile& examined) {
-    std::vector<bool> far = strayPoints(examined.file.position, examined.present, examined.nearest);
+    std::vector<bool> far =
+        strayPoints(examined.file.position, examined.present(), examined.nearest());
     std::vector<double> room;
     for (Index p = 0; p < examined.size(); ++p) {
-        const auto list = examined.nearest[p];
+        const auto list = examined.nearest()[p];
         if (!far[p] || list.size() < 2) continue;
         far[p] = examined.distance(p, list[1]) > kFar * spacingAround(examined, p, room);
     }
@@ -100,12 +117,12 @@ std::vector<bool> scatteredPoints(const ExaminedFile& examined) {
     std::vector<bool> wanted(examined.size(), false);
     for (Index p = 0; p < examined.size(); ++p) {
         if (examined.spacing[p] >= kUsual * middle) continue;
-        for (const Index q : examined.nearest[p]) wanted[q] = true;
+        for (const Index q : examined.nearest()[p]) wanted[q] = true;
     }
     std::vector<bool> scattered(examined.size(), false);
     for (Index p = 0; p < examined.size(); ++p) {
         if (wanted[p] || examined.spacing[p] <= kSparse * middle) continue;
-        const Index nearest = examined.nearest[p].front();
+        const Index nearest = examined.nearest()[p].front();
         scattered[p] = examined.roughness[p].narrow > kOffSurface ||
                        examined.distance(p, nearest) > kSparse * examined.spacing[nearest];
     }
@@ -135,9 +152,9 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
 std::optional<Finding> findInLine(const ExaminedFile& examined) {
     if (examined.presentCount < 3) return std::nullopt;
     const Result<std::vector<Vec3>> planes =
-        estimateNormals(examined.file.position, examined.nearest);
+        estimateNormals(examined.file.position, examined.nearest());
     auto points = pointsWhere(examined.size(), [&](Index p) {
-        return examined.present[p] && planes.value()[p] == Vec3(0.0);
+        return examined.present()[p] && planes.value()[p] == Vec3(0.0);
     });
     const bool all = points.size() == examined.presentCount;
     return findingAt(std::move(points), all ? Severity::Error : Severity::Warning,
@@ -194,7 +211,7 @@ bool tieAbout(const std::vector<Offset>& near, std::size_t a, std::size_t b) {
 
 bool hasTie(const ExaminedFile& examined, Index p, std::vector<Offset>& near) {
     near.clear();
-    const auto list = examined.nearest[p];
+    const auto list = examined.nearest()[p];
     for (const Index q : list.first(std::min(kSquare, list.size()))) {
         const Vec3 offset = examined.file.position[q] - examined.file.position[p];
         near.push_back({offset, glm::dot(offset, offset)});
@@ -211,8 +228,9 @@ bool hasTie(const ExaminedFile& examined, Index p, std::vector<Offset>& near) {
 
 std::optional<Finding> findTies(const ExaminedFile& examined) {
     std::vector<Offset> near;
-    auto points = pointsWhere(
-        examined.size(), [&](Index p) { return examined.present[p] && hasTie(examined, p, near); });
+    auto points = pointsWhere(examined.size(), [&](Index p) {
+        return examined.present()[p] && hasTie(examined, p, near);
+    });
     // A lattice has ties everywhere. Ties in places occur in many scans and in machine parts whose
     // coordinates have few digits, and are no problem.
     const bool lattice = 10 * points.size() >= 9 * examined.presentCount;

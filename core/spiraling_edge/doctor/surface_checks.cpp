@@ -20,13 +20,13 @@ constexpr std::size_t kFitsPerThread = 1024;
 /// True if q may be in one sheet with p: thin parts are two surfaces, not two layers of one.
 bool onSameSide(const ExaminedFile& examined, Index p, Index q) {
     if (!examined.normalsNear || !examined.hasSide(p) || !examined.hasSide(q)) return true;
-    return !normalsOppose(examined.normal[p], examined.normal[q]);
+    return !normalsOppose(examined.normal()[p], examined.normal()[q]);
 }
 
 /// The point and its list.
 void smallPatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch) {
     patch.assign(1, p);
-    for (const Index q : examined.nearest[p]) {
+    for (const Index q : examined.nearest()[p]) {
         if (onSameSide(examined, p, q)) patch.push_back(q);
     }
 }
@@ -36,7 +36,7 @@ void widePatch(const ExaminedFile& examined, Index p, std::vector<Index>& patch)
     smallPatch(examined, p, patch);
     const std::size_t small = patch.size();
     for (std::size_t i = 1; i < small; ++i) {
-        for (const Index q : examined.nearest[patch[i]]) {
+        for (const Index q : examined.nearest()[patch[i]]) {
             if (onSameSide(examined, p, q)) patch.push_back(q);
         }
     }
@@ -141,11 +141,11 @@ std::vector<Index> surplusOf(const ExaminedFile& examined, const std::vector<Ind
 /// lists.
 std::vector<Index> regionOf(const ExaminedFile& examined, const std::vector<Index>& points) {
     if (2 * points.size() > examined.presentCount)
-        return pointsWhere(examined.size(), [&](Index p) { return examined.present[p]; });
+        return pointsWhere(examined.size(), [&](Index p) { return examined.present()[p]; });
     std::vector<bool> within(examined.size(), false);
     for (const Index p : points) {
         within[p] = true;
-        for (const Index q : examined.nearest[p]) within[q] = true;
+        for (const Index q : examined.nearest()[p]) within[q] = true;
     }
     return pointsWhere(examined.size(), [&](Index p) { return within[p]; });
 }
@@ -158,7 +158,7 @@ std::vector<Roughness> roughnessOf(const ExaminedFile& examined) {
         std::vector<Index> patch;
         for (std::size_t i = from; i < to; ++i) {
             const auto p = static_cast<Index>(i);
-            if (!examined.present[p] || examined.spacing[p] == 0.0) continue;
+            if (!examined.present()[p] || examined.spacing[p] == 0.0) continue;
             smallPatch(examined, p, patch);
             if (const auto small = fitQuadric(examined.file.position, patch))
                 result[p].narrow = small->deviation / examined.spacing[p];

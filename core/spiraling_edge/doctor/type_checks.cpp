@@ -46,7 +46,7 @@ double levelOf(const ExaminedFile& examined, const Face& face) {
 /// True if the surface runs along the wall at p: then it only touches it, and is not cut there.
 bool touches(const ExaminedFile& examined, const Face& face, Index p) {
     constexpr double kAlong = 0.96592582628906829;  // within 15 degrees
-    return examined.file.hasNormals() && std::abs(examined.normal[p][face.axis]) > kAlong;
+    return examined.file.hasNormals() && std::abs(examined.normal()[p][face.axis]) > kAlong;
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ std::vector<Vec3> sidesOfPoints(const ExaminedFile& examined) {
 /// ones are those of the examination.
 bool allAgree(const ExaminedFile& examined, const std::vector<Vec3>& side) {
     for (Index p = 0; p < examined.size(); ++p) {
-        if (examined.present[p] != examined.hasSide(p)) return false;
-        const auto list = examined.nearest[p];
+        if (examined.present()[p] != examined.hasSide(p)) return false;
+        const auto list = examined.nearest()[p];
         if (std::any_of(list.begin(), list.end(),
                         [&](Index q) { return normalsOppose(side[p], side[q]); }))
             return false;
@@ -104,7 +104,8 @@ bool allAgree(const ExaminedFile& examined, const std::vector<Vec3>& side) {
 Result<Rim> rimOf(const ExaminedFile& examined) {
     const PointFile& file = examined.file;
     const std::vector<Vec3> side = sidesOfPoints(examined);
-    if (allAgree(examined, side)) return findRim(file.position, side, examined.nearest, file.type);
+    if (allAgree(examined, side))
+        return findRim(file.position, side, examined.nearest(), file.type);
     std::vector<bool> usable(examined.size());
     for (Index p = 0; p < examined.size(); ++p) usable[p] = examined.hasSide(p);
     const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});

@@ -91,13 +91,12 @@ std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& inp
         if (!mesh.topology.used[p]) lost.push_back(p);
     }
     if (lost.empty()) return lost;
-    const std::vector<Fitness> fitness = fitnessOf(input.position);
-    const auto isAside = [&](Index p) { return p < input.setAside.size() && input.setAside[p]; };
+    const std::vector<Aside> unusable = unusablePoints(input.position);
     const auto isPlaneless = [&](Index p) {
         return !input.normal.empty() && !hasDirection(input.normal[p]);
     };
     std::erase_if(lost, [&](Index p) {
-        return isAside(p) || isPlaneless(p) || fitness[p] != Fitness::Usable;
+        return input.isAside(p) || isPlaneless(p) || unusable[p] != Aside::No;
     });
     return lost;
 }
@@ -441,7 +440,7 @@ void inwardPieces(const InspectedMesh& mesh, Failures& failures) {
             return other.first != name && contains(other.second.box, piece.box) &&
                    isWithin(mesh, other.second, x);
         });
-        if (nested && (mesh.judge == nullptr || mesh.judge->fit)) continue;
+        if (nested && (mesh.judge == nullptr || mesh.judge->facts.normalsFit)) continue;
         failures.push_back(atTriangles(mesh, {piece.triangles.front()}));
     }
 }
@@ -461,7 +460,7 @@ void spikes(const InspectedMesh& mesh, Failures& failures) {
         return !(ends[p] && ends[q]) &&
                glm::distance(mesh.points.position[p], mesh.points.position[q]) > kSpike * reach;
     };
-    const auto isStray = [&](Index p) { return MeshJudge::isMarked(judge.stray, p); };
+    const auto isStray = [&](Index p) { return judge.points.asideOf(p) == Aside::Stray; };
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
         const bool spike = isStray(t.a) || isStray(t.b) || isStray(t.c) || isLong(t.a, t.b) ||

@@ -94,7 +94,7 @@ bool isSound(std::span<const ClassTotal> totals, std::size_t triangles);
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is an opening.
 /// With PointSet::judge, that counts instead of the points. Neighbor lists are not used; points
-/// that were set aside (PointSet::setAside, fitnessOf()) may be in no triangle. Requires corners
+/// that were set aside (PointSet::aside, unusablePoints()) may be in no triangle. Requires corners
 /// below points.size() and finite positions of used points. Self-intersections are exact; the
 /// search for pairs has the limits of searchFaults(), and the first kMaxListed are listed.
 /// Deterministic, on all cores. About O(t log t).

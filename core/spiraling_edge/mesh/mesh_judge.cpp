@@ -14,15 +14,16 @@ std::vector<bool> endsOf(const MeshJudge& judge) {
 }
 
 std::string departureText(const MeshJudge& judge) {
-    if (judge.unfitDegrees > 0.0) {
+    const InputFacts& facts = judge.facts;
+    if (facts.hasNormals && !facts.normalsFit) {
         return "by derived normals: the given ones are " +
-               std::to_string(std::lround(judge.unfitDegrees)) +
+               std::to_string(std::lround(facts.normalDegrees)) +
                " degrees off the surface (median)";
     }
-    if (judge.flipped == 0) return {};
-    return judge.flipped == 1
+    if (facts.flippedNormals == 0) return {};
+    return facts.flippedNormals == 1
                ? "by the given normals, but for 1 that points against those around it"
-               : "by the given normals, but for " + std::to_string(judge.flipped) +
+               : "by the given normals, but for " + std::to_string(facts.flippedNormals) +
                      " that point against those around them";
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/input_facts.h"
 
 namespace se {
 
@@ -17,8 +17,7 @@ struct MeshJudge {
     /// other (sidesOf()) the flipped ones turned; else derived ones. Without lists. Set aside are
     /// points that a mesh need not have: not usable, noise, strays.
     PointSet points;
-    std::vector<bool> noise{};  ///< Points that prepare() sets aside as noise.
-    std::vector<bool> stray{};  ///< Points far from all others: strayPoints().
+    InputFacts facts{};
     /// Of a point much nearer to another one than to the rest, that other one; else kNone. Of the
     /// two a mesh needs one.
     std::vector<Index> twin{};
@@ -29,18 +28,9 @@ struct MeshJudge {
     std::vector<double> reach{};
     /// The rims of the points (findRim()), each where the surface ends.
     std::vector<std::vector<Index>> openings{};
-    /// Parts of the points that are connected by mutual neighbors within two spacings; 0: unknown.
-    std::size_t pieces = 0;
-    bool fit = false;           ///< The file has normals, and they fit.
-    std::size_t flipped = 0;    ///< Of these, turned to the side of those around them.
-    double unfitDegrees = 0.0;  ///< Median angle of given normals that do not fit; else 0.
 
     /// Given normals fit and agree: nothing but the user's word turns them or derives others.
-    bool areRight() const { return fit && flipped == 0; }
-    /// True if `p` is marked in one of the lists above.
-    static bool isMarked(const std::vector<bool>& list, Index p) {
-        return p < list.size() && list[p];
-    }
+    bool areRight() const { return facts.normalsFit && facts.flippedNormals == 0; }
     /// The twin of `p`, or kNone.
     Index twinOf(Index p) const { return p < twin.size() ? twin[p] : kNone; }
 };

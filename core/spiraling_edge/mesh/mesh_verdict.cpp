@@ -63,11 +63,12 @@ std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLo
 void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
                  std::span<const double> distance, const std::vector<bool>& used,
                  MeshVerdict& verdict) {
-    const std::vector<Fitness> fitness = fitnessOf(judge.points.position);
+    const std::vector<Aside> unusable = unusablePoints(judge.points.position);
     for (Index p = 0; p < used.size(); ++p) {
-        if (fitness[p] != Fitness::Usable) continue;
-        const bool stray = MeshJudge::isMarked(judge.stray, p);
-        const bool noise = !stray && MeshJudge::isMarked(judge.noise, p);
+        if (unusable[p] != Aside::No) continue;
+        const Aside aside = judge.points.asideOf(p);
+        const bool stray = aside == Aside::Stray;
+        const bool noise = aside == Aside::Noise;
         if (stray && !used[p]) ++verdict.strays;
         if (noise && !used[p]) ++verdict.noise;
         if (stray || noise || judge.spacing.empty()) continue;
@@ -132,10 +133,10 @@ MeshVerdict verdictOn(const PointSet& points, std::span<const Triangle> triangle
     verdict.fidelity = fidelityFrom(distance);
     if (!points.judge) return verdict;
     const MeshJudge& judge = *points.judge;
-    verdict.piecesOfPoints = judge.pieces;
+    verdict.piecesOfPoints = judge.facts.pieces;
     verdict.openings = judge.openings.size();
     verdict.closed = closedOpenings(judge, loops.on, used);
-    if (judge.fit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
+    if (judge.facts.normalsFit) verdict.against = totalOf(verdict.totals, "flipped_triangles");
     countPoints(judge, loops.besideHole, distance, used, verdict);
     return verdict;
 }

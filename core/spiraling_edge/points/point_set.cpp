@@ -23,13 +23,9 @@ Status checkLengths(const PointSet& points) {
                      std::to_string(points.type.size()) + " types and " +
                      std::to_string(offset.empty() ? 0 : offset.size() - 1) + " neighbor lists"};
     }
-    if (!points.setAside.empty() && points.setAside.size() != n) {
+    if (!points.aside.empty() && points.aside.size() != n) {
         return Error{"there are " + std::to_string(n) + " positions, but " +
-                     std::to_string(points.setAside.size()) + " marks of points set aside"};
-    }
-    if (!points.stray.empty() && points.stray.size() != n) {
-        return Error{"there are " + std::to_string(n) + " positions, but " +
-                     std::to_string(points.stray.size()) + " marks of strays"};
+                     std::to_string(points.aside.size()) + " marks of points set aside"};
     }
     bool good = offset.front() == 0 && offset.back() == points.neighbors.ids.size();
     for (std::size_t p = 0; p < n; ++p) good = good && offset[p] <= offset[p + 1];

@@ -81,6 +81,19 @@ struct RimGap {
     friend bool operator==(const RimGap&, const RimGap&) = default;
 };
 
+/// The reason why a point takes no part in a run: no list has it, and no triangle.
+enum class Aside : std::uint8_t {
+    No,         ///< It takes part.
+    NotFinite,  ///< A coordinate is NaN or infinite.
+    Copy,       ///< A point with a lower index has exactly the same position.
+    Sentinel,   ///< Its coordinates stand for a missing value: sentinels.h.
+    LeftOut,    ///< At the user's request.
+    Stray,      ///< Far from all others: strays.h.
+    NoNormal,   ///< Its normal has no direction, and no plane fits the points about it.
+    Noise,      ///< Others lie nearer to the middle of the noise: noise.h.
+};
+inline constexpr std::size_t kAsides = static_cast<std::size_t>(Aside::Noise) + 1;
+
 struct MeshJudge;  // mesh/mesh_judge.h
 
 /// The input of the stepper. All arrays have the same length.
@@ -95,13 +108,12 @@ struct PointSet {
     /// index.
     std::vector<Index> order;
     /// Points that prepare() set aside: no triangle has them, and none should. Empty: none.
-    std::vector<bool> setAside;
-    /// Points far from all others, by strayPoints() (strays.h); empty: none. Where the rules keep
-    /// them they are not set aside.
-    std::vector<bool> stray;
+    std::vector<Aside> aside;
     /// What a mesh of these points is judged by. Null: these points themselves.
     std::shared_ptr<const MeshJudge> judge;
 
+    Aside asideOf(Index p) const { return p < aside.size() ? aside[p] : Aside::No; }
+    bool isAside(Index p) const { return asideOf(p) != Aside::No; }
     /// The gap of point p; no ends where none is known.
     RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }
     /// The point at position i of that order.
@@ -128,8 +140,8 @@ inline bool haveFinitePositions(const PointSet& points, std::span<const Triangle
     });
 }
 
-/// Checks the preconditions of the stepper: equal array lengths (`setAside`, `stray` and `rim` may
-/// be empty); for every point that has a list or is in one, a finite position and a unit normal
+/// Checks the preconditions of the stepper: equal array lengths (`aside` and `rim` may be
+/// empty); for every point that has a list or is in one, a finite position and a unit normal
 /// (within 1e-6); in every list only existing points, none twice, not the point itself; all points
 /// once in `order`, unless empty; as ends of `rim` only other points that exist, both or none.
 /// Points outside all lists may have any values: they end as isolated. prepare() makes any input

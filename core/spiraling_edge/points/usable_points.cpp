@@ -6,9 +6,11 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <string>
 
 #include "spiraling_edge/base/float_bits.h"
+#include "spiraling_edge/points/sentinels.h"
 
 namespace se {
 namespace {
@@ -58,29 +60,63 @@ class PositionTable {
 
 }  // namespace
 
-std::vector<Fitness> fitnessOf(std::span<const Vec3> position) {
-    std::vector<Fitness> fitness(position.size(), Fitness::Usable);
-    PositionTable seen(position);
-    for (Index p = 0; p < position.size(); ++p) {
-        if (!isFinite(position[p])) {
-            fitness[p] = Fitness::NonFinite;
-        } else if (seen.add(p) != p) {
-            fitness[p] = Fitness::Copy;
-        }
+std::span<const AsideWords> asideReasons() {
+    static constexpr AsideWords kReasons[] = {
+        {Aside::NotFinite, "non_finite", "not finite"},
+        {Aside::Copy, "duplicates", "copies of another point"},
+        {Aside::Sentinel, "sentinels", "where a missing value was written"},
+        {Aside::LeftOut, "left_out", "left out as chosen"},
+        {Aside::Stray, "strays", "far from all others"},
+        {Aside::NoNormal, "zero_normals", "without a plane to derive a normal from"},
+        {Aside::Noise, "noise", "above or below others, where noise is as wide as the spacing"},
+    };
+    static_assert(std::size(kReasons) + 1 == kAsides);
+    return kReasons;
+}
+
+std::string asideText(const PointSet& points, Index p) {
+    assert(points.isAside(p));
+    const Aside reason = points.aside[p];
+    const std::string text = "Point " + std::to_string(p) + " was set aside before the run: ";
+    if (reason == Aside::Copy) {
+        const auto same =
+            std::find(points.position.begin(), points.position.end(), points.position[p]);
+        return text + "it is a copy of point " + std::to_string(same - points.position.begin()) +
+               ".";
     }
-    return fitness;
+    // The words follow a number of points.
+    const auto reasons = asideReasons();
+    const auto row = std::find_if(reasons.begin(), reasons.end(),
+                                  [&](const AsideWords& each) { return each.reason == reason; });
+    return text + std::string(row->words) + ".";
 }
 
-std::size_t countPlaces(std::span<const Vec3> position) {
-    const std::vector<Fitness> fitness = fitnessOf(position);
-    return static_cast<std::size_t>(std::count(fitness.begin(), fitness.end(), Fitness::Usable));
-}
-
-std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness) {
+std::vector<Aside> unusablePoints(std::span<const Vec3> position) {
+    std::vector<Aside> aside(position.size(), Aside::No);
     std::vector<Index> original(position.size(), kNone);
     PositionTable seen(position);
     for (Index p = 0; p < position.size(); ++p) {
-        if (fitness[p] == Fitness::Usable || fitness[p] == Fitness::Copy) original[p] = seen.add(p);
+        if (!isFinite(position[p])) {
+            aside[p] = Aside::NotFinite;
+            continue;
+        }
+        original[p] = seen.add(p);
+        if (original[p] != p) aside[p] = Aside::Copy;
+    }
+    markSentinels(position, original, aside);
+    return aside;
+}
+
+std::size_t countPlaces(std::span<const Vec3> position) {
+    const std::vector<Aside> aside = unusablePoints(position);
+    return static_cast<std::size_t>(std::count(aside.begin(), aside.end(), Aside::No));
+}
+
+std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Aside> aside) {
+    std::vector<Index> original(position.size(), kNone);
+    PositionTable seen(position);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (aside[p] == Aside::No || aside[p] == Aside::Copy) original[p] = seen.add(p);
     }
     return original;
 }

@@ -3,26 +3,36 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/points/point_file.h"
 
 namespace se {
 
-/// The fitness of a point for the algorithm.
-enum class Fitness : std::uint8_t {
-    Usable,
-    NonFinite,  ///< Its position is not finite.
-    Copy,       ///< A point with a lower index has exactly the same position.
+/// A reason to set points aside: its name, as in JSON, and its words after a number of points.
+struct AsideWords {
+    Aside reason;
+    std::string_view name;
+    std::string_view words;
 };
+/// All but Aside::No, in the order of Aside.
+std::span<const AsideWords> asideReasons();
 
-/// The fitness of each point, by positions alone: a missing normal is derived. O(points).
-std::vector<Fitness> fitnessOf(std::span<const Vec3> position);
+/// The reason why a point was set aside, as a sentence: "Point 5 was set aside: a copy of point
+/// 2." Requires one that was.
+std::string asideText(const PointSet& points, Index p);
+
+/// The points that no run can use, by positions alone: not finite, copies, sentinels
+/// (markSentinels()). O(points).
+std::vector<Aside> unusablePoints(std::span<const Vec3> position);
 /// Number of distinct finite positions. O(points).
 std::size_t countPlaces(std::span<const Vec3> position);
 
-/// For each copy the usable point at its position, for each usable point itself, else kNone.
-std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness);
+/// For each point the first at its position; kNone if that is not finite, or a sentinel's. `aside`
+/// is the result of unusablePoints().
+std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Aside> aside);
 
 /// True if a normal has a direction: it is finite and not zero.
 inline bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }

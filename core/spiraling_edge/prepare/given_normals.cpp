@@ -71,12 +71,12 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
 }
 
 void averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal) {
-    const std::vector<Fitness> fitness = fitnessOf(position);
-    if (std::find(fitness.begin(), fitness.end(), Fitness::Copy) == fitness.end()) return;
-    const std::vector<Index> original = originalsOf(position, fitness);
+    const std::vector<Aside> aside = unusablePoints(position);
+    if (std::find(aside.begin(), aside.end(), Aside::Copy) == aside.end()) return;
+    const std::vector<Index> original = originalsOf(position, aside);
     std::map<Index, std::vector<Vec3>> directions;  // of points with copies, each direction once
     for (Index p = 0; p < normal.size(); ++p) {
-        if (fitness[p] != Fitness::Copy) continue;
+        if (aside[p] != Aside::Copy) continue;
         std::vector<Vec3>& list = directions[original[p]];
         if (list.empty()) addDirection(list, normal[original[p]]);
         addDirection(list, normal[p]);

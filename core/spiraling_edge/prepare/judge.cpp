@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/base/median.h"
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/prepare/facing.h"
@@ -33,46 +35,47 @@ constexpr double kPreparedDone = 0.8;
 /// Parts of the points are joined by mutual neighbors within this many spacings of both.
 constexpr double kJoined = 2.0;
 
-/// Finite points without their copies, and the 12 nearest of each.
+/// Usable points, and the 12 nearest of each.
 struct Surroundings {
-    std::vector<bool> present;
-    NeighborLists nearest;
+    const std::vector<bool>& present;
+    const NeighborLists& nearest;
 };
 
-/// Those of the points without some, if any.
-Result<Surroundings> surroundingsOf(const PointFile& file, const std::vector<bool>& without,
-                                    unsigned threads, const Progress& progress) {
-    Surroundings around;
-    for (const Fitness fitness : fitnessOf(file.position)) {
-        const std::size_t p = around.present.size();
-        around.present.push_back(fitness == Fitness::Usable && (without.empty() || !without[p]));
+/// The points that are usable but for some, and their lists.
+Status findSurroundings(const PointFile& file, const std::vector<bool>& without, unsigned threads,
+                        const Progress& progress, Intake& intake) {
+    intake.present.clear();
+    for (const Aside aside : intake.unusable) {
+        const std::size_t p = intake.present.size();
+        intake.present.push_back(aside == Aside::No && (without.empty() || !without[p]));
     }
     Result<NeighborLists> lists =
-        nearestPoints(file.position, around.present, KNearest{}.k, threads, progress);
+        nearestPoints(file.position, intake.present, KNearest{}.k, threads, progress);
     if (!lists) return lists.error();
-    around.nearest = std::move(lists.value());
-    return around;
+    intake.nearest = std::move(lists.value());
+    return success();
 }
 
 /// Measures the given normals, and turns those that are flipped; empty if they do not fit.
-std::vector<Vec3> rightNormals(const PointFile& file, const Surroundings& around, unsigned threads,
-                               MeshJudge& judge) {
+std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& intake,
+                               InputFacts& facts) {
     if (!file.hasNormals()) return {};
-    std::vector<Vec3> normal = unitNormals(file.normal);
+    facts.hasNormals = !lacksNormals(file.normal, intake.present);
+    intake.normal = unitNormals(file.normal);
+    std::vector<Vec3> normal = intake.normal;
     averageOverCopies(file.position, normal);
-    const GivenNormals given{file.position, normal, around.present, around.nearest};
-    const NormalFit fit = fitOf(given, threads);
-    judge.fit = normalsFit(fit);
-    if (!judge.fit) {
-        judge.unfitDegrees = std::acos(fit.medianCosine) * 180.0 / std::numbers::pi;
-        return {};
-    }
+    const GivenNormals given{file.position, normal, intake.present, intake.nearest};
+    intake.fit = fitOf(given, threads);
+    facts.normalsFit = normalsFit(intake.fit);
+    facts.normalDegrees =
+        std::acos(std::min(intake.fit.medianCosine, 1.0)) * 180.0 / std::numbers::pi;
+    if (!facts.normalsFit) return {};
     const Sides sides = sidesOf(given);
     if (sidesAgree(sides)) return normal;
     for (Index p = 0; p < normal.size(); ++p) {
         if (!sides.flipped[p]) continue;
         normal[p] = -normal[p];
-        ++judge.flipped;
+        ++facts.flippedNormals;
     }
     return normal;
 }
@@ -115,8 +118,7 @@ void turnAsInRun(const Surroundings& around, const PointSet& run, PointSet& poin
     }
 }
 
-// ---- spacing, twins, parts
-// -----------------------------------------------------------------------
+// ---- spacing, twins, parts ----------------------------------------------------------------------
 
 double distanceBetween(const PointFile& file, Index p, Index q) {
     return glm::distance(file.position[p], file.position[q]);
@@ -150,98 +152,165 @@ std::size_t countPieces(const PointFile& file, const Surroundings& around, const
 /// Measures the distances of the points.
 void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
-    const auto scan = scanLinesOf(file.position, around.present, around.nearest);
-    const double lines = scan ? scan->across : 0.0;
+    InputFacts& facts = judge.facts;
+    if (const auto lines = scanLinesOf(file.position, around.present, around.nearest)) {
+        facts.along = lines->along;
+        facts.across = lines->across;
+    }
     judge.spacing.assign(n, 0.0);
     judge.reach.assign(n, 0.0);
     judge.twin.assign(n, kNone);
     for (Index p = 0; p < n; ++p) {
         if (!around.present[p]) continue;
-        judge.spacing[p] = std::max(lines, distanceTo(file, around, p, 3));
-        judge.reach[p] = std::max(lines, distanceTo(file, around, p, 12));
+        judge.spacing[p] = std::max(facts.across, distanceTo(file, around, p, 3));
+        judge.reach[p] = std::max(facts.across, distanceTo(file, around, p, 12));
         judge.twin[p] = twinOf(file.position, p, around.nearest[p]);
+        if (judge.twin[p] != kNone) ++facts.twins;
     }
-    if (lines == 0.0) judge.pieces = countPieces(file, around, judge);
+    if (facts.across == 0.0) facts.pieces = countPieces(file, around, judge);
 }
 
-// ---- the judge ----------------------------------------------------------------------------------
+/// Measures the box and the nearest distances of the points that are no strays.
+void measureExtent(const PointFile& file, const Surroundings& around,
+                   const std::vector<bool>& stray, InputFacts& facts) {
+    std::vector<double> nearest;
+    std::optional<Box> box;
+    for (Index p = 0; p < stray.size(); ++p) {
+        if (!around.present[p] || stray[p]) continue;
+        if (!box) box.emplace(file.position[p]);
+        box->add(file.position[p]);
+        if (around.nearest[p].empty()) continue;
+        const bool twin = twinOf(file.position, p, around.nearest[p]) != kNone;
+        nearest.push_back(distanceTo(file, around, p, twin ? 2 : 1));
+    }
+    if (box) {
+        facts.low = box->low;
+        facts.high = box->high;
+    }
+    if (nearest.empty()) return;
+    const auto [least, most] = std::minmax_element(nearest.begin(), nearest.end());
+    facts.nearestLeast = *least;
+    facts.nearestMost = *most;
+    facts.nearestMedian = medianOf(nearest);
+}
 
-using Judge = Result<std::shared_ptr<const MeshJudge>>;
+// ---- the intake ---------------------------------------------------------------------------------
 
 /// Points with the normals of the judge, and lists; noise and strays are set aside.
 Result<Prepared> preparedFor(const PointFile& file, const PrepareOptions& options,
-                             const MeshJudge& judge, const Progress& progress) {
+                             const std::vector<bool>& stray, const InputFacts& facts,
+                             const Progress& progress) {
     PrepareOptions own;
     own.neighbors.threads = options.neighbors.threads;
     own.neighbors.recompute = true;
     own.setNoiseAside = true;
-    own.normals = judge.fit ? NormalSource::AsGiven : NormalSource::Derived;
+    own.normals = facts.normalsFit ? NormalSource::AsGiven : NormalSource::Derived;
     own.walls = options.walls;
-    for (Index p = 0; p < judge.stray.size(); ++p) {
-        if (judge.stray[p]) own.leaveOut.push_back(p);
+    for (Index p = 0; p < stray.size(); ++p) {
+        if (stray[p]) own.leaveOut.push_back(p);
     }
     return prepare(file, own, progress);
 }
 
-Judge judged(const PointFile& file, const PrepareOptions& options, const PointSet* run,
-             const Progress& progress) {
+/// Takes the numbers that preparing has found.
+void takeReport(const PrepareReport& report, InputFacts& facts) {
+    facts.aside = report.aside;
+    // Strays are left out of the preparation by their name.
+    std::swap(facts.aside[static_cast<std::size_t>(Aside::Stray)],
+              facts.aside[static_cast<std::size_t>(Aside::LeftOut)]);
+    facts.aside[static_cast<std::size_t>(Aside::No)] = facts.points - report.countAside();
+    facts.completedNormals = report.derived.completedNormals;
+    facts.unscaledNormals = report.unscaledNormals;
+    if (facts.hasNormals) return;
+    facts.sideParts = report.derived.normalComponents;
+    facts.unknownSides = report.derived.unknownSides;
+}
+
+Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, const PointSet* run,
+                      const Progress& progress) {
     if (const Status status = checkColumns(file); !status) return status.error();
     const unsigned threads = options.neighbors.threads;
-    const Result<Surroundings> around =
-        surroundingsOf(file, {}, threads, partOf(progress, 0.0, kListsDone));
-    if (!around) return around.error();
+    Intake intake;
+    intake.unusable = unusablePoints(file.position);
+    if (const Status found =
+            findSurroundings(file, {}, threads, partOf(progress, 0.0, kListsDone), intake);
+        !found)
+        return found.error();
     auto judge = std::make_shared<MeshJudge>();
-    const std::vector<Vec3> given = rightNormals(file, around.value(), threads, *judge);
-    judge->stray =
-        strayPoints(file.position, around.value().present, around.value().nearest, threads);
+    InputFacts& facts = judge->facts;
+    facts.points = file.position.size();
+    const std::vector<Vec3> given = rightNormals(file, threads, intake, facts);
+    const std::vector<bool> stray =
+        strayPoints(file.position, intake.present, intake.nearest, threads);
+    measureExtent(file, {intake.present, intake.nearest}, stray, facts);
     // Lists by normals that contradict each other would end at the borders of patches.
     PointFile agreeing;
-    if (judge->flipped > 0) {
+    if (facts.flippedNormals > 0) {
         agreeing = file;
         agreeing.normal = given;
     }
-    Result<Prepared> prepared = preparedFor(judge->flipped > 0 ? agreeing : file, options, *judge,
-                                            partOf(progress, kMeasuredDone, kPreparedDone));
+    Result<Prepared> prepared =
+        preparedFor(facts.flippedNormals > 0 ? agreeing : file, options, stray, facts,
+                    partOf(progress, kMeasuredDone, kPreparedDone));
     if (!prepared) return prepared.error();
     PointSet& points = prepared.value().points;
-    judge->noise.assign(points.size(), false);
+    takeReport(prepared.value().report, facts);
+    std::vector<bool> noise(points.size(), false);
     for (Index p = 0; p < points.size(); ++p) {
-        judge->noise[p] = points.setAside[p] && around.value().present[p] && !judge->stray[p] &&
-                          points.normal[p] != Vec3(0.0);
+        if (points.aside[p] == Aside::LeftOut) points.aside[p] = Aside::Stray;
+        noise[p] = points.aside[p] == Aside::Noise;
     }
-    if (std::find(judge->noise.begin(), judge->noise.end(), true) == judge->noise.end()) {
-        measure(file, around.value(), *judge);
+    if (facts.count(Aside::Noise) == 0) {
+        measure(file, {intake.present, intake.nearest}, *judge);
     } else {
-        const Result<Surroundings> kept = surroundingsOf(file, judge->noise, threads, {});
-        if (!kept) return kept.error();
-        measure(file, kept.value(), *judge);
+        Intake kept;
+        kept.unusable = intake.unusable;
+        if (const Status found = findSurroundings(file, noise, threads, {}, kept); !found)
+            return found.error();
+        measure(file, {kept.present, kept.nearest}, *judge);
     }
     // Where the file has no normal, the one that prepare() completed stays.
     for (Index p = 0; p < given.size(); ++p) {
         if (given[p] != Vec3(0.0)) points.normal[p] = given[p];
     }
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
-    if (run != nullptr && named) turnAsInRun(around.value(), *run, points);
+    if (run != nullptr && named) turnAsInRun({intake.present, intake.nearest}, *run, points);
     Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
                               threads, partOf(progress, kPreparedDone, 1.0));
     if (!rim) return rim.error();
     judge->openings = std::move(rim.value().chains);
+    facts.openings = judge->openings.size();
     points.neighbors = {};
     points.rim = {};
     judge->points = std::move(points);
-    return std::shared_ptr<const MeshJudge>(std::move(judge));
+    intake.judge = std::move(judge);
+    return intake;
+}
+
+Result<std::shared_ptr<const MeshJudge>> judged(const PointFile& file,
+                                                const PrepareOptions& options, const PointSet* run,
+                                                const Progress& progress) {
+    Result<Intake> intake = takeIn(file, options, run, progress);
+    if (!intake) return intake.error();
+    return std::move(intake.value().judge);
 }
 
 }  // namespace
 
-Judge judgeFor(const PointFile& file, const PrepareOptions& options, const PointSet& run,
-               const Progress& progress) {
+Result<Intake> takeIn(const PointFile& file, const Progress& progress) {
+    return takeIn(file, {}, nullptr, progress);
+}
+
+Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
+                                                  const PrepareOptions& options,
+                                                  const PointSet& run, const Progress& progress) {
     assert(run.size() == file.position.size());
     return judged(file, options, &run, progress);
 }
 
-Judge judgeFor(const PointFile& file, const std::optional<WallBox>& walls, unsigned threads,
-               const Progress& progress) {
+Result<std::shared_ptr<const MeshJudge>> judgeFor(const PointFile& file,
+                                                  const std::optional<WallBox>& walls,
+                                                  unsigned threads, const Progress& progress) {
     PrepareOptions options;
     options.walls = walls;
     options.neighbors.threads = threads;

@@ -6,10 +6,24 @@
 #include <optional>
 
 #include "spiraling_edge/mesh/mesh_judge.h"
+#include "spiraling_edge/prepare/given_normals.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se {
+
+/// A file's points as they were taken in: what is known of them before any run, and the measures
+/// that it was found with.
+struct Intake {
+    std::vector<Aside> unusable;  ///< By positions alone.
+    std::vector<bool> present;    ///< The points that are usable.
+    NeighborLists nearest;        ///< The 12 nearest of these, with any normals.
+    std::vector<Vec3> normal;     ///< As given, scaled; zero without direction. Empty if none.
+    NormalFit fit;                ///< Of the given normals to the planes of the points.
+    std::shared_ptr<const MeshJudge> judge;  ///< With InputFacts.
+};
+/// Fails as prepare() does. Deterministic. O(points log points).
+Result<Intake> takeIn(const PointFile& file, const Progress& progress = {});
 
 /// The judge of meshes of a file's points. Of `options` count the walls, the number of threads, and
 /// that the user has the sides of normals derived (`normals`, `scanner`): then a piece of points

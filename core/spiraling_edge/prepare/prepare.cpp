@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <glm/common.hpp>
+#include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -46,8 +48,6 @@ class Preparation {
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
         if (Status status = takeRim(); !status) return status.error();
-        set_.setAside = usable_;
-        set_.setAside.flip();
         assert(validate(set_).ok());
         if (progress_) progress_(1.0);
         return std::move(prepared_);
@@ -116,18 +116,22 @@ class Preparation {
 
     /// Sets aside points from which nothing can be derived, and those to leave out.
     void setAsideUnusable() {
-        const std::vector<Fitness> fitness = fitnessOf(set_.position);
-        usable_.resize(fitness.size());
-        for (std::size_t p = 0; p < fitness.size(); ++p) {
-            usable_[p] = fitness[p] == Fitness::Usable;
-            if (fitness[p] == Fitness::NonFinite) ++report_.nonFinitePoints;
-            if (fitness[p] == Fitness::Copy) ++report_.duplicatePoints;
+        set_.aside.assign(set_.size(), Aside::No);
+        usable_.assign(set_.size(), true);
+        const std::vector<Aside> unusable = unusablePoints(set_.position);
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (unusable[p] != Aside::No) setAside(p, unusable[p]);
         }
         for (const Index p : options_.leaveOut) {
             assert(p < usable_.size());
-            if (usable_[p]) ++report_.leftOut;
-            usable_[p] = false;
+            if (usable_[p]) setAside(p, Aside::LeftOut);
         }
+    }
+    /// Sets aside a point that was usable.
+    void setAside(Index p, Aside reason) {
+        usable_[p] = false;
+        set_.aside[p] = reason;
+        ++report_.aside[static_cast<std::size_t>(reason)];
     }
 
     /// Sets strays aside, by positions alone: no normal is derived from them.
@@ -135,16 +139,12 @@ class Preparation {
         if (!options_.setStraysAside) return success();
         Result<NeighborLists> nearest = findNearest(kNearestOfStrays, upTo(kStraysDone));
         if (!nearest) return nearest.error();
-        set_.stray =
+        const std::vector<bool> stray =
             strayPoints(set_.position, usable_, nearest.value(), options_.neighbors.threads);
         for (Index p = 0; p < set_.size(); ++p) {
-            if (!set_.stray[p]) continue;
-            usable_[p] = false;
-            ++report_.strays;
+            if (stray[p]) setAside(p, Aside::Stray);
         }
-        if (report_.strays > 0) return success();
-        set_.stray.clear();
-        nearest_ = std::move(nearest.value());
+        if (report_.count(Aside::Stray) == 0) nearest_ = std::move(nearest.value());
         return success();
     }
 
@@ -160,13 +160,13 @@ class Preparation {
             if (!all) return all.error();
             set_.normal = std::move(all.value());
         }
-        if (report_.duplicatePoints > 0) averageOverCopies(set_.position, set_.normal);
+        if (report_.count(Aside::Copy) > 0) averageOverCopies(set_.position, set_.normal);
         for (Index p = 0; p < set_.size(); ++p) {
             if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
                 ++report_.unscaledNormals;
         }
-        report_.zeroNormals = setAsidePlaneless();
-        report_.derived.completedNormals -= report_.zeroNormals;
+        setAsidePlaneless();
+        report_.derived.completedNormals -= report_.count(Aside::NoNormal);
         return success();
     }
 
@@ -198,7 +198,7 @@ class Preparation {
             orientNormals(points, normal, sides, upTo(kNormalsDone));
         if (!oriented) return oriented.error();
         takeNormals(points.restored(std::move(normal)));
-        if (derives_) report_.derived.planelessPoints = setAsidePlaneless();
+        if (derives_) setAsidePlaneless();
         const OrientationReport& turned = oriented.value();
         derived.orientation = true;
         derived.turnedNormals = derives_ ? 0 : turned.turned;
@@ -211,15 +211,15 @@ class Preparation {
     /// The normals, zero at strays, which are no components of the surface.
     std::vector<Vec3> normalsWithoutStrays() const {
         std::vector<Vec3> normal = set_.normal;
-        for (std::size_t p = 0; p < set_.stray.size(); ++p) {
-            if (set_.stray[p]) normal[p] = Vec3(0.0);
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (set_.aside[p] == Aside::Stray) normal[p] = Vec3(0.0);
         }
         return normal;
     }
     /// Takes these normals; strays keep their own.
     void takeNormals(std::vector<Vec3> normal) {
-        for (std::size_t p = 0; p < set_.stray.size() && !derives_; ++p) {
-            if (set_.stray[p]) normal[p] = set_.normal[p];
+        for (Index p = 0; p < set_.size() && !derives_; ++p) {
+            if (set_.aside[p] == Aside::Stray) normal[p] = set_.normal[p];
         }
         set_.normal = std::move(normal);
     }
@@ -236,15 +236,10 @@ class Preparation {
         return nearestPoints(set_.position, usable_, count, options_.neighbors.threads, progress);
     }
 
-    /// Returns their number.
-    std::size_t setAsidePlaneless() {
-        std::size_t planeless = 0;
+    void setAsidePlaneless() {
         for (Index p = 0; p < set_.size(); ++p) {
-            if (!usable_[p] || set_.normal[p] != Vec3(0.0)) continue;
-            usable_[p] = false;
-            ++planeless;
+            if (usable_[p] && set_.normal[p] == Vec3(0.0)) setAside(p, Aside::NoNormal);
         }
-        return planeless;
     }
 
     /// Progress of a part of the work, from the share done so far to `share` of the whole.
@@ -291,11 +286,16 @@ class Preparation {
         if (Status status = thinOut(); !status) return status.error();
         Result<NeighborLists> lists = findNeighbors(set_.position, set_.normal, usable_,
                                                     options_.neighbors, upTo(listsShare()));
-        if (!lists || noiseOf(lists) <= kNoisy) return lists;
-        usable_ = usable;
-        set_.normal = normal;
-        report_.noisyPoints = 0;
-        return all;
+        if (!lists) return lists;
+        if (noiseOf(lists) > kNoisy) {
+            usable_ = usable;
+            set_.normal = normal;
+            return all;
+        }
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (usable[p] && !usable_[p]) setAside(p, Aside::Noise);
+        }
+        return lists;
     }
 
     /// Sets points aside until none lies over another; the rest get the normals of their patches.
@@ -312,9 +312,7 @@ class Preparation {
         const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_,
                                           options_.neighbors.threads);
         if (Status status = reportProgress(); !status) return status;
-        while (const std::size_t aside =
-                   setNoiseAside(set_.position, patches, lists.value(), usable_)) {
-            report_.noisyPoints += aside;
+        while (setNoiseAside(set_.position, patches, lists.value(), usable_) > 0) {
             lists = search();
             if (!lists) return lists.error();
         }
@@ -389,6 +387,10 @@ class Preparation {
 
 }  // namespace
 
+std::size_t PrepareReport::countAside() const {
+    return std::accumulate(aside.begin(), aside.end(), std::size_t{0});
+}
+
 std::string unknownSidesText(std::size_t unknown, std::size_t parts) {
     std::string text = "which side faces out is unknown";
     if (parts > 1)
@@ -406,7 +408,7 @@ Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
 
 void storeDerived(const PointSet& points, const PrepareReport& report, PointFile& file) {
     const DerivedPieces& derived = report.derived;
-    if (derived.normals || derived.orientation || report.noisyPoints > 0)
+    if (derived.normals || derived.orientation || report.count(Aside::Noise) > 0)
         file.normal = points.normal;
     for (std::size_t p = 0; p < file.normal.size(); ++p) {
         if (derived.completedNormals > 0 && !hasDirection(file.normal[p]))

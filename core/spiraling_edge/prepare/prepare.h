@@ -3,9 +3,12 @@
 /// Input of docs/choices.md).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,6 +16,7 @@
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
 namespace se {
@@ -92,7 +96,6 @@ struct DerivedPieces {
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
     std::size_t normalComponents = 0;  ///< Parts that were oriented independently.
     std::size_t unknownSides = 0;      ///< Of these: OrientationReport::unknownSides.
-    std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
     /// Of points whose given normals have no direction, beside others that have: completeNormals().
     std::size_t completedNormals = 0;
     std::size_t rimPoints = 0;
@@ -110,10 +113,7 @@ std::string unknownSidesText(std::size_t unknown, std::size_t parts);
 /// The points and list entries that were set aside, by reason. The points stay in the set, with
 /// their index, but have an empty list and are in no list.
 struct PrepareReport {
-    std::size_t nonFinitePoints = 0;
-    std::size_t zeroNormals = 0;      ///< Without a direction, where no plane fits best either.
-    std::size_t duplicatePoints = 0;  ///< Exact copies of a point with a lower index.
-    std::size_t leftOut = 0;          ///< At the user's request: PrepareOptions::leaveOut.
+    std::array<std::size_t, kAsides> aside{};  ///< Number of points by Aside.
     /// Normals whose length was off by more than 1e-3. Smaller errors, as of rounded numbers in a
     /// file, are corrected without mention.
     std::size_t unscaledNormals = 0;
@@ -121,9 +121,12 @@ struct PrepareReport {
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
     double noise = 0.0;  ///< noiseAlongNormals() before any point was set aside; 0: not measured.
-    std::size_t noisyPoints = 0;  ///< Set aside: the others lie nearer to the middle of the noise.
-    std::size_t strays = 0;       ///< Set aside: far from all others.
-    DerivedPieces derived;        ///< Derived pieces other than lists.
+    DerivedPieces derived;  ///< Derived pieces other than lists.
+
+    /// The number of points that were set aside for this reason.
+    std::size_t count(Aside reason) const { return aside[static_cast<std::size_t>(reason)]; }
+    /// The number of points that were set aside.
+    std::size_t countAside() const;
 };
 
 struct Prepared {

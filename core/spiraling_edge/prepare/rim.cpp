@@ -96,12 +96,15 @@ class Spokes {
         if (!(length > 0.0)) return;  // Above or below the point.
         spokes_.push_back({0.0, q, {along.x / length, along.y / length}, length * length});
     }
-    /// On a lattice several neighbors lie in one direction: the nearest of them.
+    /// On a lattice several neighbors lie in one direction, up to the tilt of the normal: the
+    /// nearest of them.
     Index nearestAlong(const Spoke& spoke) const {
+        constexpr double kAlong = 0.999994;  // 0.2 degrees
         const Spoke* best = &spoke;
         for (const Spoke& other : spokes_) {
-            if (other.lengthSq < best->lengthSq && keyFrom(spoke.direction, other.direction) == 0.0)
-                best = &other;
+            const double cosine =
+                spoke.direction.x * other.direction.x + spoke.direction.y * other.direction.y;
+            if (other.lengthSq < best->lengthSq && cosine > kAlong) best = &other;
         }
         return best->point;
     }

@@ -24,12 +24,6 @@ std::vector<RimGap> renumbered(const std::vector<RimGap>& rim, const Numbering& 
     return made;
 }
 
-std::vector<bool> renumbered(const std::vector<bool>& marks, const Numbering& numbering) {
-    std::vector<bool> made(marks.size());
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = marks[numbering.original[i]];
-    return made;
-}
-
 }  // namespace
 
 Renumbered renumberAlongZCurve(const PointSet& points) {
@@ -41,8 +35,7 @@ Renumbered renumberAlongZCurve(const PointSet& points) {
     made.type = permuted(points.type, numbering.original);
     made.neighbors = renumbered(points.neighbors, numbering);
     made.rim = renumbered(points.rim, numbering);
-    made.setAside = renumbered(points.setAside, numbering);
-    made.stray = renumbered(points.stray, numbering);
+    if (!points.aside.empty()) made.aside = permuted(points.aside, numbering.original);
     made.order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         made.order.push_back(numbering.place[points.inOrder(i)]);

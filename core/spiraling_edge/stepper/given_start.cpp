@@ -123,7 +123,7 @@ class StartChecker {
             return entry + ": there is no point " + std::to_string(p) + "; the points are 0 to " +
                    std::to_string(points_.size() - 1) + ".";
         }
-        if (!points_.setAside.empty() && points_.setAside[p])
+        if (points_.isAside(p))
             return entry + ": point " + std::to_string(p) + " was set aside, no triangle has it.";
         return {};
     }

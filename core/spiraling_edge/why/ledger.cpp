@@ -143,6 +143,7 @@ class CauseFinder {
     }
 
     Cause untestedPoint(Index p) const {
+        if (points_.isAside(p)) return {lastAbout(ledger_.subject), asideText(points_, p)};
         std::size_t listing = 0;
         for (std::size_t q = 0; q < points_.size(); ++q) {
             if (lists(static_cast<Index>(q), p)) ++listing;
@@ -159,6 +160,9 @@ class CauseFinder {
     /// Neither end ever tested the other.
     Cause untestedEdge(const Subject& edge) const {
         const std::size_t line = lastAbout(edge);
+        for (const Index end : edge.points()) {
+            if (points_.isAside(end)) return {line, asideText(points_, end)};
+        }
         const std::string a = std::to_string(edge[0]);
         const std::string b = std::to_string(edge[1]);
         const bool ab = lists(edge[0], edge[1]);

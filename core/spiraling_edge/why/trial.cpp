@@ -48,7 +48,8 @@ std::vector<SpecChange> usualChanges() {
 bool respects(const MeshJudge& judge, const SpecChange& change) {
     const std::string_view normals = textOf(change, "normals");
     if (normals.empty()) return true;
-    return normals == "oriented" ? judge.fit && !judge.areRight() : !judge.fit;
+    const bool fit = judge.facts.normalsFit;
+    return normals == "oriented" ? fit && !judge.areRight() : !fit;
 }
 
 /// True for a mesh that no change can improve.
@@ -352,6 +353,13 @@ std::string noneBetterText(const Trials& trials) {
     const std::size_t changes = trials.tried.size() - 1;
     return "No better settings among " + std::to_string(changes) +
            (changes == 1 ? " change" : " changes") + " tried.";
+}
+
+Result<MeshVerdict> verdictOfRun(const PointFile& file, const RunSpec& spec,
+                                 const Progress& progress) {
+    Result<Trial> trial = TrialRuns(file, spec, progress).run({}, 0.0, 1.0);
+    if (!trial) return trial.error();
+    return std::move(trial.value().verdict);
 }
 
 Result<Trials> tryChanges(const PointFile& file, const RunSpec& present,

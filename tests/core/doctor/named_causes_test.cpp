@@ -465,7 +465,7 @@ TEST_CASE("doctor: lost digits are found in 95 of 100 files, and no others") {
         right += isRight ? 1 : 0;
         const Finding* finding = findingOf(diagnosis, "lost_digits");
         if (!isRight) {
-            MESSAGE("spacing ", diagnosis.spacing, ": ", problemNames(diagnosis),
+            MESSAGE("spacing ", diagnosis.facts.nearestMedian, ": ", problemNames(diagnosis),
                     finding == nullptr ? "" : finding->text);
         }
     };
@@ -502,4 +502,91 @@ TEST_CASE("doctor: a grid whose steps are those of the points lost no digits") {
     }
     for (const PointFile& file : {field, voxels})
         CHECK(findingOf(examined(file), "lost_digits") == nullptr);
+}
+
+// ---- sentinels ----------------------------------------------------------------------------------
+
+namespace {
+
+/// Gives every n-th point another place.
+template <typename Place>
+void replaceEvery(std::size_t n, PointFile& file, Place&& place) {
+    for (std::size_t p = 1; p < file.position.size(); p += n) place(file.position[p]);
+}
+
+/// One point in this many, by strength: a few, one in fifty, one in four.
+std::size_t everyOf(const PointFile& file, std::size_t strength) {
+    return std::array<std::size_t, 3>{file.position.size() / 3, 50, 4}[strength];
+}
+
+/// Zeros, as of a camera that the surface lies in front of.
+void plantZeros(PointFile& file, std::size_t strength, Random& /*random*/) {
+    for (Vec3& x : file.position) x += Vec3(0.0, 0.0, 3.0);
+    replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x = Vec3(0.0); });
+}
+
+/// One zero, which has no copy.
+void plantOneZero(PointFile& file, std::size_t strength, Random& /*random*/) {
+    for (Vec3& x : file.position) x += std::array{Vec3(3, 0, 0), Vec3(0, 9, 9), Vec3(99)}[strength];
+    file.position[7] = Vec3(0.0);
+}
+
+/// Heights where a raster has none.
+void plantHeights(PointFile& file, std::size_t strength, Random& /*random*/) {
+    for (Vec3& x : file.position) x = 300.0 * x + Vec3(4e5, 5e6, 500.0);
+    replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x.z = -9999.0; });
+}
+
+/// The greatest value of sixteen bits, in millimeters.
+void plantGreatest(PointFile& file, std::size_t strength, Random& /*random*/) {
+    for (Vec3& x : file.position) x = 1000.0 * x + Vec3(0.0, 0.0, 3000.0);
+    replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x.z = 65535.0; });
+}
+
+/// Huge values, each point another one.
+void plantHuge(PointFile& file, std::size_t strength, Random& random) {
+    const double size = std::array{1e7, 1e10, 3.4e38}[strength];
+    for (std::size_t p = 0; p < 5; ++p) file.position[40 * p] = size * random.direction();
+}
+
+}  // namespace
+
+TEST_CASE("doctor: missing values are found in 95 of 100 files, and the rest is as without them") {
+    CHECK(shareFound("sentinels", {{"zeros", plantZeros, "(0, 0, 0)"},
+                                   {"one zero", plantOneZero, "(0, 0, 0)"},
+                                   {"heights", plantHeights, "-1e+04"},
+                                   {"greatest", plantGreatest, "6.55e+04"},
+                                   {"huge", plantHuge, "far off"}}) >= 95.0);
+}
+
+TEST_CASE("doctor: missing values are set aside, and the rest is measured without them") {
+    Random random(2);
+    for (std::size_t strength = 0; strength < 3; ++strength) {
+        PointFile file = shapes(1).front();
+        plantZeros(file, strength, random);
+        PointFile without = file;
+        std::erase(without.position, Vec3(0.0));
+        without.normal.resize(without.position.size());
+        const Diagnosis diagnosis = examined(file);
+        const InputFacts& facts = diagnosis.facts;
+        CHECK(facts.count(Aside::Sentinel) == file.position.size() - without.position.size());
+        without.normal.clear();
+        const InputFacts right = examined(without).facts;
+        CHECK(facts.extent() == right.extent());
+        CHECK(facts.nearestMost == right.nearestMost);
+        const FixedFile fixed = applyFixes(file);
+        CHECK(fixed.file.position == without.position);
+    }
+}
+
+TEST_CASE("doctor: a point at the origin, or at a place of several, is none where others are") {
+    for (PointFile file : shapes(2)) {
+        const Vec3 first = file.position.front();
+        for (Vec3& x : file.position) x -= first;
+        for (int i = 0; i < 5; ++i) {
+            file.position.push_back(file.position[9]);
+            file.normal.push_back(file.normal[9]);
+        }
+        CHECK(examined(file).facts.count(Aside::Sentinel) == 0);
+    }
 }

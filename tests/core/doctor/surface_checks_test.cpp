@@ -212,8 +212,8 @@ TEST_CASE("doctor: the spacing and the extent are in the units of the file") {
     PointFile file = flatLattice(10, 0.0);
     for (Vec3& x : file.position) x *= 0.25;
     const Diagnosis diagnosis = examined(file);
-    CHECK(diagnosis.extent == Vec3(2.25, 2.25, 0.0));
-    CHECK(diagnosis.spacing == doctest::Approx(0.25 * std::sqrt(2.0)));
-    CHECK(sizeText(diagnosis) == "0.354 between points, 2.25 x 2.25 x 0");
-    CHECK(sizeText(Diagnosis{}).empty());
+    CHECK(diagnosis.facts.extent() == Vec3(2.25, 2.25, 0.0));
+    CHECK(diagnosis.facts.nearestMedian == doctest::Approx(0.25));
+    CHECK(sizeText(diagnosis.facts) == "0.25 between points, 2.25 x 2.25 x 0");
+    CHECK(sizeText(InputFacts{}).empty());
 }

@@ -258,8 +258,8 @@ TEST_CASE("inspection: a few triangles within two edges of a larger piece, point
     }
     s.triangles.push_back({first, first + 1, first + 2});      // 2.2 from the sheet
     s.triangles.push_back({first + 3, first + 4, first + 5});  // 8 from the other one
-    s.points.setAside.assign(s.points.size(), false);
-    s.points.setAside.back() = true;
+    s.points.aside.assign(s.points.size(), Aside::No);
+    s.points.aside.back() = Aside::Noise;
     const Counts counts = countsOf(s.points, s.triangles);
     CHECK(counts.at("small_components") == 1);
     CHECK(counts.at("lost_points") == 1);

@@ -169,7 +169,7 @@ TEST_CASE("verdict: a closed piece faces in, unless it is within another and its
 TEST_CASE("verdict: a mesh in more pieces than the points is torn") {
     const PointFile two = both(spherical(600, 1.0), spherical(600, 1.0, Vec3(4.0, 0.0, 0.0)));
     const PointSet points = judgedPoints(two);
-    CHECK(points.judge->pieces == 2);
+    CHECK(points.judge->facts.pieces == 2);
     const std::vector<Triangle> mesh = meshOf(points);
     CHECK(verdictOf(points, mesh).extraPieces() == 0);
     // Without a belt of triangles one of the spheres is in two pieces, and less is covered.

@@ -136,12 +136,8 @@ TEST_CASE("validate: the gap of a rim point has two other points as ends") {
 
 TEST_CASE("validate: marks of points are for all of them, or for none") {
     PointSet points = makeSquare();
-    points.setAside.assign(4, false);
-    points.stray.assign(4, true);
+    points.aside.assign(4, Aside::No);
     CHECK(validate(points).ok());
-    points.stray.pop_back();
-    CHECK(flawOf(points) == "there are 4 positions, but 3 marks of strays");
-    points.stray.clear();
-    points.setAside.pop_back();
+    points.aside.pop_back();
     CHECK(flawOf(points) == "there are 4 positions, but 3 marks of points set aside");
 }

@@ -29,7 +29,7 @@ TEST_CASE("prepare: points without normals get derived ones, with a report") {
         CHECK(prepared.report.neighborsComputed);
         CHECK(prepared.report.derived.normalComponents ==
               static_cast<std::size_t>(family.components));
-        CHECK(prepared.report.derived.planelessPoints == 0);
+        CHECK(prepared.report.count(Aside::NoNormal) == 0);
         for (std::size_t p = 0; p < truth.size(); ++p) {
             CHECK(glm::dot(prepared.points.normal[p], truth[p]) > 0.7);
         }
@@ -67,13 +67,13 @@ TEST_CASE("prepare: nothing can be derived from points in line, they are set asi
     PointFile line;
     for (int i = 0; i < 20; ++i) line.position.push_back({1.0 * i, 0, 0});
     const Prepared prepared = prepareOrFail(line);
-    CHECK(prepared.report.derived.planelessPoints == 20);
+    CHECK(prepared.report.count(Aside::NoNormal) == 20);
     CHECK(prepared.points.neighbors.ids.empty());
     for (const std::size_t count : {1U, 2U}) {
         PointFile few;
         few.position.assign(line.position.begin(),
                             line.position.begin() + static_cast<std::ptrdiff_t>(count));
-        CHECK(prepareOrFail(few).report.derived.planelessPoints == count);
+        CHECK(prepareOrFail(few).report.count(Aside::NoNormal) == count);
     }
 }
 

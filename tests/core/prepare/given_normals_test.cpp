@@ -124,7 +124,7 @@ TEST_CASE(
     for (const Case& each : cases) {
         CAPTURE(each.name);
         const MeshJudge judge = judgeOf(each.file);
-        CHECK(judge.fit);
+        CHECK(judge.facts.normalsFit);
         CHECK(judge.areRight());
         CHECK(departureText(judge).empty());
     }
@@ -153,8 +153,8 @@ TEST_CASE("given normals: tilted ones, lines of sight, constants and chance do n
     for (const Case& each : cases) {
         CAPTURE(each.name);
         const MeshJudge judge = judgeOf(each.file);
-        CHECK_FALSE(judge.fit);
-        CHECK(judge.unfitDegrees > 16.0);
+        CHECK_FALSE(judge.facts.normalsFit);
+        CHECK(judge.facts.normalDegrees > 16.0);
         CHECK(departureText(judge).starts_with("by derived normals: the given ones are "));
         // Derived normals are those of the surface.
         for (Index p = 0; p < each.file.position.size(); ++p)
@@ -166,7 +166,7 @@ TEST_CASE("given normals: zeros and numbers that are none do not fit") {
     for (const double value : {0.0, std::nan("")}) {
         const MeshJudge judge =
             judgeOf(withNormals(fibonacciSphere(600), [&](const Vec3&) { return Vec3(value); }));
-        CHECK_FALSE(judge.fit);
+        CHECK_FALSE(judge.facts.normalsFit);
         CHECK(glm::dot(judge.points.normal[5], judge.points.position[5]) > 0.9);
     }
 }
@@ -177,7 +177,7 @@ TEST_CASE("given normals: a patch that contradicts the rest is judged by its oth
         const PointFile right = fibonacciSphere(600);
         const PointFile file = flippedWhere(right, [&](const Vec3& x) { return x.z > from; });
         const MeshJudge judge = judgeOf(file);
-        CHECK(judge.fit);
+        CHECK(judge.facts.normalsFit);
         CHECK_FALSE(judge.areRight());
         for (Index p = 0; p < right.normal.size(); ++p)
             CHECK(glm::dot(judge.points.normal[p], right.normal[p]) > 0.99);
@@ -189,10 +189,10 @@ TEST_CASE("given normals: the order of the points and the number of threads chan
     PointFile reversed = file;
     std::reverse(reversed.position.begin(), reversed.position.end());
     std::reverse(reversed.normal.begin(), reversed.normal.end());
-    CHECK(judgeOf(file).fit == judgeOf(reversed).fit);
+    CHECK(judgeOf(file).facts.normalsFit == judgeOf(reversed).facts.normalsFit);
     const MeshJudge one = *judgeFor(file, {}, 1).value();
     const MeshJudge three = *judgeFor(file, {}, 3).value();
-    CHECK(one.fit == three.fit);
+    CHECK(one.facts.normalsFit == three.facts.normalsFit);
     CHECK(one.points.normal == three.points.normal);
 }
 
@@ -255,7 +255,7 @@ TEST_CASE("given normals: points on the edges of a part alone say nothing agains
         const Vec3 out(std::cos(a), std::sin(a), 0.0);
         file.normal.push_back(glm::normalize(i % 2 == 0 ? out : -out));
     }
-    CHECK(judgeOf(file).fit);
+    CHECK(judgeOf(file).facts.normalsFit);
 }
 
 TEST_CASE("given normals: those of the shared sets fit, and tilted or constant ones do not") {
@@ -277,18 +277,19 @@ TEST_CASE("given normals: those of the shared sets fit, and tilted or constant o
         if (!file.hasNormals() || file.position.size() > 15'000) continue;
         const std::size_t half = i % 2;
         const MeshJudge judge = judgeOf(file);
-        CHECK_MESSAGE(judge.fit, paths[i].filename());
+        CHECK_MESSAGE(judge.facts.normalsFit, paths[i].filename());
         ++sets[half];
-        fitting[half] += judge.fit ? 1U : 0U;
+        fitting[half] += judge.facts.normalsFit ? 1U : 0U;
         std::string row;
         for (const double degrees : {10.0, 20.0, 40.0, 60.0}) {
-            const bool fit = judgeOf(tilted(file, degrees)).fit;
+            const bool fit = judgeOf(tilted(file, degrees)).facts.normalsFit;
             row += fit ? " fit" : " -";
             if (degrees < 20.0) continue;
             ++spoiled[half];
             found[half] += fit ? 0U : 1U;
         }
-        const bool up = judgeOf(withNormals(file, [](const Vec3&) { return Vec3(0, 0, 1); })).fit;
+        const bool up =
+            judgeOf(withNormals(file, [](const Vec3&) { return Vec3(0, 0, 1); })).facts.normalsFit;
         ++spoiled[half];
         found[half] += up ? 0U : 1U;
         row += up ? " fit" : " -";
@@ -305,6 +306,6 @@ TEST_CASE("given normals: those of the shared sets fit, and tilted or constant o
     for (const char* name : {"normals_tilted_20_degrees.xyz", "normals_are_ray_directions.ply"}) {
         CAPTURE(name);
         const auto file = sharedPoints("cases/" + std::string(name));
-        if (file) CHECK_FALSE(judgeOf(*file).fit);
+        if (file) CHECK_FALSE(judgeOf(*file).facts.normalsFit);
     }
 }

@@ -48,7 +48,7 @@ TEST_CASE("noise: smooth surfaces have little, however they bend, and lose no po
         const PointFile file = family.sample(1);
         const Prepared prepared = prepareFor("robust", file);
         CHECK_MESSAGE(prepared.report.noise < 0.35, family.name);
-        CHECK_MESSAGE(prepared.report.noisyPoints == 0, family.name);
+        CHECK_MESSAGE(prepared.report.count(Aside::Noise) == 0, family.name);
         CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
     }
 }
@@ -78,7 +78,7 @@ TEST_CASE("noise: long lists do not make a surface noisy") {
         const auto result = prepare(file, options);
         REQUIRE(result.ok());
         CHECK(result.value().report.noise == doctest::Approx(noise).epsilon(0.05));
-        CHECK(result.value().report.noisyPoints == 0);
+        CHECK(result.value().report.count(Aside::Noise) == 0);
     }
 }
 
@@ -91,8 +91,8 @@ TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and soun
             CAPTURE(width);
             CAPTURE(seed);
             CHECK(prepared.report.noise > kNoisy);
-            CHECK(prepared.report.noisyPoints > 0);
-            CHECK(prepared.report.noisyPoints < file.position.size());
+            CHECK(prepared.report.count(Aside::Noise) > 0);
+            CHECK(prepared.report.count(Aside::Noise) < file.position.size());
             CHECK(points.position == file.position);
             const Run run = runAll(points, *paramsByName("robust"));
             CHECK(run.mesh.closedManifold());
@@ -114,7 +114,7 @@ TEST_CASE("noise: points that fill space are no surface, and all stay") {
         file.normal.push_back(random.direction());
     }
     const Prepared prepared = prepareFor("robust", file);
-    CHECK(prepared.report.noisyPoints == 0);
+    CHECK(prepared.report.count(Aside::Noise) == 0);
     CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
     CHECK(prepared.points.neighbors.ids == prepareFor("paper", file).points.neighbors.ids);
 }
@@ -123,7 +123,7 @@ TEST_CASE("noise: lists from the file are taken as they are") {
     PointFile file = noisySphere(2000, 1.5, 1);
     file.neighbors = prepareFor("paper", file).points.neighbors;
     const Prepared prepared = prepareFor("robust", file);
-    CHECK(prepared.report.noisyPoints == 0);
+    CHECK(prepared.report.count(Aside::Noise) == 0);
     CHECK(prepared.points.neighbors.ids == file.neighbors.ids);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE(
         if (!file) return;
         const Prepared prepared = prepareFor("robust", *file);
         if (std::string(name) != "sphere_noisy") {
-            CHECK_MESSAGE(prepared.report.noisyPoints == 0, name);
+            CHECK_MESSAGE(prepared.report.count(Aside::Noise) == 0, name);
             continue;
         }
         const Run run = runAll(prepared.points, *paramsByName("robust"));
@@ -227,7 +227,7 @@ TEST_CASE("noise: a point that was chosen stays, though a later one reaches it")
 TEST_CASE("noise: points that stay get the mean normal of their patch, the others keep theirs") {
     const PointFile file = noisySphere(1000, 1.0, 1);
     const Prepared prepared = prepareFor("robust", file);
-    REQUIRE(prepared.report.noisyPoints > 0);
+    REQUIRE(prepared.report.count(Aside::Noise) > 0);
     const std::vector<bool> all(file.position.size(), true);
     const auto lists =
         findNeighbors(file.position, file.normal, all, {KNearest{kNoisePatch}, true, false});
@@ -235,7 +235,7 @@ TEST_CASE("noise: points that stay get the mean normal of their patch, the other
     std::size_t wrong = 0;
     for (Index p = 0; p < file.position.size(); ++p) {
         Vec3 expected = file.normal[p];
-        if (!prepared.points.setAside[p]) {
+        if (!prepared.points.isAside(p)) {
             for (const Index q : lists.value()[p]) expected += file.normal[q];
         }
         expected = glm::normalize(expected);

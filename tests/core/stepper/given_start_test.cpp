@@ -109,8 +109,8 @@ TEST_CASE("a start that no run could reach is refused, with the entry and the in
     CHECK(reason([](Start& s) { s.rings.erase(s.rings.begin()); }) ==
           "triangles[3]: point 10 is neither on a ring nor in \"done\".");
     Started aside("figure-11");
-    aside.points.setAside.assign(aside.points.size(), false);
-    aside.points.setAside[9] = true;
+    aside.points.aside.assign(aside.points.size(), Aside::No);
+    aside.points.aside[9] = Aside::Noise;
     CHECK(requireStart(aside.points, aside.params.start).error().message ==
           "triangles[5]: point 9 was set aside, no triangle has it.");
 }

@@ -175,12 +175,12 @@ TEST_CASE("Noise comes back by its rule, points dropped by a fix by taking back 
     PieceApp app("piece-return");
     app.document.rerun(withSet({}, "robust"));
     app.settle();
-    bringBack(app.context, {AsideReason::Noise});
+    bringBack(app.context, {Aside::Noise});
     const RuleSetting& noise = *findRuleSetting("noise");
     CHECK(valueOf(app.session.input().rules(), noise) == 0.0);
     app.settle();
     app.document.runWithFixes({"duplicates", "flipped_normals"});
     app.settle();
-    bringBack(app.context, {AsideReason::Fixed, "duplicates"});
+    bringBack(app.context, {Aside::LeftOut, "duplicates"});
     CHECK(app.session.input().opening().fixes == std::vector<std::string>{"flipped_normals"});
 }

@@ -62,9 +62,9 @@ TEST_CASE("Points that the preparation sets aside are listed by reason, with the
     const auto copy = static_cast<Index>(file.position.size() - 1);
     CHECK(model.aside.size() == 2);
     CHECK(countOf(model.aside) == 2);
-    CHECK(groupOf(model, "not_finite").points == std::vector<Index>{9});
-    CHECK(groupOf(model, "copy").points == std::vector<Index>{copy});
-    CHECK(returnText(AsideReason::NotFinite).empty());
+    CHECK(groupOf(model, "non_finite").points == std::vector<Index>{9});
+    CHECK(groupOf(model, "duplicates").points == std::vector<Index>{copy});
+    CHECK(returnText({Aside::NotFinite}).empty());
     RunSpec derived;
     derived.normals = NormalSource::Derived;
     CHECK(countOf(loadPoints(file, derived).value().model->aside) == 2);
@@ -85,8 +85,8 @@ TEST_CASE("Points set aside for noise are as many as the report counts") {
     const Result<Loaded> loaded = loadPoints(file, spec);
     REQUIRE(loaded);
     const Model& model = *loaded.value().model;
-    REQUIRE(model.report.noisyPoints > 100);
-    CHECK(groupOf(model, "noise").count == model.report.noisyPoints);
+    REQUIRE(model.report.count(Aside::Noise) > 100);
+    CHECK(groupOf(model, "noise").count == model.report.count(Aside::Noise));
     spec = withRule(spec, "noise", 0.0);
     CHECK(loadPoints(file, spec).value().model->aside.empty());
 }
@@ -99,7 +99,7 @@ TEST_CASE("Points dropped by a fix are listed with the fix, at their places") {
     REQUIRE(loaded);
     const Model& model = *loaded.value().model;
     const AsidePoints dropped = groupOf(model, "duplicates");
-    CHECK(dropped.reason == AsideReason::Fixed);
+    CHECK(dropped.fix == "duplicates");
     CHECK(dropped.count == 2);
     CHECK(dropped.position.size() == 1);  // one is not finite
     CHECK(dropped.points.empty());

@@ -55,7 +55,7 @@ struct FixApp : test::HeadlessApp {
     }
     std::vector<std::string> findings() const {
         const auto found = session.doctorJob().findings();
-        return names({{found.begin(), found.end()}});
+        return names({{found.begin(), found.end()}, {}});
     }
     bool finds(const char* name) const {
         const auto found = findings();

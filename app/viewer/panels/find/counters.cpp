@@ -55,13 +55,11 @@ void drawInput(const PanelContext& context) {
     origin(context, "normals", derived.normals || derived.orientation, normalNote(derived));
     if (derived.types) origin(context, "wall types", derived.types, {});
     if (derived.rim) origin(context, "rims", derived.rim, {});
-    if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
-    if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);
-    if (report.zeroNormals > 0) warn(context, "zero normals", report.zeroNormals);
     if (derived.completedNormals > 0) warn(context, "normals derived", derived.completedNormals);
-    if (report.duplicatePoints > 0) warn(context, "duplicates", report.duplicatePoints);
-    if (report.noisyPoints > 0) warn(context, "noise", report.noisyPoints);
-    if (report.strays > 0) warn(context, "strays", report.strays);
+    for (const AsideWords& each : asideReasons()) {
+        const std::size_t aside = report.count(each.reason);
+        if (aside > 0) warn(context, std::string(each.name).c_str(), aside);
+    }
     if (report.droppedListEntries > 0) count(context, "list cleaned", report.droppedListEntries);
     endValues();
 }

@@ -22,7 +22,7 @@ void drawAsideGroup(const PanelContext& context, const AsidePoints& group) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.2F * em);
     if (smallButton(context, "Show", "show " + name, "Frame these points in the view"))
         showAside(context.commands, group);
-    const std::string_view back = returnText(group.reason);
+    const std::string_view back = returnText(group);
     if (!back.empty()) {
         ImGui::SameLine();
         if (smallButton(context, "Bring back", "return " + name, std::string(back)))

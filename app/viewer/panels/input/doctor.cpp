@@ -30,13 +30,14 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
     if (shown) return session.highlights().mark({});
     std::vector<Index> points = pointsToMark(session.model(), finding);
     if (points.empty()) {
-        session.highlights().mark({});
+        session.highlights().mark({}, finding.lines);
+        if (!finding.lines.empty()) return;
         return session.messages().say(finding.points.empty()
                                           ? "This is about the file as a whole."
                                           : "These points have no finite position.");
     }
     frameFault(session.model(), points, context.ui().viewPart(), context.camera());
-    session.highlights().mark(std::move(points));
+    session.highlights().mark(std::move(points), finding.lines);
 }
 
 /// Number of highlighted points, if not all are.
@@ -137,9 +138,10 @@ void drawFixAll(const PanelContext& context) {
 void drawFinding(const PanelContext& context, const Finding& finding) {
     const Session& session = context.session();
     const std::string name(finding.check->name);
-    const std::span<const Index> marks = session.highlights().marked();
-    const bool shown =
-        context.state<DoctorPanel>().shownCheck == name && !marks.empty() && marks.front() != kNone;
+    const Highlights& highlights = session.highlights();
+    const std::span<const Index> marks = highlights.marked();
+    const bool inView = (!marks.empty() && marks.front() != kNone) || !highlights.lines().empty();
+    const bool shown = context.state<DoctorPanel>().shownCheck == name && inView;
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(severityColor(context, finding.severity)));
     ImGui::PushFont(context.fonts.strong);
@@ -151,9 +153,10 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     ImGui::PopFont();
     ImGui::PopStyleColor();
     nameItem(context, "finding " + name,
-             finding.points.empty() ? "About the file as a whole"
-             : shown                ? "Clear the marks"
-                                    : "Mark these points in the view, and frame them");
+             shown                     ? "Clear the marks"
+             : !finding.points.empty() ? "Mark these points in the view, and frame them"
+             : !finding.lines.empty()  ? "Show it in the view, by lines at some of the points"
+                                       : "About the file as a whole");
     wrappedText(finding.text + ".");
     if (shown) {
         const std::string marked = markedText(session, finding);
@@ -161,6 +164,7 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     }
     dimText("Section " + std::string(finding.check->section) + ": " +
             std::string(finding.check->upsets));
+    if (finding.tried) dimText("Tried: " + finding.tried->text + ".");
     drawRemedy(context, finding);
     ImGui::PopID();
     ImGui::Spacing();

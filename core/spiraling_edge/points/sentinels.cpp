@@ -1,0 +1,144 @@
+#include "spiraling_edge/points/sentinels.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace se {
+namespace {
+
+/// The middle of the values of an axis, and how far they reach.
+struct ValueRange {
+    double middle = 0.0;
+    double span = 0.0;
+};
+
+/// The range of nine in ten of the values, without named sentinels. Changes their order.
+ValueRange valueRangeOf(std::vector<double>& values) {
+    constexpr double kOutside = 0.05;
+    std::erase_if(values, isNamedSentinel);
+    if (values.empty()) return {};
+    const auto at = [&](double share) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                                share * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), place, values.end());
+        return *place;
+    };
+    const double low = at(kOutside);
+    const double high = at(1.0 - kOutside);
+    return {low + 0.5 * (high - low), high - low};
+}
+
+/// Marks points with a coordinate far off.
+void markFarValues(std::span<const Vec3> position, std::vector<Aside>& aside) {
+    constexpr std::size_t kSampled = 4096;
+    const std::size_t step = std::max<std::size_t>(1, position.size() / kSampled);
+    std::array<ValueRange, 3> ranges;
+    double span = 0.0;
+    for (Vec3::length_type axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (std::size_t p = 0; p < position.size(); p += step) {
+            if (aside[p] == Aside::No) values.push_back(position[p][axis]);
+        }
+        ValueRange& range = ranges[static_cast<std::size_t>(axis)];
+        range = valueRangeOf(values);
+        span = std::max(span, range.span);
+    }
+    if (!(span > 0.0)) return;
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        for (Vec3::length_type axis = 0; axis < 3 && aside[p] != Aside::NotFinite; ++axis) {
+            const double value = position[p][axis];
+            const double far =
+                isNamedSentinel(value) ? kSentinelLimits.farNamed : kSentinelLimits.far;
+            const double off = std::abs(value - ranges[static_cast<std::size_t>(axis)].middle);
+            if (off > far * span) aside[p] = Aside::Sentinel;
+        }
+    }
+}
+
+/// The squares of the distances from p to the nearest points at other places, ascending, and the
+/// nearest of these.
+struct Nearest {
+    std::array<double, 3> squares;
+    Index point = kNone;
+};
+Nearest nearestOf(std::span<const Vec3> position, const std::vector<Aside>& aside, Index p) {
+    Nearest nearest;
+    nearest.squares.fill(std::numeric_limits<double>::infinity());
+    for (Index q = 0; q < position.size(); ++q) {
+        if (q == p || aside[q] != Aside::No) continue;
+        const Vec3 d = position[p] - position[q];
+        const double square = glm::dot(d, d);
+        if (!(square < nearest.squares.back()) || position[p] == position[q]) continue;
+        if (square < nearest.squares.front()) nearest.point = q;
+        nearest.squares.back() = square;
+        std::sort(nearest.squares.begin(), nearest.squares.end());
+    }
+    return nearest;
+}
+
+bool isFarPlace(std::span<const Vec3> position, const std::vector<Aside>& aside, Index p) {
+    const Nearest here = nearestOf(position, aside, p);
+    if (here.point == kNone) return false;
+    const Nearest there = nearestOf(position, aside, here.point);
+    return std::sqrt(here.squares.front()) >
+           kSentinelLimits.farPlace * std::sqrt(there.squares.back());
+}
+
+/// The points to look at: the origin, and those with the most copies.
+std::vector<Index> sharedPlaces(std::span<const Vec3> position, const std::vector<Aside>& aside,
+                                std::span<const Index> original) {
+    constexpr std::size_t kMost = 8;
+    std::vector<Index> copies(position.size(), 0);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (aside[p] == Aside::Copy) ++copies[original[p]];
+    }
+    std::vector<Index> places;
+    for (Index p = 0; p < position.size(); ++p) {
+        const bool shared = copies[p] + 1 >= kSentinelLimits.copies;
+        if (aside[p] == Aside::No && (shared || position[p] == Vec3(0.0))) places.push_back(p);
+    }
+    // The origin is where missing values are most often.
+    const auto rank = [&](Index p) {
+        return position[p] == Vec3(0.0) ? std::numeric_limits<Index>::max() : copies[p];
+    };
+    std::stable_sort(places.begin(), places.end(),
+                     [&](Index a, Index b) { return rank(a) > rank(b); });
+    if (places.size() > kMost) places.resize(kMost);
+    return places;
+}
+
+}  // namespace
+
+bool isNamedSentinel(double value) {
+    constexpr double kLeastOfTen = 1e4;
+    constexpr double kLeastOfTwo = 32768.0;
+    const double size = std::abs(value);
+    if (!(size >= kLeastOfTen - 1.0)) return false;
+    for (const double power : {size, size + 1.0}) {
+        int exponent = 0;
+        if (power >= kLeastOfTwo && std::frexp(power, &exponent) == 0.5) return true;
+        if (power == std::pow(10.0, std::round(std::log10(power)))) return true;
+    }
+    return false;
+}
+
+void markSentinels(std::span<const Vec3> position, std::span<const Index> original,
+                   std::vector<Aside>& aside) {
+    assert(aside.size() == position.size() && original.size() == position.size());
+    const auto used = static_cast<std::size_t>(std::count(aside.begin(), aside.end(), Aside::No));
+    if (used < kSentinelLimits.leastPoints) return;
+    markFarValues(position, aside);
+    std::vector<Index> far;
+    for (const Index p : sharedPlaces(position, aside, original)) {
+        if (isFarPlace(position, aside, p)) far.push_back(p);
+    }
+    for (Index p = 0; p < position.size() && !far.empty(); ++p) {
+        if (std::find(far.begin(), far.end(), original[p]) != far.end()) aside[p] = Aside::Sentinel;
+    }
+}
+
+}  // namespace se

@@ -1,0 +1,162 @@
+#include "spiraling_edge/why/tried_fixes.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/why/trial.h"
+
+namespace se {
+namespace {
+
+/// "sound", "no triangle", "faults at 4 places".
+std::string endOf(const MeshVerdict& verdict) {
+    if (verdict.triangles == 0) return "no triangle";
+    if (verdict.isSound()) return "sound";
+    return "faults at " + counted(verdict.places, "place");
+}
+
+/// The meshes of one file, by `paper` and by `robust`.
+struct BothMeshes {
+    MeshVerdict paper;
+    MeshVerdict robust;
+};
+
+/// The fixes of one file.
+class FixTrials {
+  public:
+    FixTrials(const PointFile& file, const Progress& progress) : file_(file), progress_(progress) {}
+
+    /// The number of steps of progress that follow.
+    void expect(std::size_t steps) { steps_ = std::max<std::size_t>(steps, 1); }
+
+    Result<TriedFix> tried(const Finding& finding) {
+        switch (finding.check->fix) {
+            case Fix::None:
+                return triedBest();
+            case Fix::Repair:
+                return triedRepair();
+            case Fix::Drop:
+                return triedOn(applyFixes(file_, finding.toDrop(), finding.dropReason).file, {});
+            default:
+                return triedOn(file_, changeOf(finding.check->fix));
+        }
+    }
+
+  private:
+    /// The option of the command.
+    static SpecChange changeOf(Fix fix) {
+        switch (fix) {
+            case Fix::Orient:
+                return specChange({{"normals", "oriented"}});
+            case Fix::Derive:
+                return specChange({{"normals", "derived"}});
+            case Fix::NewLists:
+                return specChange({{"neighbors", "12"}});
+            case Fix::Symmetric:
+                return specChange({{"symmetric", "on"}});
+            case Fix::Walls:
+                return specChange({{"box", "auto"}});
+            case Fix::Rim:
+                return specChange({{"rim", "on"}});
+            default:
+                return {};
+        }
+    }
+
+    Progress nextStep() {
+        const double from = static_cast<double>(step_) / static_cast<double>(steps_);
+        step_ = std::min(step_ + 1, steps_);
+        return partOf(progress_, from, static_cast<double>(step_) / static_cast<double>(steps_));
+    }
+
+    Result<MeshVerdict> meshOf(const PointFile& file, const SpecChange& change,
+                               std::string_view rules, const Progress& progress) const {
+        RunSpec spec = changed({}, specChange({{"rules", rules}}));
+        return verdictOfRun(file, changed(std::move(spec), change), progress);
+    }
+    Result<BothMeshes> meshesOf(const PointFile& file, const SpecChange& change) {
+        const Progress progress = nextStep();
+        Result<MeshVerdict> paper = meshOf(file, change, "paper", partOf(progress, 0.0, 0.5));
+        if (!paper) return paper.error();
+        Result<MeshVerdict> robust = meshOf(file, change, "robust", partOf(progress, 0.5, 1.0));
+        if (!robust) return robust.error();
+        return BothMeshes{std::move(paper.value()), std::move(robust.value())};
+    }
+
+    Result<TriedFix> triedOn(const PointFile& file, const SpecChange& change) {
+        if (!before_) {
+            Result<BothMeshes> made = meshesOf(file_, {});
+            if (!made) return made.error();
+            before_ = std::move(made.value());
+        }
+        const Result<BothMeshes> after = meshesOf(file, change);
+        if (!after) return after.error();
+        TriedFix tried;
+        const auto compare = [&](std::string_view rules, const MeshVerdict& now,
+                                 const MeshVerdict& then) {
+            tried.helps = tried.helps || hasFewerFaults(now, then);
+            tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) + " " +
+                          endOf(now) + " (before " + endOf(then) + ")";
+        };
+        compare("paper", after.value().paper, before_->paper);
+        compare("robust", after.value().robust, before_->robust);
+        return tried;
+    }
+
+    /// What every run does as well.
+    Result<TriedFix> triedRepair() const {
+        const std::size_t left = applyFixes(file_).file.position.size();
+        return TriedFix{left > 0, "writes the " + counted(left, "point") + " that a run uses"};
+    }
+
+    Result<TriedFix> triedBest() {
+        const Result<Trials> trials = tryChanges(file_, {}, {}, nextStep());
+        if (!trials) return trials.error();
+        const std::vector<Trial>& tried = trials.value().tried;
+        const std::string before = endOf(tried.front().verdict);
+        const Trial& best = tried[trials.value().best];
+        if (trials.value().best == 0) {
+            const std::size_t changes = tried.size() - 1;
+            return TriedFix{
+                false,
+                before + " as given" +
+                    (changes == 0 ? "" : "; none of " + counted(changes, "change") + " is better")};
+        }
+        return TriedFix{true, endOf(best.verdict) + " with " + wordsOf(best.change) + " (before " +
+                                  before + ")"};
+    }
+
+    const PointFile& file_;
+    const Progress& progress_;
+    std::optional<BothMeshes> before_;
+    std::size_t steps_ = 1;
+    std::size_t step_ = 0;
+};
+
+}  // namespace
+
+Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress) {
+    FixTrials trials(file, progress);
+    const auto hasRemedy = [](const Finding& finding) {
+        return !finding.check->remedy.empty() && !finding.dropsAll();
+    };
+    trials.expect(2 + static_cast<std::size_t>(std::count_if(diagnosis.findings.begin(),
+                                                             diagnosis.findings.end(), hasRemedy)));
+    std::map<std::string_view, TriedFix> known;
+    for (Finding& finding : diagnosis.findings) {
+        if (!hasRemedy(finding)) continue;
+        const std::string_view command = finding.check->remedy;
+        if (!known.contains(command)) {
+            Result<TriedFix> tried = trials.tried(finding);
+            if (!tried) return tried.error();
+            known[command] = std::move(tried.value());
+        }
+        finding.tried = known[command];
+    }
+    if (progress) progress(1.0);
+    return success();
+}
+
+}  // namespace se
