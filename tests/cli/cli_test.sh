@@ -967,7 +967,7 @@ crop_keeps_the_points_in_a_box() {
     expect 0 run square.xyz --crop -1,1,0,2,3,0 --max-pivots 0 -q -o piece.ply
     expect 1 doctor piece.ply --crop 1,0,0,9,9,0 --fix last.ply
     says out "kept     6 of 9 points: crop"
-    says out "try: spiraling-edge run piece.ply --crop 1,0,0,9,9,0 --best -o OUT.ply"
+    says out "try (not tried here): spiraling-edge run piece.ply --crop 1,0,0,9,9,0 --best -o OUT.ply"
     is "$(tail -c 12 last.ply | od -An -tu4 | awk '{ print $NF }')" 13 "last index"
 }
 
@@ -1163,15 +1163,15 @@ info_counts_what_is_wrong() {
 doctor_says_what_is_wrong() {
     sphere_points good.xyz
     expect 0 doctor good.xyz
-    is "$(cat out)" "good.xyz: 600 points, 0.196 between points, 2 x 2 x 2, nothing found" "a clean set"
+    is "$(cat out)" "good.xyz: 600 points, 0.137 between points, 2 x 2 x 2, nothing found" "a clean set"
     expect 0 doctor good.xyz --json
     says out '"accused": false'
     says out '"findings": []'
-    is "$(number spacing out | cut -c1-5)" 0.196 "spacing"
+    is "$(number median out | cut -c1-5)" 0.137 "spacing"
     awk 'NR == 8 { $4 = $5 = $6 = 0 } NR == 30 { $1 = "nan" } { print } NR == 50' good.xyz >odd.xyz
     expect 1 doctor odd.xyz
     empty err
-    says out "odd.xyz: 601 points, 0.196 between points, 2 x 2 x 2, 3 findings"
+    says out "odd.xyz: 601 points, 0.137 between points, 2 x 2 x 2, 3 findings"
     says out "warning  zero_normals: 1 point with a normal that is zero, NaN or infinite"
     says out "at point 7"
     says out "try: spiraling-edge doctor odd.xyz --fix OUT.ply"
@@ -1250,10 +1250,11 @@ doctor_empties_no_file() {
     expect 1 doctor nowhere.xyz --fix nothing.ply
     says err "would leave 0 of 0 distinct finite positions"
     absent nothing.ply
-    # Copies are no places of their own.
+    # Copies are no places of their own, and one far off is that of a missing value.
     { cat good.xyz; for i in $(seq 900); do echo 0 0 3 0 0 1; done; } >copies.xyz
-    expect 1 doctor copies.xyz --fix out.ply
-    is "$(header_count vertex out.ply)" 601 "points without copies"
+    expect 0 doctor copies.xyz --fix out.ply
+    is "$(header_count vertex out.ply)" 600 "points without copies"
+    says out "900 points where a missing value was written dropped"
 }
 
 doctor_remedies_help() {
@@ -1278,6 +1279,12 @@ doctor_remedies_help() {
     for file in patch inside bare twin alike pairs; do
         expect 1 doctor $file.xyz
         command=$(sed -n 's/^ *try: spiraling-edge \(.*\) OUT.ply\(.*\)$/\1 OUT.ply\2/p' out)
+        if [ $file = bare ]; then
+            # The normals of an even sphere are derived as well as they can be.
+            says out "without gain: spiraling-edge run bare.xyz --best -o OUT.ply: sound as given"
+            is "$command" "" "a command without gain"
+            continue
+        fi
         # shellcheck disable=SC2086
         expect 0 $command
         expect 0 doctor OUT.ply

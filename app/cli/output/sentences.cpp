@@ -74,7 +74,7 @@ namespace {
 
 std::string spacingSentence(const InputFacts& facts) {
     if (facts.nearestMost == 0.0) return {};
-    return fmt::format("nearest point at {:g} in the median, {:g} to {:g}{}", facts.nearestMedian,
+    return fmt::format("nearest point at {:g} on average, {:g} to {:g}{}", facts.nearestMean,
                        facts.nearestLeast, facts.nearestMost,
                        facts.across > 0.0 ? "; in lines: " + spacingText(facts) : "");
 }
@@ -132,6 +132,7 @@ Json inputFactsJson(const InputFacts& facts) {
               {"high", {facts.high.x, facts.high.y, facts.high.z}}}},
             {"nearest_distance",
              {{"least", facts.nearestLeast},
+              {"mean", facts.nearestMean},
               {"median", facts.nearestMedian},
               {"most", facts.nearestMost}}},
             {"lines", facts.across > 0.0 ? Json({{"along", facts.along}, {"across", facts.across}})
@@ -141,8 +142,8 @@ Json inputFactsJson(const InputFacts& facts) {
               {"fit", facts.normalsFit},
               {"degrees_off", facts.normalDegrees},
               {"flipped", facts.flippedNormals},
-              {"completed", facts.completedNormals},
-              {"not_of_unit_length", facts.unscaledNormals},
+              {"completed_normals", facts.completedNormals},
+              {"unscaled_normals", facts.unscaledNormals},
               {"parts_of_unknown_side", facts.unknownSides}}},
             {"pieces", facts.pieces},
             {"openings", facts.openings}};

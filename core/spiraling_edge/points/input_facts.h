@@ -19,6 +19,7 @@ struct InputFacts {
     // Of the points that are finite, no copies, no sentinels and no strays:
     Vec3 low{0.0}, high{0.0};    ///< The box around them.
     double nearestLeast = 0.0;   ///< Distance of a point to its nearest but its twin: the least,
+    double nearestMean = 0.0;    ///< the mean, of which WithinSpacings counts multiples,
     double nearestMedian = 0.0;  ///< the median,
     double nearestMost = 0.0;    ///< the greatest; all 0 without two points.
     double along = 0.0;          ///< Distance of points within lines, and

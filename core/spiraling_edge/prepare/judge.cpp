@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -191,6 +192,8 @@ void measureExtent(const PointFile& file, const Surroundings& around,
     const auto [least, most] = std::minmax_element(nearest.begin(), nearest.end());
     facts.nearestLeast = *least;
     facts.nearestMost = *most;
+    facts.nearestMean =
+        std::accumulate(nearest.begin(), nearest.end(), 0.0) / static_cast<double>(nearest.size());
     facts.nearestMedian = medianOf(nearest);
 }
 
