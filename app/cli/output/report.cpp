@@ -12,6 +12,7 @@
 #include "sentences.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/rule_settings.h"
 #include "spiraling_edge/why/trial.h"
@@ -171,6 +172,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
     json["set_aside"] = setAsideJson(report.aside);
     json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
+    json["averaged_normals"] = report.averagedNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
     json["neighbors_computed"] = report.neighborsComputed;
     const DerivedPieces& derived = report.derived;
@@ -353,6 +355,7 @@ std::string summaryText(const RunOutcome& outcome) {
     addNotes(outcome.notes, summary);
     summary.line("kept", keptSentence(outcome.points));
     summary.line("set aside", setAsideSentence(outcome.prepared.aside));
+    summary.line("normals", averagedText(outcome.prepared.averagedNormals));
     summary.line("derived", derivedSentence(outcome.prepared.derived));
     summary.line("left over", leftOverSentence(outcome));
     summary.line("open", openSentence(outcome.mesh));

@@ -115,6 +115,7 @@ void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer) {
     answer.json["facts"] = inputFactsJson(facts);
     answer.line("spacing", spacingSentence(facts));
     answer.line("normals", normalsSentence(facts, givenNormals));
+    answer.line("", averagedText(facts.averagedNormals));
     answer.line("set aside", setAsideSentence(facts.aside));
     if (facts.twins > 0)
         answer.line("twins", fmt::format("{} much nearer to another than to the rest",
@@ -144,6 +145,7 @@ Json inputFactsJson(const InputFacts& facts) {
               {"flipped", facts.flippedNormals},
               {"completed_normals", facts.completedNormals},
               {"unscaled_normals", facts.unscaledNormals},
+              {"averaged_normals", facts.averagedNormals},
               {"parts_of_unknown_side", facts.unknownSides}}},
             {"pieces", facts.pieces},
             {"openings", facts.openings}};

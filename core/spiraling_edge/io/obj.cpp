@@ -174,10 +174,14 @@ class ObjReader : LineByLine {
             addDirection(directions[vertex], normals_[normal]);
         }
         if (std::find(only.begin(), only.end(), kNone) == only.end()) {
+            std::size_t averaged = 0;
             for (Index p = 0; p < only.size(); ++p) {
-                file_.normal.push_back(directions[p].size() > 1 ? meanOfDirections(directions[p])
-                                                                : normals_[only[p]]);
+                const bool several = directions[p].size() > 1;
+                file_.normal.push_back(several ? meanOfDirections(directions[p])
+                                               : normals_[only[p]]);
+                averaged += several && file_.normal.back() != directions[p].front() ? 1 : 0;
             }
+            if (averaged > 0) file_.notes.push_back(averagedText(averaged));
         } else if (normals_.size() == file_.position.size()) {
             file_.normal = std::move(normals_);
         }

@@ -28,6 +28,7 @@ struct InputFacts {
     bool hasNormals = false;           ///< Given ones, most of them with a direction.
     std::size_t completedNormals = 0;  ///< Of these without a direction: derived.
     std::size_t unscaledNormals = 0;   ///< Of these not of unit length, by more than 1e-3.
+    std::size_t averagedNormals = 0;   ///< Places with several, of which the mean is used.
     bool normalsFit = false;           ///< The given normals fit: normalsFit().
     double normalDegrees = 0.0;        ///< Median angle of given normals to the planes of points.
     std::size_t flippedNormals = 0;    ///< Of fitting ones, against those about them.

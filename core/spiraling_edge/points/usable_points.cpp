@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/points/sentinels.h"
 
@@ -146,6 +147,12 @@ Vec3 meanOfDirections(const std::vector<Vec3>& directions) {
     Vec3 sum(0.0);
     for (const Vec3& each : directions) sum += each;
     return glm::length(sum) > kCancelled ? glm::normalize(sum) : directions.front();
+}
+
+std::string averagedText(std::size_t places) {
+    return places == 0
+               ? std::string{}
+               : counted(places, "place") + " with several normals: the mean of them is used";
 }
 
 Status checkColumns(const PointFile& file) {

@@ -45,6 +45,8 @@ bool scaleToUnit(Vec3& normal);
 void addDirection(std::vector<Vec3>& directions, Vec3 normal);
 /// The unit vector in the mean of several; the first where they cancel out. Requires one.
 Vec3 meanOfDirections(const std::vector<Vec3>& directions);
+/// "12 places with several normals: the mean of them is used"; empty for none.
+std::string averagedText(std::size_t places);
 
 /// Fails if the columns of the file differ in length, or there are too many points for an Index.
 Status checkColumns(const PointFile& file);

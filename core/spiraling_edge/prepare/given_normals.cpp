@@ -70,9 +70,9 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal) {
     return normal;
 }
 
-void averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal) {
+std::size_t averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal) {
     const std::vector<Aside> aside = unusablePoints(position);
-    if (std::find(aside.begin(), aside.end(), Aside::Copy) == aside.end()) return;
+    if (std::find(aside.begin(), aside.end(), Aside::Copy) == aside.end()) return 0;
     const std::vector<Index> original = originalsOf(position, aside);
     std::map<Index, std::vector<Vec3>> directions;  // of points with copies, each direction once
     for (Index p = 0; p < normal.size(); ++p) {
@@ -81,9 +81,14 @@ void averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal
         if (list.empty()) addDirection(list, normal[original[p]]);
         addDirection(list, normal[p]);
     }
+    std::size_t averaged = 0;
     for (const auto& [p, list] : directions) {
-        if (list.size() > 1) normal[p] = meanOfDirections(list);
+        if (list.size() < 2) continue;
+        const Vec3 mean = meanOfDirections(list);
+        averaged += mean != list.front() ? 1 : 0;
+        normal[p] = mean;
     }
+    return averaged;
 }
 
 NormalFit fitOf(const GivenNormals& given, unsigned threads) {

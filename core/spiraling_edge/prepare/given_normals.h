@@ -25,8 +25,9 @@ std::vector<Vec3> unitNormals(std::vector<Vec3> normal);
 
 /// Gives each point that has copies the mean direction of its own normal and those of its copies
 /// that differ: in a mesh with hard edges, a corner has a vertex with a normal for each of its
-/// faces. Where they cancel out, its own stays. O(points).
-void averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal);
+/// faces. Where they cancel out, its own stays. Returns the number of points whose normal became a
+/// mean. O(points).
+std::size_t averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>& normal);
 
 /// Thresholds of normalsFit(), measured on half of the shared sets and judged on the others
 /// (docs/doctor.md).

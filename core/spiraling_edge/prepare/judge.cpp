@@ -224,6 +224,7 @@ void takeReport(const PrepareReport& report, InputFacts& facts) {
     facts.aside[static_cast<std::size_t>(Aside::No)] = facts.points - report.countAside();
     facts.completedNormals = report.derived.completedNormals;
     facts.unscaledNormals = report.unscaledNormals;
+    facts.averagedNormals = report.averagedNormals;
     if (facts.hasNormals) return;
     facts.sideParts = report.derived.normalComponents;
     facts.unknownSides = report.derived.unknownSides;

@@ -160,7 +160,8 @@ class Preparation {
             if (!all) return all.error();
             set_.normal = std::move(all.value());
         }
-        if (report_.count(Aside::Copy) > 0) averageOverCopies(set_.position, set_.normal);
+        if (report_.count(Aside::Copy) > 0)
+            report_.averagedNormals = averageOverCopies(set_.position, set_.normal);
         for (Index p = 0; p < set_.size(); ++p) {
             if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
                 ++report_.unscaledNormals;

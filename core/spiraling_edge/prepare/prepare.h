@@ -117,6 +117,8 @@ struct PrepareReport {
     /// Normals whose length was off by more than 1e-3. Smaller errors, as of rounded numbers in a
     /// file, are corrected without mention.
     std::size_t unscaledNormals = 0;
+    /// Of points with copies that have other normals, and take the mean: averageOverCopies().
+    std::size_t averagedNormals = 0;
     std::size_t droppedListEntries =
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;

@@ -125,6 +125,17 @@ TEST_CASE("OBJ: as many normals as points belong to them in order, fewer to none
     CHECK_FALSE(mustRead(replaced(kObj, "f -4//-2 -3//-2 -1//-1\n", "v 2 2 2\n")).hasNormals());
 }
 
+TEST_CASE("OBJ: points with several normals take their mean, and are counted in a note") {
+    // Points 1 and 2 lie on the edge of two faces; the third normal is the first one again.
+    const std::string text = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\nvn 0 0 2\n";
+    const PointFile hard = mustRead(text + "f 1//1 3//3 2//1\nf 1//2 2//2 4//2\n");
+    CHECK(hard.notes ==
+          std::vector<std::string>{"2 places with several normals: the mean of them is used"});
+    CHECK(glm::distance(hard.normal[0], glm::normalize(Vec3(1, 0, 1))) < 1e-12);
+    const PointFile soft = mustRead(text + "f 1//1 3//3 2//1\nf 1//3 2//1 4//2\n");
+    CHECK(soft.notes.empty());
+}
+
 TEST_CASE("OBJ: texture coordinates in faces are passed over, and faces may come first") {
     const PointFile file = mustRead(
         "f 1/9 2/8 3/7\nf 1/1/1 2/2/1 3/3/1\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"

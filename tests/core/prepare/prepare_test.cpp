@@ -364,6 +364,21 @@ TEST_CASE("prepare: of points at one place the first stays") {
     CHECK(isSetAside(prepared.points, 9));
 }
 
+TEST_CASE("prepare: places whose copies have other normals are counted") {
+    PointFile file = makeCircle();
+    file.position[7] = file.position[2];
+    file.position[8] = file.position[3];
+    file.normal[7] = glm::normalize(file.normal[2] + Vec3(0.5, 0.0, 0.0));
+    file.normal[8] = 2.0 * file.normal[3];
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.averagedNormals == 1);
+    CHECK(averagedText(1) == "1 place with several normals: the mean of them is used");
+    CHECK(averagedText(0).empty());
+    PrepareOptions options;
+    options.normals = NormalSource::Derived;
+    CHECK(prepare(file, options).value().report.averagedNormals == 0);
+}
+
 TEST_CASE("prepare: normals are scaled to unit length once") {
     PointFile file = makeCircle();
     file.normal[0] *= 100.0;

@@ -56,6 +56,7 @@ void drawInput(const PanelContext& context) {
     if (derived.types) origin(context, "wall types", derived.types, {});
     if (derived.rim) origin(context, "rims", derived.rim, {});
     if (derived.completedNormals > 0) warn(context, "normals derived", derived.completedNormals);
+    if (report.averagedNormals > 0) warn(context, "mean normals", report.averagedNormals);
     for (const AsideWords& each : asideReasons()) {
         const std::size_t aside = report.count(each.reason);
         if (aside > 0) warn(context, std::string(each.name).c_str(), aside);
