@@ -14,6 +14,7 @@
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/z_curve.h"
+#include "spiraling_edge/mesh/moderate_size.h"
 #include "spiraling_edge/points/usable_points.h"
 
 namespace se {
@@ -126,12 +127,13 @@ std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Tr
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> distances(points.size(), kUnknown);
     if (triangles.empty()) return distances;
+    const ModerateSize size(points, triangles);
     std::optional<TriangleTree> tree;
     const std::vector<bool> used = usedPoints(points.size(), triangles);
     for (std::size_t p = 0; p < points.size(); ++p) {
         if (!isFinite(points.position[p])) continue;
-        if (!used[p] && !tree) tree.emplace(points, triangles);
-        distances[p] = used[p] ? 0.0 : tree->distance(points.position[p]);
+        if (!used[p] && !tree) tree.emplace(size.points(), triangles);
+        distances[p] = used[p] ? 0.0 : size.length(tree->distance(size.points().position[p]));
     }
     return distances;
 }

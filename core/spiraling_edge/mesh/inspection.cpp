@@ -24,6 +24,7 @@
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_judge.h"
 #include "spiraling_edge/mesh/mesh_topology.h"
+#include "spiraling_edge/mesh/moderate_size.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
@@ -41,10 +42,11 @@ struct BoundaryLoop {
 /// outlive it.
 struct InspectedMesh {
     /// All values but `search`.
-    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
+    InspectedMesh(const PointSet& given, std::span<const Triangle> mesh);
     InspectedMesh(const InspectedMesh&) = delete;
     InspectedMesh& operator=(const InspectedMesh&) = delete;
 
+    ModerateSize size;                 ///< All lengths below are of this size.
     const MeshJudge* judge = nullptr;  ///< Null: the points themselves.
     std::optional<PointSet> filled;    ///< The points, if the input lacks normals or types: zeros.
     const PointSet& points;            ///< With normals and types; lists may be absent.
@@ -54,7 +56,7 @@ struct InspectedMesh {
     std::vector<Index> lostPoints;                ///< Points in no triangle, neither set aside nor
                                                   ///< unfit for any mesh; ascending.
     std::size_t twins = 0;                        ///< Points in no triangle beside a twin in one.
-    double meanEdge = 0.0;                        ///< Length, scene units.
+    double meanEdge = 0.0;                        ///< Length.
     std::vector<std::size_t> componentTriangles;  ///< By the least point of a component.
     std::vector<BoundaryLoop> loops;              ///< By least point.
 
@@ -145,13 +147,14 @@ std::vector<BoundaryLoop> boundaryLoops(const InspectedMesh& mesh) {
 
 }  // namespace
 
-InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : judge(input.judge.get()),
-      filled(withNormalsAndTypes(judgeOf(input))),
-      points(filled ? *filled : judgeOf(input)),
+InspectedMesh::InspectedMesh(const PointSet& given, std::span<const Triangle> mesh)
+    : size(given, mesh),
+      judge(size.points().judge.get()),
+      filled(withNormalsAndTypes(judgeOf(size.points()))),
+      points(filled ? *filled : judgeOf(size.points())),
       triangles(mesh),
-      topology(input.size(), mesh),
-      componentTriangles(input.size(), 0) {
+      topology(given.size(), mesh),
+      componentTriangles(given.size(), 0) {
     runTasks(
         threadsFor(mesh), [&] { meanEdge = meanLength(points, topology.sides); },
         [&] {
@@ -159,7 +162,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
             loops = boundaryLoops(*this);
         },
         [&] {
-            lostPoints = findLostPoints(*this, judgeOf(input));
+            lostPoints = findLostPoints(*this, judgeOf(size.points()));
             twins = dropTwins(*this, lostPoints);
         });
 }
@@ -626,13 +629,17 @@ MeshInspection inspected(const InspectedMesh& mesh) {
         found.totals.push_back(total);
         for (MeshFailure& failure : failures[i]) {
             failure.kind = &each;
+            failure.place = mesh.size.place(failure.place);
+            failure.length = mesh.size.length(failure.length);
+            failure.area = mesh.size.area(failure.area);
             found.failures.push_back(std::move(failure));
         }
     }
     found.work = mesh.search.work;
-    found.meanEdge = mesh.meanEdge;
+    found.meanEdge = mesh.size.length(mesh.meanEdge);
     found.twins = mesh.twins;
     found.report = reportOf(mesh.points, mesh.triangles, mesh.topology, mesh.search.faults);
+    found.report.widestLoopWidth = mesh.size.length(found.report.widestLoopWidth);
     return found;
 }
 

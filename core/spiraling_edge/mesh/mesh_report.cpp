@@ -4,6 +4,7 @@
 
 #include "spiraling_edge/mesh/boundary_loop.h"
 #include "spiraling_edge/mesh/mesh_topology.h"
+#include "spiraling_edge/mesh/moderate_size.h"
 
 namespace se {
 namespace {
@@ -37,9 +38,12 @@ void countEdges(const PointSet& points, const MeshTopology& topology, MeshReport
 }  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    const ModerateSize size(points, triangles);
     const MeshTopology topology(points.size(), triangles);
-    return reportOf(points, triangles, topology,
-                    searchLocalFaults(points, triangles, topology.sides).faults);
+    const FaultSearch search = searchLocalFaults(size.points(), triangles, topology.sides);
+    MeshReport report = reportOf(size.points(), triangles, topology, search.faults);
+    report.widestLoopWidth = size.length(report.widestLoopWidth);
+    return report;
 }
 
 MeshReport reportOf(const PointSet& points, std::span<const Triangle> triangles,

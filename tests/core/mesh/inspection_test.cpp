@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "spiraling_edge/mesh/fidelity.h"
+
 using namespace se;
 
 namespace {
@@ -64,6 +66,58 @@ Sheet sheet(Index n) {
 
 TEST_CASE("inspection: nothing is wrong with a closed octahedron") {
     CHECK(countsOf(octahedron(), kOctahedron).empty());
+}
+
+TEST_CASE("inspection: a mesh of extreme size has the faults of one of size 1") {
+    // A hill with a hole, a triangle through the surface, a flipped one, and a lost point.
+    Sheet hill = sheet(12);
+    for (Vec3& x : hill.points.position) x = {x.x / 12.0, x.y / 12.0, x.x * x.y / 200.0};
+    std::swap(hill.triangles[100].b, hill.triangles[100].c);
+    hill.triangles.erase(hill.triangles.begin() + 120);
+    hill.triangles.push_back({3, 68, 140});
+    hill.points.position.push_back({0.5, 0.5, 0.2});
+    hill.points.normal.push_back({0, 0, 1});
+    hill.points.type.assign(hill.points.size(), kInterior);
+    const MeshInspection usual = inspectWithTotals(hill.points, hill.triangles);
+    const std::vector<double> distances = distancesFromMesh(hill.points, hill.triangles);
+    const Counts counts = countsOf(hill.points, hill.triangles);
+    for (const char* name : {"holes", "intersecting_triangles", "flipped_triangles", "lost_points"})
+        CHECK_MESSAGE(counts.contains(name), name);
+    // About 1e100, 1e140, 1e150 and their inverses: powers of two, since which triangles touch
+    // exactly depends on rounding.
+    for (const int power : {332, 465, 498, -332, -465, -498}) {
+        CAPTURE(power);
+        const double scale = std::ldexp(1.0, power);
+        PointSet points = hill.points;
+        for (Vec3& x : points.position) x *= scale;
+        const MeshInspection extreme = inspectWithTotals(points, hill.triangles);
+        CHECK(countsOf(points, hill.triangles) == counts);
+        REQUIRE(extreme.failures.size() == usual.failures.size());
+        CHECK(extreme.meanEdge == doctest::Approx(scale * usual.meanEdge).epsilon(1e-9));
+        CHECK(extreme.report.widestLoopWidth / scale ==
+              doctest::Approx(usual.report.widestLoopWidth));
+        CHECK(reportMesh(points, hill.triangles).degenerateTriangles == 0);
+        for (std::size_t i = 0; i < usual.failures.size(); ++i) {
+            CHECK(extreme.failures[i].points == usual.failures[i].points);
+            CHECK(extreme.failures[i].length / scale == doctest::Approx(usual.failures[i].length));
+            CHECK(extreme.failures[i].place.x / scale ==
+                  doctest::Approx(usual.failures[i].place.x));
+        }
+        const std::vector<double> far = distancesFromMesh(points, hill.triangles);
+        CHECK(far.back() / scale == doctest::Approx(distances.back()));
+    }
+}
+
+TEST_CASE("inspection: one far point does not change what is found at the others") {
+    PointSet points = octahedron();
+    Faces faces = kOctahedron;
+    points.position.insert(points.position.end(), {{3, 0, 0}, {4, 0, 0}, {1e150, 1e150, 0}});
+    points.normal.resize(points.size(), Vec3(0, 0, 1));
+    faces.push_back({6, 7, 8});
+    for (const MeshFailure& failure : inspectMesh(points, faces)) {
+        CAPTURE(describe(failure));
+        CHECK(failure.points.back() == 8);
+    }
 }
 
 TEST_CASE("inspection: without normals and types nothing is flipped") {
