@@ -116,7 +116,10 @@ struct HolePlane {
 
     double side(const Vec3& x) const { return glm::dot(normal, x - origin); }
     /// Strictly on the pivot's side.
-    bool keeps(const Vec3& x) const { return side(x) * pivotSide > 0.0; }
+    bool keeps(const Vec3& x) const {
+        // No product: it would be 0 for points 1e-85 apart.
+        return pivotSide > 0.0 ? side(x) > 0.0 : pivotSide < 0.0 && side(x) < 0.0;
+    }
 };
 inline HolePlane makeHolePlane(const Vec3& start, const Vec3& end, const Vec3& normalSum,
                                const Vec3& p) {
@@ -146,10 +149,9 @@ struct SphereTest {
     double radius() const { return std::sqrt(glm::dot(center(), center())); }
     double distance() const { return std::sqrt(glm::dot(q - center(), q - center())); }
 };
-/// Circle through the origin (p), t and s after Hill, "The Pleasures of Perp Dot Products",
-/// Graphics Gems IV, pages 138-148, in three dimensions.
-inline SphereTest testSphere(const Vec3& t, double tLengthSq, const Vec3& s, double sLengthSq,
-                             const Vec3& q, double qLengthSq) {
+/// testSphere() for lengths whose products of six are numbers.
+inline SphereTest testUsualSphere(const Vec3& t, double tLengthSq, const Vec3& s, double sLengthSq,
+                                  const Vec3& q, double qLengthSq) {
     const Vec3 perp = glm::cross(t, s);
     const double denominator = glm::dot(perp, perp);
     SphereTest test{q, Vec3(0.0), denominator, 0.0, 0.0, false};
@@ -162,6 +164,20 @@ inline SphereTest testSphere(const Vec3& t, double tLengthSq, const Vec3& s, dou
     test.scale = qLengthSq * denominator;
     test.power = test.scale - glm::dot(q, test.numerator);
     return test;
+}
+/// testSphere() for lengths of any size: `denominator`, `power` and `scale` are multiplied by a
+/// power of two, and `numerator` so that center() is right.
+SphereTest testExtremeSphere(const Vec3& t, const Vec3& s, const Vec3& q);
+/// Circle through the origin (p), t and s after Hill, "The Pleasures of Perp Dot Products",
+/// Graphics Gems IV, pages 138-148, in three dimensions.
+inline SphereTest testSphere(const Vec3& t, double tLengthSq, const Vec3& s, double sLengthSq,
+                             const Vec3& q, double qLengthSq) {
+    constexpr double kLargest = 1e250;
+    constexpr double kSmallest = 1e-250;
+    const double size = tLengthSq * sLengthSq * qLengthSq;
+    if (!(size > kSmallest && size < kLargest)) [[unlikely]]
+        return testExtremeSphere(t, s, q);
+    return testUsualSphere(t, tLengthSq, s, sLengthSq, q, qLengthSq);
 }
 
 // ---- §6.4: two-point rings ----------------------------------------------------------------------

@@ -1,5 +1,6 @@
 /// The rules of §7 that need more than one expression: third points, and the sector of a rim point.
-/// Angles are keys, and walls have exact outward directions, so that no trigonometry decides.
+/// Angles are keys, and walls have exact outward directions, so that no trigonometry decides. The
+/// circumsphere of points extremely far apart, or near to each other, is here too.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/rules.h"
@@ -35,6 +36,23 @@ Vec3 middleOf(const Frame& frame, const Vec3& u, const Vec3& v) {
 }
 
 }  // namespace
+
+SphereTest testExtremeSphere(const Vec3& t, const Vec3& s, const Vec3& q) {
+    double most = 0.0;
+    for (const Vec3* each : {&t, &s, &q})
+        most = std::max({most, std::abs(each->x), std::abs(each->y), std::abs(each->z)});
+    const int power = most > 0.0 && std::isfinite(most) ? -std::ilogb(most) : 0;
+    const auto scaled = [](const Vec3& x, int by) {
+        return Vec3(std::ldexp(x.x, by), std::ldexp(x.y, by), std::ldexp(x.z, by));
+    };
+    const Vec3 a = scaled(t, power);
+    const Vec3 b = scaled(s, power);
+    const Vec3 c = scaled(q, power);
+    SphereTest test = testUsualSphere(a, glm::dot(a, a), b, glm::dot(b, b), c, glm::dot(c, c));
+    test.q = q;
+    test.numerator = scaled(test.numerator, -power);
+    return test;
+}
 
 bool pointsOut(const Vec3& direction, std::uint8_t faces) {
     for (const Wall& wall : kWalls) {

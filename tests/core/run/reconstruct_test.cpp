@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "spiraling_edge/geometry/z_curve.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/random_points.h"
@@ -87,6 +90,25 @@ void checkSameSteps(const PointSet& points, const Params& params) {
 }
 
 }  // namespace
+
+TEST_CASE("reconstruct: the rules of the paper make the same mesh of points of any size") {
+    for (const char* name : {"sphere", "torus", "grid"}) {
+        CAPTURE(name);
+        PointFile file = findScene(name)->build();
+        const auto meshOf = [&] {
+            const PointSet points = prepare(file, {}).value().points;
+            return reconstruct(points, paramsOf("paper")).state.mesh();
+        };
+        const std::vector<Triangle> usual = meshOf();
+        const std::vector<Vec3> given = file.position;
+        for (const int power : {100, 200, 332, 498, -100, -200, -332, -498}) {
+            CAPTURE(power);
+            for (std::size_t p = 0; p < given.size(); ++p)
+                file.position[p] = std::ldexp(1.0, power) * given[p];
+            CHECK(meshOf() == usual);
+        }
+    }
+}
 
 TEST_CASE("renumbering: a run takes the same steps, whatever the rules") {
     for (const Family& family : closedFamilies()) {

@@ -37,6 +37,30 @@ TEST_CASE("6.3 the circle runs through p, s and t, and its center serves for the
     }
 }
 
+TEST_CASE("6.3 the circle is the same for points of any size") {
+    Random random(6);
+    const auto test = [](const Vec3& t, const Vec3& s, const Vec3& q) {
+        return testSphere(t, glm::dot(t, t), s, glm::dot(s, s), q, glm::dot(q, q));
+    };
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 t = random.inCube();
+        const Vec3 s = random.inCube();
+        const Vec3 q = random.inCube();
+        const SphereTest usual = test(t, s, q);
+        for (const int power : {200, 332, 498, -200, -332, -498}) {
+            CAPTURE(power);
+            const double size = std::ldexp(1.0, power);
+            const SphereTest extreme = test(size * t, size * s, size * q);
+            CHECK(extreme.inside() == usual.inside());
+            CHECK_FALSE(extreme.noCircle);
+            CHECK(extreme.center() == size * usual.center());
+            CHECK(extreme.radius() == doctest::Approx(size * usual.radius()));
+        }
+    }
+    CHECK(test(Vec3(1e150, 0, 0), Vec3(2e150, 0, 0), Vec3(0, 1e150, 0)).noCircle);
+    CHECK(test(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)).noCircle);
+}
+
 TEST_CASE("6.3 keeps a point inside the circumsphere, removes one outside") {
     // The circle through p, first and last has its center at 50 degrees.
     const double reach = 1 / std::cos(50 * kPi / 180);

@@ -40,6 +40,16 @@ TEST_CASE("6.2 a point in the plane itself is not on p's side") {
     CHECK(rig.candidates() == Points{4});
 }
 
+TEST_CASE("6.2 the side of a point is the same for points of any size") {
+    for (const double size : {1e-150, 1e-100, 1.0, 1e100, 1e150}) {
+        CAPTURE(size);
+        const HolePlane plane =
+            makeHolePlane(size * hole()[1], size * hole()[2], Vec3(0, 0, 3), size * hole()[0]);
+        CHECK(plane.keeps(size * hole()[3]));
+        CHECK_FALSE(plane.keeps(size * hole()[4]));
+    }
+}
+
 TEST_CASE("6.2 the plane stands on the mean normal of p, first and last") {
     // Seen from above the candidate lies beyond; with the leaning mean normal it lies before.
     const Vec3 lean = Vec3(0, 1, 1) / std::sqrt(2.0);
