@@ -1,9 +1,11 @@
 /// The shape in space of an edge ring that stopped growing, or of any other closed chain of points.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
 
 #include "spiraling_edge/points/point_set.h"
@@ -31,6 +33,19 @@ struct LoopShape {
     }
 };
 
+/// The length of a vector, also where its square is beyond the range of a double.
+inline double lengthAtAnySize(const Vec3& v) {
+    constexpr double kLargest = 1e300;
+    constexpr double kSmallest = 1e-290;
+    const double square = glm::dot(v, v);
+    if (square > kSmallest && square < kLargest) return std::sqrt(square);
+    const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(most > 0.0 && most <= std::numeric_limits<double>::max())) return most;
+    const int power = std::ilogb(most);
+    const Vec3 scaled(std::ldexp(v.x, -power), std::ldexp(v.y, -power), std::ldexp(v.z, -power));
+    return std::ldexp(std::sqrt(glm::dot(scaled, scaled)), power);
+}
+
 /// Sums up a loop point by point.
 class ShapeSum {
   public:
@@ -44,7 +59,7 @@ class ShapeSum {
     }
     LoopShape shape() const {
         LoopShape shape = shape_;
-        shape.area = std::sqrt(glm::dot(area_, area_));
+        shape.area = lengthAtAnySize(area_);
         shape.turnsRoundPatch = glm::dot(area_, normal_) > 0.0;
         return shape;
     }

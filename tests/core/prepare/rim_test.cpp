@@ -160,6 +160,21 @@ TEST_CASE("rim: the same for any number of threads, and in any place") {
     CHECK(prepare(open.file, options).value().points.rim == one.points.rim);
 }
 
+TEST_CASE("rim: the same for points of any size") {
+    PointFile file = openSurfaces().front().file;
+    PrepareOptions options;
+    options.rim = true;
+    const std::vector<Vec3> given = file.position;
+    const std::vector<std::uint8_t> types = prepare(file, options).value().points.type;
+    CHECK(std::any_of(types.begin(), types.end(), isRimPoint));
+    for (const int power : {332, 465, -332, -465}) {
+        CAPTURE(power);
+        for (std::size_t p = 0; p < given.size(); ++p)
+            file.position[p] = std::ldexp(1.0, power) * given[p];
+        CHECK(prepare(file, options).value().points.type == types);
+    }
+}
+
 TEST_CASE("rim: progress ascends over all of preparing, and no ends the search at any share") {
     const Open open = sphereWithHoles({{1, 0, 0}, {0, 0, 1}}, 0.45, 1);
     PrepareOptions options;
