@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "spiraling_edge/sampling/gzip.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "support/oracles.h"
 #include "support/scarce_memory.h"
@@ -362,4 +363,33 @@ TEST_CASE("the lobster's particles are on its surface, as many as in Table 1") {
         worst = std::max(worst, std::abs(volume->valueAt(x) - 30.5) / glm::length(g));
     }
     CHECK(worst < 1e-4);
+}
+
+TEST_CASE("gzip: all streams of a file are unpacked, and zeros after the last are no error") {
+    const auto unpacked = [](const std::string& packed) {
+        const Result<std::string> bytes = unpackGzip(packed, "a.gz", {});
+        return bytes.ok() ? bytes.value() : bytes.error().message;
+    };
+    const std::string one = gzipped("1 2 3\n");
+    const std::string many = one + gzipped("") + gzipped(std::string(3000000, 'x'));
+    CHECK(unpacked(one) == "1 2 3\n");
+    CHECK(unpacked(many) == "1 2 3\n" + std::string(3000000, 'x'));
+    CHECK(unpacked(one + std::string(512, '\0')) == "1 2 3\n");
+    // A multiple of the piece that is unpacked at once ends exactly with the stream.
+    const std::string whole(std::size_t{1} << 20U, 'y');
+    CHECK(unpacked(gzipped(whole) + one) == whole + "1 2 3\n");
+}
+
+TEST_CASE("gzip: other bytes after the last stream are named with their place") {
+    const std::string one = gzipped("1 2 3\n");
+    const auto error = [](const std::string& packed) {
+        const Result<std::string> bytes = unpackGzip(packed, "a.gz", {});
+        REQUIRE_FALSE(bytes.ok());
+        return bytes.error().message;
+    };
+    CHECK(error(one + "garbage") ==
+          "a.gz: byte " + std::to_string(one.size()) +
+              ": the gzip data end here, and 7 bytes of another kind follow; remove them, or "
+              "unpack the file with gunzip");
+    CHECK(error(one + one.substr(0, one.size() - 3)).find("end too early") != std::string::npos);
 }

@@ -18,7 +18,8 @@ constexpr std::size_t kPiece = 1U << 30U;
 /// Owns the state of zlib.
 class Inflater {
   public:
-    explicit Inflater(std::string_view packed) : packed_(packed) {
+    explicit Inflater(std::string_view packed)
+        : packed_(packed), mark_(packed.empty() ? '\0' : packed.front()) {
         constexpr int kGzipOrZlib = 15 + 32;
         good_ = inflateInit2(&stream_, kGzipOrZlib) == Z_OK;
     }
@@ -46,9 +47,10 @@ class Inflater {
             const std::size_t made = room - stream_.avail_out;
             filled += made;
             if (code == Z_STREAM_END) {
-                // A file may hold several consecutive streams.
-                ended_ = packed_.empty();
-                if (ended_ || inflateReset(&stream_) != Z_OK) break;
+                // A file may hold several consecutive streams, and zeros after the last.
+                ended_ = packed_.find_first_not_of('\0') == std::string_view::npos;
+                followed_ = !ended_ && packed_.front() != mark_;
+                if (ended_ || followed_ || inflateReset(&stream_) != Z_OK) break;
             } else if (code != Z_OK || (made == 0 && packed_.empty())) {
                 damaged_ = code != Z_BUF_ERROR && code != Z_OK;
                 break;
@@ -58,15 +60,21 @@ class Inflater {
     }
     /// True if the last stream has ended, with a correct checksum.
     bool ended() const { return ended_; }
+    /// True if it is followed by bytes that are no stream.
+    bool followed() const { return followed_; }
+    /// Bytes not read yet.
+    std::size_t rest() const { return packed_.size(); }
     bool damaged() const { return damaged_ || !good_; }
     const char* reason() const { return stream_.msg != nullptr ? stream_.msg : "not gzip"; }
 
   private:
     z_stream stream_{};
     std::string_view packed_;
+    char mark_;  ///< The first byte of each stream.
     bool good_ = false;
     bool damaged_ = false;
     bool ended_ = false;
+    bool followed_ = false;
 };
 
 }  // namespace
@@ -89,6 +97,7 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
     if (tooLong)
         return Error{"the gzip data hold more than the expected " + std::to_string(expected) +
                      " bytes; check sizes and type"};
+    if (inflater.followed()) return Error{"the gzip data are followed by bytes of another kind"};
     if (!inflater.ended()) return Error{"the gzip data end too early: their check sum is missing"};
     return bytes;
 }
@@ -113,6 +122,11 @@ Result<std::string> unpackGzip(std::string_view packed, const std::string& name,
     if (bytes.size() > limit.bytes) return limit.exceededBy(name);
     if (inflater.damaged())
         return Error{name + ": the gzip data are damaged: " + inflater.reason()};
+    if (inflater.followed()) {
+        return Error{name + ": byte " + std::to_string(packed.size() - inflater.rest()) +
+                     ": the gzip data end here, and " + std::to_string(inflater.rest()) +
+                     " bytes of another kind follow; remove them, or unpack the file with gunzip"};
+    }
     if (!inflater.ended())
         return Error{name + ": the gzip data end too early; the file is cut short"};
     return bytes;
