@@ -54,8 +54,8 @@ class LasReader : FirstProblem {
 
     Result<PointFile> read() {
         if (!readHeader()) return problem_;
-        if (count_ == 0) return Error{name_ + ": holds no points"};
         readPositions();
+        if (count_ == 0) return std::move(file_);
         keep("intensity", ScalarType::UInt16, kIntensityAt);
         keep("classification", ScalarType::UInt8, layout().classAt);
         maskClasses();

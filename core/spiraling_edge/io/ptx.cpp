@@ -3,24 +3,41 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
 
-/// The numbers of a line; empty if a field is none.
-std::vector<double> numbersOf(std::string_view line) {
-    std::vector<double> numbers;
-    Fields fields(line);
-    for (auto field = fields.next(); !field.empty(); field = fields.next()) {
-        if (!parseDouble(field, numbers.emplace_back())) return {};
+/// The most numbers of a line of the format: x y z, intensity and a color.
+constexpr std::size_t kMostNumbers = 7;
+
+/// The numbers of a line; none if a field is no number, or there are too many.
+class LineNumbers {
+  public:
+    explicit LineNumbers(std::string_view line) {
+        Fields fields(line);
+        for (auto field = fields.next(); !field.empty(); field = fields.next()) {
+            if (count_ < kMostNumbers && parseDouble(field, numbers_[count_++])) continue;
+            count_ = 0;
+            return;
+        }
     }
-    return numbers;
-}
+    std::size_t size() const { return count_; }
+    double operator[](std::size_t i) const { return numbers_[i]; }
+    std::span<const double> after(std::size_t first) const {
+        return {numbers_.data() + first, count_ - first};
+    }
+
+  private:
+    std::array<double, kMostNumbers> numbers_{};
+    std::size_t count_ = 0;
+};
 
 class PtxReader : LineByLine {
   public:
@@ -32,11 +49,10 @@ class PtxReader : LineByLine {
             if (!readHeader() || !readRows()) return problem_;
             ++scans_;
         }
-        if (file_.position.empty()) return Error{name_ + ": holds no points"};
         if (scans_ == 1) file_.viewpoint = scanner_;
         file_.notes.push_back(std::to_string(scans_) + (scans_ == 1 ? " scan" : " scans") +
                               "; places without a return (0 0 0) are not numbers here");
-        addColumns();
+        if (!file_.position.empty()) addColumns();
         return std::move(file_);
     }
 
@@ -51,9 +67,9 @@ class PtxReader : LineByLine {
     }
 
     /// Reads a line of `count` numbers.
-    bool readNumbers(std::size_t count, std::vector<double>& numbers) {
+    bool readNumbers(std::size_t count, LineNumbers& numbers) {
         if (!lines_.nextContent()) return fail("the file ends within the header of a scan");
-        numbers = numbersOf(lines_.line());
+        numbers = LineNumbers(lines_.line());
         return numbers.size() == count ||
                fail("expected " + std::to_string(count) +
                     " numbers in the header of a scan, found " + inQuotes(lines_.line()));
@@ -66,7 +82,7 @@ class PtxReader : LineByLine {
         if (!readCount(columns)) return false;
         if (!lines_.nextContent()) return fail("the file ends within the header of a scan");
         if (!readCount(rows)) return false;
-        std::vector<double> numbers;
+        LineNumbers numbers({});
         for (int line = 0; line < 4; ++line) {
             if (!readNumbers(3, numbers)) return false;
             if (line == 0) scanner_ = Vec3(numbers[0], numbers[1], numbers[2]);
@@ -92,7 +108,7 @@ class PtxReader : LineByLine {
                 return fail("the file ends after " + std::to_string(i) + " of " +
                             std::to_string(points_) + " points of a scan; it is cut short");
             }
-            const std::vector<double> n = numbersOf(lines_.line());
+            const LineNumbers n(lines_.line());
             if (columns_ == 0 && (n.size() == 4 || n.size() == 7)) columns_ = n.size();
             if (n.size() != columns_) {
                 return fail(
@@ -106,12 +122,13 @@ class PtxReader : LineByLine {
     }
 
     /// Row vectors: the place times the matrix.
-    void keep(const std::vector<double>& n) {
+    void keep(const LineNumbers& n) {
         constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
         Vec3 place = n[0] * matrix_[0] + n[1] * matrix_[1] + n[2] * matrix_[2] + matrix_[3];
         if (n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0) place = Vec3(kNaN);
         file_.position.push_back(place);
-        others_.insert(others_.end(), n.begin() + 3, n.end());
+        const std::span<const double> others = n.after(3);
+        others_.insert(others_.end(), others.begin(), others.end());
     }
 
     void addColumns() {
@@ -145,7 +162,7 @@ bool isPtx(const FileStart& start) {
     std::array<std::size_t, 6> widths{};
     for (std::size_t& width : widths) {
         if (!lines.nextContent()) return false;
-        width = numbersOf(lines.line().substr(0, 400)).size();
+        width = LineNumbers(lines.line().substr(0, 400)).size();
     }
     return widths == std::array<std::size_t, 6>{1, 1, 3, 3, 3, 3};
 }

@@ -297,6 +297,31 @@ TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
     CHECK(contains(errorOf(packed), "laszip -i"));
 }
 
+TEST_CASE("Files: formats that are known by their header may hold no points, others need one") {
+    std::string las = lasOfTwo().substr(0, 227);
+    las.replace(107, 4, 4, '\0');
+    for (const auto& [bytes, name] : std::vector<std::pair<std::string, const char*>>{
+             {"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+              "property float z\nend_header\n",
+              "a.ply"},
+             {"OFF\n0 0 0\n", "a.off"},
+             {"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+              "WIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n",
+              "a.pcd"},
+             {las, "a.las"},
+             {"0\n0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n", "a.ptx"},
+         }) {
+        CAPTURE(name);
+        const PointFile file = mustRead(bytes, name);
+        CHECK(file.position.empty());
+        CHECK(file.faces.empty());
+    }
+    CHECK(contains(errorOf("", "a.ply"), "is empty"));
+    CHECK(contains(errorOf("o nothing\n", "a.obj"), "holds no points"));
+    CHECK(contains(errorOf("# nothing\n", "a.xyz"), "holds no points"));
+    CHECK(contains(errorOf(std::string(84, '\0'), "a.stl"), "holds no triangles"));
+}
+
 TEST_CASE("Files: kinds that are not read are named, with the program that converts them") {
     CHECK(contains(errorOf("ASTM-E57...", "a.e57"), "pdal translate"));
     CHECK(contains(errorOf("\x93NUMPY...", "a.npy"), "numpy.savetxt"));
