@@ -33,13 +33,6 @@ void refuseOtherThings(const std::string& input) {
                       "a file first",
                       input);
     }
-    const MeshFormat* format = meshFormatOf(input);
-    if (format != nullptr && !isReadable(*format)) {
-        const auto unreadable = [](const MeshFormat& each) { return !isReadable(each); };
-        throw Failure(ExitCode::Input, "{}: {} can be written, not read; {} can be read", input,
-                      listText(meshFormats(), &MeshFormat::name, "and", unreadable),
-                      listText(meshFormats(), &MeshFormat::name, "and", isReadable));
-    }
 }
 
 }  // namespace

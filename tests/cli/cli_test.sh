@@ -1315,8 +1315,6 @@ other_files_are_refused_as_points() {
         says err "is a volume; \`spiraling-edge sample ball.nhdr"
         expect 3 $verb sample:torus,n=50
         says err "works in the viewer only"
-        expect 3 $verb scan.glb
-        says err "written, not read"
         printf 'ASTM-E57' >scan.e57
         expect 3 $verb scan.e57
         says err "is an E57 file, which cannot be read; convert it"
@@ -1350,6 +1348,15 @@ files_of_other_programs_are_read() {
     says out "sphere.stl: 600 points"
     says out "1196 triangles in 1 component, no boundary"
     says out "read       corners at one place are one point"
+    expect 0 run scene:sphere --rules robust -q -o sphere.glb
+    expect 0 info sphere.glb
+    says out "sphere.glb: 600 points"
+    says out "1196 triangles in 1 component, no boundary"
+    expect 0 run sphere.glb --rules robust -q --report report.json
+    is "$(number triangles report.json)" 1196 "triangles made again from GLB"
+    head -c 3000 sphere.glb >cut.glb
+    expect 3 info cut.glb
+    says err "cut.glb: byte 3000: the header announces"
 }
 
 neighbors_within_spacings() {

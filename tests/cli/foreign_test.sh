@@ -49,9 +49,10 @@ assimp_writes_what_is_read() {
     local kind
     # With a b at its end: binary, in assimp's words.
     local file
-    for kind in ply plyb obj stl stlb; do
+    for kind in ply plyb obj stl stlb glb2; do
         file=back.${kind%b}
         [ $kind = obj ] && file=back.obj
+        [ $kind = glb2 ] && file=back.glb
         assimp export sphere.ply "$file" "-f$kind" >said 2>&1 ||
             fail "assimp cannot write $kind: $(tail -3 said)"
         "$program" info "$file" >out 2>&1 || fail "$kind is refused: $(cat out)"

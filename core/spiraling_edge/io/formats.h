@@ -50,6 +50,11 @@ bool isPtx(const FileStart& start);
 /// All scans of the file, each by its matrix; places without a return are not numbers.
 Result<PointFile> readPtx(std::string_view text, const std::string& name);
 
+bool isGlb(const FileStart& start);
+/// Triangles and points of the scene, each mesh where its nodes place it. Vertices of triangles at
+/// the same place are one point, with the mean of their normals.
+Result<PointFile> readGlb(std::string_view bytes, const std::string& name);
+
 bool isPcd(const FileStart& start);
 /// Version 0.7 and earlier; packed colors become red, green and blue.
 Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
@@ -57,9 +62,12 @@ Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 /// Appends the fan of a polygon around its first corner; none for fewer than three corners.
 void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
 
-/// Colors of points in text, as fractions of 1 or whole numbers up to 255.
-class TextColors {
+/// Colors of points in formats that do not say their scale: fractions of 1, or whole numbers up to
+/// 255.
+class PointColors {
   public:
+    /// The color of the next point.
+    void add(const Vec3& color) { colors_.push_back(color); }
     /// Takes the color of the next point from three fields; of a missing one nothing is kept.
     void add(Fields& fields);
     /// Adds the columns red, green and blue to `file`, from 0 to 255, if every point has a color;

@@ -79,16 +79,17 @@ class ObjReader : LineByLine {
     /// A color may follow the position; a weight is read over.
     bool readPoint(Fields& fields) {
         if (!readVector(fields, file_.position)) return false;
-        Fields rest = fields;
-        std::size_t more = 0;
-        double number = 0.0;
-        for (auto field = rest.next(); !field.empty(); field = rest.next(), ++more) {
+        Vec3 color{0.0};
+        int more = 0;
+        for (auto field = fields.next(); !field.empty(); field = fields.next(), ++more) {
+            double number = 0.0;
             if (!parseDouble(field, number)) {
                 return fail("expected a color of three numbers after the position, found " +
                             inQuotes(field) + "; correct the line");
             }
+            if (more < 3) color[more] = number;
         }
-        if (more >= 3) colors_.add(fields);
+        if (more >= 3) colors_.add(color);
         return true;
     }
     bool readVector(Fields& fields, std::vector<Vec3>& target) {
@@ -202,7 +203,7 @@ class ObjReader : LineByLine {
     }};
 
     PointFile file_;
-    TextColors colors_;
+    PointColors colors_;
     std::set<std::string_view> leftOut_;
     std::string joined_;
     std::vector<Vec3> normals_;

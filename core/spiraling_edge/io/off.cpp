@@ -168,7 +168,7 @@ class OffReader : LineByLine {
     bool hasFaceColors_ = false;
     bool goesOn_ = false;        // The row goes on in a line after its first.
     std::size_t firstLine_ = 0;  // Of the row.
-    TextColors colors_;
+    PointColors colors_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Colors of points in OBJ and OFF. These formats do not say which of two scales they use; programs
-// write both.
+// Colors of points in OBJ, OFF and GLB. These formats do not say which of two scales they use, or
+// programs write both.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,15 +9,15 @@
 
 namespace se::io {
 
-void TextColors::add(Fields& fields) {
+void PointColors::add(Fields& fields) {
     Vec3 color{0.0};
     for (int channel = 0; channel < 3; ++channel) {
         if (!parseDouble(fields.next(), color[channel])) return;
     }
-    colors_.push_back(color);
+    add(color);
 }
 
-void TextColors::take(PointFile& file) const {
+void PointColors::take(PointFile& file) const {
     if (colors_.empty()) return;
     const std::size_t missing = file.position.size() - colors_.size();
     if (missing > 0) {

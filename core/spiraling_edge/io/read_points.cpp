@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 1> kObjExtensions{".obj"};
 constexpr std::array<std::string_view, 2> kOffExtensions{".off", ".noff"};
 constexpr std::array<std::string_view, 1> kPcdExtensions{".pcd"};
 constexpr std::array<std::string_view, 1> kStlExtensions{".stl"};
+constexpr std::array<std::string_view, 1> kGlbExtensions{".glb"};
 constexpr std::array<std::string_view, 1> kLasExtensions{".las"};
 constexpr std::array<std::string_view, 1> kPtxExtensions{".ptx"};
 
@@ -28,6 +29,7 @@ constexpr std::array kPointFormats{
     PointFormat{"PLY", "ascii or binary", kPlyExtensions, true, io::isPly, io::readPly},
     // Binary STL may begin with any text.
     PointFormat{"STL", "ascii or binary", kStlExtensions, true, io::isStl, io::readStl},
+    PointFormat{"GLB", "glTF 2.0", kGlbExtensions, true, io::isGlb, io::readGlb},
     PointFormat{"LAS", "", kLasExtensions, false, io::isLas, io::readLas},
     PointFormat{"PTX", "", kPtxExtensions, false, io::isPtx, io::readPtx},
     PointFormat{"XYZ", "x y z per line, then normals or colors", kXyzExtensions, false, io::isXyz,
@@ -148,9 +150,6 @@ constexpr std::array kUnreadKinds{
                "python3 -c \"import numpy; numpy.savetxt('OUT.xyz', numpy.load('IN.npy'))\""},
     UnreadKind{kGzipMark, "is packed by gzip; unpack it with \"gunzip -k IN.gz\""},
     UnreadKind{"PK\x03\x04", "is a ZIP archive; unpack it, e.g. with \"unzip IN.zip\""},
-    UnreadKind{"glTF",
-               "is a GLB file, which is only written here; convert it to PLY or OBJ, e.g. "
-               "with MeshLab or Blender"},
 };
 
 }  // namespace

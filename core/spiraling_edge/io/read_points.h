@@ -31,8 +31,8 @@ struct PointFormat {
     Result<PointFile> (*read)(std::string_view bytes, const std::string& name);
 };
 
-/// PLY (ascii, binary little and big endian), STL, LAS, PTX, XYZ (`x y z` with normals, colors,
-/// both or an intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD.
+/// PLY (ascii, binary little and big endian), STL, GLB, LAS, PTX, XYZ (`x y z` with normals,
+/// colors, both or an intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD.
 std::span<const PointFormat> pointFormats();
 /// The format of a path's extension, in upper or lower case, before ".gz". Null if no format has
 /// it.

@@ -1,46 +1,22 @@
 // STL, text and binary: triangles with corners of their own. Corners at the same place are one
 // point.
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
-#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/merged_points.h"
 #include "spiraling_edge/io/scalars.h"
-#include "spiraling_edge/points/usable_points.h"
 
 namespace se::io {
 namespace {
 
 constexpr std::size_t kHeader = 84;  ///< 80 bytes of any text, and the number of triangles.
 constexpr std::size_t kTriangle = 50;
-
-/// A place as a key: its bits, the same for both zeros and for all that is not a number.
-struct PlaceKey {
-    std::array<std::uint64_t, 3> bits{};
-
-    explicit PlaceKey(const Vec3& x) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isnan(x[axis]))
-                bits[static_cast<std::size_t>(axis)] = bitsAs<std::uint64_t>(x[axis] + 0.0);
-            else
-                bits[static_cast<std::size_t>(axis)] = ~std::uint64_t{0};
-        }
-    }
-    friend bool operator==(const PlaceKey&, const PlaceKey&) = default;
-};
-struct PlaceHash {
-    std::size_t operator()(const PlaceKey& key) const {
-        std::uint64_t hash = 0;
-        for (const std::uint64_t each : key.bits) hash = (hash ^ each) * 0x9e3779b97f4a7c15U;
-        return static_cast<std::size_t>(hash ^ (hash >> 32U));
-    }
-};
 
 /// Points and triangles, gathered triangle by triangle.
 class Soup {
@@ -50,37 +26,29 @@ class Soup {
         if (!hasDirection(normal))
             normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         std::array<Index, 3> numbers{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto next = static_cast<Index>(file_.position.size());
-            const auto [found, fresh] = numbers_.try_emplace(PlaceKey(corners[i]), next);
-            if (fresh) {
-                file_.position.push_back(corners[i]);
-                directions_.emplace_back();
-            }
-            numbers[i] = found->second;
-            addDirection(directions_[numbers[i]], normal);
-        }
+        for (std::size_t i = 0; i < 3; ++i) numbers[i] = points_.add(corners[i], normal);
         const auto [a, b, c] = numbers;
         if (a != b && b != c && c != a) file_.faces.push_back({a, b, c});
     }
 
     PointFile take(ScalarType type) {
         file_.positionType = file_.normalType = type;
-        bool all = true;
-        for (const std::vector<Vec3>& each : directions_) all = all && !each.empty();
-        for (std::size_t p = 0; all && p < directions_.size(); ++p)
-            file_.normal.push_back(meanOfDirections(directions_[p]));
+        const std::span<const std::vector<Vec3>> directions = points_.directions();
+        const bool all = std::none_of(directions.begin(), directions.end(),
+                                      [](const auto& each) { return each.empty(); });
+        for (std::size_t p = 0; all && p < directions.size(); ++p)
+            file_.normal.push_back(meanOfDirections(directions[p]));
+        file_.position = points_.takePositions();
         file_.notes.emplace_back(
             all ? "corners at one place are one point, with the mean of their normals"
                 : "corners at one place are one point; some have no normal, so all are left out");
         return std::move(file_);
     }
-    bool empty() const { return file_.position.empty(); }
+    bool empty() const { return points_.size() == 0; }
 
   private:
     PointFile file_;
-    std::unordered_map<PlaceKey, Index, PlaceHash> numbers_;
-    std::vector<std::vector<Vec3>> directions_;  // Of each point, those that differ.
+    MergedPoints points_;
 };
 
 std::size_t announced(std::string_view bytes) {

@@ -50,10 +50,6 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
-bool isReadable(const MeshFormat& format) {
-    return pointFormatOf("mesh" + std::string(format.extension)) != nullptr;
-}
-
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles) {
     return format.shift == nullptr ? std::nullopt : format.shift(points, triangles);

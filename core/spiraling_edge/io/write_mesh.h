@@ -53,12 +53,8 @@ std::span<const MeshFormat> meshFormats();
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 /// True if files of this format hold the attributes of the points.
 inline bool keepsColumns(const MeshFormat& format) { return format.leavesOut.empty(); }
-/// True if readPoints() reads files of this format.
-bool isReadable(const MeshFormat& format);
 /// True if points without triangles can be written in this format, and read again.
-inline bool keepsPoints(const MeshFormat& format) {
-    return format.loosePoints && isReadable(format);
-}
+inline bool keepsPoints(const MeshFormat& format) { return format.loosePoints; }
 
 /// Names or extensions (`text`) of the formats that `keeps` is true for, as wordList() joins them:
 /// listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces).

@@ -260,7 +260,7 @@ TEST_CASE("Formats of points: found by each of their extensions, in upper or low
     }
     CHECK(pointFormatOf("A.Xyz")->name == "XYZ");
     CHECK(pointFormatOf("a.ply.gz")->name == "PLY");
-    for (const char* other : {"a.png", "a.glb", "a", "ply", ""}) {
+    for (const char* other : {"a.png", "a.gltf", "a", "ply", ""}) {
         CAPTURE(other);
         CHECK(pointFormatOf(other) == nullptr);
     }

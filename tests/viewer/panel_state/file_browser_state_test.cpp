@@ -28,12 +28,12 @@ TEST_CASE("A typed path is relative to the shown folder") {
 
 TEST_CASE("Every format that can be read is offered") {
     for (const char* name : {"a.ply", "a.XYZ", "a.obj", "a.off", "a.pcd", "a.PCD", "a.txt",
-                             "a.nrrd", "a.nhdr", "a.sesession", "a.las", "a.csv", "a.ply.gz"}) {
+                             "a.nrrd", "a.nhdr", "a.sesession", "a.las", "a.csv", "a.ply.gz", "a.glb"}) {
         CAPTURE(name);
         CHECK(canBeOpened(name));
     }
-    for (const char* name : {"a.ply", "a.OBJ", "a.off"}) CHECK(canHoldMesh(name));
-    for (const char* name : {"a.xyz", "a.pcd", "a.glb", "a"}) CHECK_FALSE(canHoldMesh(name));
+    for (const char* name : {"a.ply", "a.OBJ", "a.off", "a.glb"}) CHECK(canHoldMesh(name));
+    for (const char* name : {"a.xyz", "a.pcd", "a"}) CHECK_FALSE(canHoldMesh(name));
     CHECK_FALSE(canBeOpened("a.png"));
     CHECK_FALSE(canBeOpened("a"));
 }
