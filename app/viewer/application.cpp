@@ -11,21 +11,19 @@
 
 #include "commands/commands.h"
 #include "document/actions.h"
-#include "document/break_actions.h"
-#include "document/camera_actions.h"
+#include "document/ask_actions.h"
 #include "document/link.h"
 #include "document/piece_actions.h"
+#include "export_run.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
-#include "lesson/lesson_actions.h"
+#include "lesson/lesson_player.h"
 #include "panel_state/side_panels.h"
 #include "render/context.h"
-#include "scene/decision_view.h"
 #include "scene/framing.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
-#include "window_export.h"
 
 namespace se::view {
 
@@ -484,7 +482,7 @@ void Application::followTask() {
     const bool finished = session_.ready() && session_.atEnd();
     if (std::exchange(finished_, finished) != finished && finished)
         ui_.column.suggest(Task::Faults);
-    const AlertSearch& alerts = session_.alerts().search();
+    const RunAlerts& alerts = session_.alerts();
     if (std::exchange(judged_, alerts.done()) != alerts.done() && alerts.done() && !alerts.sound())
         ui_.column.note(Task::Faults);
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compare/compared_runs.h"
-#include "document/alerts_shown.h"
+#include "document/alert_actions.h"
 #include "document/context.h"
 #include "document/document.h"
 #include "document/edit_history.h"
@@ -19,7 +19,7 @@
 #include "panels/panel.h"
 #include "panels/ui.h"
 #include "scene/camera.h"
-#include "scene/decision_view.h"
+#include "scene/framing.h"
 #include "session/playback.h"
 #include "session/session.h"
 

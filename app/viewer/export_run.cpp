@@ -5,24 +5,94 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
-#include "compare/compared_titles.h"
-#include "document/camera_actions.h"
+#include "compare/comparison.h"
+#include "document/actions.h"
+#include "document/document.h"
 #include "document/link.h"
 #include "document/link_actions.h"
+#include "document/ui_state.h"
 #include "jobs/open_lesson.h"
-#include "lesson/lesson_frames.h"
-#include "picture_frames.h"
-#include "render/context.h"
-#include "scene/decision_view.h"
-#include "scene/framing.h"
+#include "lesson/lesson_player.h"
+#include "panels/ui.h"
+#include "render/relief.h"
 #include "spiraling_edge/run/event_text.h"
 #include "teach/lesson_text.h"
 
 namespace se::view {
+
+double textScale(glm::ivec2 size) {
+    return std::max(1.0, std::min(size.x / 1280.0, size.y / 800.0));
+}
+
+glm::ivec2 drawnSize(ViewSettings& settings, const PictureLook& look) {
+    const double factor = look.scale * look.supersample;
+    if (factor != 1.0)
+        settings.uiScale = factor * (settings.uiScale > 0.0 ? settings.uiScale : 1.0);
+    const auto pixels = [&](int side) {
+        return look.supersample * static_cast<int>(std::lround(look.scale * side));
+    };
+    return {pixels(settings.width), pixels(settings.height)};
+}
+
+namespace {
+
+/// The last of `frames` frames of a window of `size` pixels, or what its tile of `drawn` pixels
+/// shows of it, reduced by `factor`.
+Picture drawTile(Application& application, Target& target, glm::ivec2 size, glm::ivec2 drawn,
+                 int frames, int factor) {
+    const auto draw = [&] {
+        target.begin(drawn);
+        for (int i = 0; i < frames; ++i) {
+            application.redraw();
+            application.frame(size, 1.0 / 60.0);
+        }
+        Picture picture = readPicture(drawn);
+        target.end();
+        return picture;
+    };
+    if (!application.context().ui.picture.cutOut) return reduced(draw(), factor);
+    application.setBackground(fromHex(0x000000));
+    const Picture onBlack = draw();
+    application.setBackground(fromHex(0xFFFFFF));
+    return reduced(cutOut(onBlack, draw()), factor);
+}
+
+}  // namespace
+
+Status checkDrawn(glm::ivec2 size, double uiScale, int most) {
+    const float em = std::round(kEmPixels * static_cast<float>(uiScale > 0.0 ? uiScale : 1.0));
+    const bool whole = std::max(size.x, size.y) <= most;
+    if (whole || !tilesOf(size, most, Relief::reach(em), 1).empty()) return success();
+    return Error{"this graphics card draws at most " + std::to_string(most) +
+                 " pixels a side, too few for text of that size; choose a smaller --scale or "
+                 "--supersample"};
+}
+
+Picture drawPicture(Application& application, Target& target, glm::ivec2 size, int frames,
+                    int most) {
+    PictureLook& look = application.context().ui.picture;
+    if (std::max(size.x, size.y) <= most)
+        return drawTile(application, target, size, size, frames, look.supersample);
+    // Only the layout of the whole is needed before its tiles.
+    look.tile = PictureTile{glm::ivec2(0), glm::ivec2(1), 0};
+    if (frames > 1) drawTile(application, target, size, look.tile->size, frames - 1, 1);
+    const int factor = look.supersample;
+    Picture whole{size / factor, {}};
+    whole.rgba.resize(static_cast<std::size_t>(whole.size.x) *
+                      static_cast<std::size_t>(whole.size.y) * 4);
+    for (const PictureTile& tile : tilesOf(size, most, Relief::reach(application.em()), factor)) {
+        look.tile = tile;
+        const glm::ivec2 corner(tile.min.x, size.y - tile.min.y - tile.size.y);
+        copyInto(whole, corner / factor, drawTile(application, target, size, tile.size, 1, factor));
+    }
+    look.tile.reset();
+    return whole;
+}
 
 namespace {
 
@@ -423,6 +493,80 @@ void ExportRun::goToAnswer(std::size_t step) {
     if (!place.empty() && goTo(place)) return;
     session().moves().finishPivot();
     session().waitUntilDone();
+}
+
+namespace {
+
+bool isExportOpen(const UiState& ui) { return ui.fileBrowser && ui.browser == BrowserTask::Export; }
+
+}  // namespace
+
+WindowExport::WindowExport(CommandContext& context) : c_(context) {}
+
+WindowExport::~WindowExport() = default;
+
+void WindowExport::advance() {
+    ExportForm& form = c_.ui.exported;
+    if (form.working && !run_) {
+        form.working = c_.session.ready();
+        if (form.working) begin();
+    }
+    if (!run_) return;
+    // A closed dialog cancels as its button does.
+    if (!form.working || !isExportOpen(c_.ui)) {
+        form.complaint = "Cancelled.";
+        c_.session.messages().say("The export was cancelled.");
+        return end();
+    }
+    run_->advance(false);
+    form.made = run_->made();
+    form.total = run_->total();
+    if (!run_->done()) return;
+    if (const auto& failure = run_->failure()) {
+        form.complaint = failure->message;
+    } else {
+        c_.ui.fileBrowser = false;
+        c_.session.messages().say(run_->doneText());
+    }
+    end();
+}
+
+/// Begins with the input, position, camera and layers of the window, or with the open lesson.
+void WindowExport::begin() {
+    ExportForm& form = c_.ui.exported;
+    const Session& session = c_.session;
+    const LessonWalk& walk = c_.ui.lesson.walk;
+    const std::string address = session.event() != nullptr ? toString(session.address()) : "";
+    Result<ExportOrder> order = form.order(
+        address, walk.isOpen()
+                     ? std::make_shared<const LessonFile>(LessonFile{walk.lesson(), walk.folder()})
+                     : nullptr);
+    form.complaint = order ? "" : order.error().message;
+    form.working = order.ok();
+    if (!order) return;
+    ViewSettings settings = c_.ui.settings;
+    Options options;
+    options.noConfig = true;
+    if (order.value().lesson) {
+        settings.layers = layersWithout(settings.layers, walk.shownStep());
+    } else {
+        options.session = captureSession(c_);
+        options.session->with = {};
+        options.session->alert.clear();
+        options.input = options.session->input;
+    }
+    options.exported = std::move(order.value());
+    options.exported->viewer = webAddress();
+    settings.width = pictureSize(form.size)->x;
+    settings.height = pictureSize(form.size)->y;
+    settings.uiScale = 0.0;
+    run_ = std::make_unique<ExportRun>(options, settings);
+    form.made = form.total = 0;
+}
+
+void WindowExport::end() {
+    run_.reset();
+    c_.ui.exported.working = false;
 }
 
 }  // namespace se::view

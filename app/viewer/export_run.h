@@ -2,21 +2,47 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "application.h"
+#include "document/context.h"
 #include "export/formats.h"
-#include "export/frame_plan.h"
+#include "export/order.h"
+#include "panel_state/picture_look.h"
+#include "panel_state/settings.h"
+#include "render/context.h"
 #include "render/gl_objects.h"
-#include "scene/decision_view.h"
+#include "scene/framing.h"
+#include "scene/picture.h"
 #include "teach/lesson_runs.h"
 
 struct ImGuiContext;
 
 namespace se::view {
+
+// Pictures of the program's frames, without a window: their size, and how they are drawn.
+
+class Application;
+
+/// Scale of text in a picture of that size, which is looked at as a whole: 1 up to 1280x800.
+double textScale(glm::ivec2 size);
+
+/// Pixels to draw for the size of the settings; sets their scale of text to that of the look.
+glm::ivec2 drawnSize(ViewSettings& settings, const PictureLook& look);
+
+/// Fails with a sentence if a picture of `size` pixels cannot be drawn, not even in tiles of which
+/// no side exceeds `most` pixels.
+Status checkDrawn(glm::ivec2 size, double uiScale, int most = greatestPicture());
+
+/// Draws `frames` frames of `size` pixels, of which the first may only determine the layout, and
+/// returns the last as the look has it: on no background, reduced. A picture with a side over
+/// `most` pixels is drawn in tiles. Call with a current context.
+Picture drawPicture(Application& application, Target& target, glm::ivec2 size, int frames,
+                    int most = greatestPicture());
 
 /// Reason why an export ended without its file, with the exit code of the command line.
 struct ExportFailure {
@@ -96,6 +122,30 @@ class ExportRun {
     std::size_t made_ = 0;
     std::string notice_;
     std::optional<ExportFailure> failure_;
+};
+
+// The export of the window: connects the dialog, the open run and the work.
+
+class ExportRun;
+
+class WindowExport {
+  public:
+    explicit WindowExport(CommandContext& context);
+    ~WindowExport();
+    WindowExport(const WindowExport&) = delete;
+    WindowExport& operator=(const WindowExport&) = delete;
+
+    /// Begins, continues or ends the work as the dialog says. Once per frame of the window, with
+    /// its OpenGL context.
+    void advance();
+    bool busy() const { return run_ != nullptr; }
+
+  private:
+    void begin();
+    void end();
+
+    CommandContext& c_;
+    std::unique_ptr<ExportRun> run_;
 };
 
 }  // namespace se::view

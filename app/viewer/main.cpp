@@ -11,13 +11,11 @@
 #include "export_run.h"
 #include "offscreen.h"
 #include "options.h"
-#include "picture_frames.h"
 #include "run/strings.h"
 #include "scene/picture.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/freed_memory.h"
-#include "start_settings.h"
 #include "window.h"
 
 namespace {

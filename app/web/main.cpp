@@ -19,7 +19,6 @@
 #include "panel_state/settings.h"
 #include "run/strings.h"
 #include "session/session.h"
-#include "start_settings.h"
 #include "teach/result.h"
 #include "window.h"
 

@@ -18,7 +18,6 @@
 #include "scene/framing.h"
 #include "scene/picking.h"
 #include "spiraling_edge/scenes/scenes.h"
-#include "start_settings.h"
 
 namespace {
 

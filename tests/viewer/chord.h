@@ -1,7 +1,7 @@
 /// Keys by their names, for tests.
 #pragma once
 
-#include "input/keys.h"
+#include "input/key_map.h"
 
 namespace se::view::test {
 

@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "chord.h"
+#include "export_run.h"
 #include "options.h"
-#include "picture_frames.h"
 #include "state_dump.h"
 
 namespace se::view::test {

@@ -7,10 +7,10 @@
 #include <glm/common.hpp>
 
 #include "application.h"
+#include "export_run.h"
 #include "offscreen.h"
-#include "picture_frames.h"
 #include "render/context.h"
-#include "run/neighborhood.h"
+#include "run/model.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,5 +1,5 @@
 /// Pictures in tiles, drawn without a display. Skipped where there is no OpenGL.
-#include "picture_frames.h"
+#include "export_run.h"
 
 #include <doctest/doctest.h>
 

@@ -22,6 +22,19 @@ namespace se::view {
 
 namespace {
 
+std::string_view nameOf(GrowthPhase phase) {
+    constexpr std::array<std::string_view, 6> kNames = {"idle",   "finding", "spreading",
+                                                        "paused", "done",    "failed"};
+    static_assert(kNames.size() == static_cast<std::size_t>(GrowthPhase::Failed) + 1);
+    return kNames[static_cast<std::size_t>(phase)];
+}
+
+std::string_view nameOf(KeyStop stop) {
+    constexpr std::array<std::string_view, kKeyStopCount> kNames = {
+        "view", "rail", "content", "steps", "rings", "ring points", "files", "scenes"};
+    return kNames[static_cast<std::size_t>(stop)];
+}
+
 using nlohmann::json;
 
 const auto kBegan = test::OpeningTimes::Clock::now();
@@ -134,7 +147,7 @@ void dumpFindings(json& out, const Session& session) {
     out["mended"] = session.model().fixesDone;
     out["aside"] = json::object();
     for (const AsidePoints& each : session.model().aside) out["aside"][nameOf(each)] = each.count;
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     out["alert_search"] = alerts.done()                 ? "done"
                           : alerts.busy()               ? "busy"
                           : alerts.stopped()            ? "stopped"
@@ -225,7 +238,7 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
 void dumpGrowth(json& out, const GrowthPage& page, const Growth& growth) {
     const GrowthPicture none;
     const GrowthPicture& n = growth.picture() != nullptr ? *growth.picture() : none;
-    out["growth"] = std::string(growthPhaseName(growth.phase()));
+    out["growth"] = std::string(nameOf(growth.phase()));
     out["growth_page"] = page.open;
     if (!page.open) return;
     out["growth_source"] = growth.hasPoints() ? sampleSource(growth.spec()) : "";
@@ -241,14 +254,14 @@ void dumpGrowth(json& out, const GrowthPage& page, const Growth& growth) {
 }
 
 /// The dialog Save mesh, and the command that was copied.
-void dumpMeshForm(json& out, const UiState& ui) {
+void dumpMeshForm(json& out, const UiState& ui, const FinishedMesh* mesh) {
     const MeshForm& form = ui.mesh;
     out["mesh_dialog"] = ui.fileBrowser && ui.browser == BrowserTask::SaveMesh;
     out["mesh_name"] = ui.browsing.path;
     out["mesh_format"] = std::string(meshFormats()[form.format].extension);
     out["mesh_used_only"] = form.usedOnly;
     out["mesh_fault_fields"] = form.faultFields;
-    out["mesh_triangles"] = form.size ? json(form.size->triangles) : json(nullptr);
+    out["mesh_triangles"] = mesh != nullptr ? json(mesh->triangles->size()) : json(nullptr);
     out["mesh_saving"] = form.saving;
     out["mesh_question"] = form.question;
     out["mesh_complaint"] = form.complaint;
@@ -337,7 +350,7 @@ std::string stateDump(Application& app, const InputProgress& input, const Openin
              {"ledger_typed", ui.ledger.typed},
              {"typing", ImGui::GetIO().WantTextInput},
              {"asks", ui.leaving.asked},
-             {"keyboard", keyStopName(ui.walk.at())},
+             {"keyboard", nameOf(ui.walk.at())},
              {"click_waits", ui.click.waiting()},
              {"task", std::string(rowOf(ui.column.task).title)},
              {"part", ui.column.part},
@@ -361,7 +374,7 @@ std::string stateDump(Application& app, const InputProgress& input, const Openin
     out["piece_inside"] = ui.piece.inside.size();
     dumpGrowth(out, ui.growth, c.sampling.growth());
     out["copied"] = ui.clipboard.copied();
-    dumpMeshForm(out, ui);
+    dumpMeshForm(out, ui, c.mesh.mesh());
     dumpExportForm(out, ui);
     dumpComparison(out, session, ui.compare);
     dumpLayers(out, ui.settings.layers, session.stage());

@@ -8,21 +8,23 @@
 #include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
-#include "document/break_actions.h"
-#include "document/camera_actions.h"
 #include "document/document.h"
 #include "document/edit_history.h"
-#include "document/failure_link.h"
 #include "document/link_actions.h"
+#include "document/new_points.h"
 #include "document/piece_actions.h"
 #include "document/ui_state.h"
-#include "lesson/lesson_actions.h"
+#include "jobs/open_lesson.h"
 #include "lesson/lesson_player.h"
+#include "panel_state/column.h"
 #include "panel_state/side_panels.h"
+#include "run/model.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 
@@ -441,8 +443,8 @@ bool hasWhatIfs(const CommandContext& c) { return !c.session.input().spec().what
 bool hasChangedRules(const CommandContext& c) { return !c.session.input().spec().choices.empty(); }
 bool canUndo(const CommandContext& c) { return c.history.undoDepth() > 0; }
 bool canRedo(const CommandContext& c) { return c.history.redoDepth() > 0; }
-bool isChecked(const CommandContext& c) { return c.session.alerts().search().done(); }
-bool hasPlaces(const CommandContext& c) { return !c.session.alerts().search().places().empty(); }
+bool isChecked(const CommandContext& c) { return c.session.alerts().done(); }
+bool hasPlaces(const CommandContext& c) { return !c.session.alerts().places().empty(); }
 bool showsAlert(const CommandContext& c) { return c.session.alerts().shown() != nullptr; }
 bool hasWindow(const CommandContext& c) { return c.ui.pageAddress.empty(); }
 bool compares(const CommandContext& c) {
@@ -516,6 +518,160 @@ std::string_view whyUnavailable(const Command& command, const CommandContext& co
         kCommandNeeds.begin(), kCommandNeeds.end(),
         [&](const Need& need) { return command.id.starts_with(need.id) && !need.holds(context); });
     return missing == kCommandNeeds.end() ? std::string_view{} : missing->reason;
+}
+
+// Commands of the growing points: the groups about the run, which does not exist yet, are replaced.
+
+namespace {
+
+struct Meaning {
+    std::string_view id;
+    void (NewPoints::*act)();
+};
+
+constexpr auto kMeanings = std::to_array<Meaning>({
+    {"run.play", &NewPoints::playOrPause},
+    {"run.step", &NewPoints::step},
+    {"step.event.next", &NewPoints::step},
+    {"step.pivot.next", &NewPoints::step},
+    {"run.end", &NewPoints::finish},
+    {"run.continue", &NewPoints::finish},
+    {"run.continue.back", &NewPoints::start},
+    {"run.start", &NewPoints::start},
+    {"file.restart", &NewPoints::start},
+    {"view.home", &NewPoints::home},
+    {"view.all", &NewPoints::home},
+    {"view.frame", &NewPoints::home},
+});
+
+/// Groups about the run, which does not exist yet.
+constexpr std::array<std::string_view, 5> kAside = {"Run", "Step", "Layers", "Notes", "Edit"};
+
+bool isAside(const Command& command) {
+    return std::find(kAside.begin(), kAside.end(), command.group) != kAside.end() ||
+           command.id == "file.prepare" || command.id.starts_with("view.layout.") ||
+           command.id.starts_with("view.mesh.") || command.id == "view.doctor" ||
+           command.id == "view.breakpoints" || command.id == "view.watch" ||
+           command.id == "view.strips" || command.id == "view.column" ||
+           command.id == "view.legend";
+}
+
+}  // namespace
+
+bool runOnGrowthPage(const Command& command, CommandContext& context) {
+    const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
+                                    [&](const Meaning& m) { return m.id == command.id; });
+    if (found != kMeanings.end()) {
+        (context.sampling.*found->act)();
+        return true;
+    }
+    if (command.id == "file.save" || command.id == "file.saveas") {
+        findCommand("file.savepoints")->run(context);
+        return true;
+    }
+    if (command.id == "file.savemesh" || command.id == "file.copycommand" ||
+        command.id == "file.export") {
+        context.ui.growth.complaint = "There is no mesh yet: choose Use these points first.";
+        return true;
+    }
+    return isAside(command);
+}
+
+namespace {
+
+constexpr std::string_view kPanelNote = "Panel";
+constexpr std::string_view kSceneNote = "Scene";
+
+PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
+    return {PaletteEntry::Kind::Scene, scene.title, kSceneNote, synonyms, scene.id, scene.watch};
+}
+
+/// Whether a word of the text begins with `start`. Words are letters and digits, separated by all
+bool hasWordStart(std::string_view text, std::string_view start) {
+    /// else.
+    const auto isInner = [](char sign) {
+        return (sign >= 'a' && sign <= 'z') || (sign >= '0' && sign <= '9');
+    };
+    for (std::size_t at = text.find(start); at != std::string_view::npos;
+         at = text.find(start, at + 1)) {
+        if (at == 0 || !isInner(text[at - 1])) return true;
+    }
+    return false;
+}
+
+bool hasAll(const std::string& text, std::span<const std::string> words) {
+    return std::all_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return hasWordStart(text, word); });
+}
+
+/// Quality of a match, the best first.
+enum class Fit : std::uint8_t { Named, Title, Synonyms, Elsewhere, None };
+
+Fit fitOf(const PaletteEntry& entry, std::string_view filter, std::span<const std::string> words) {
+    std::string text = lowerCase(entry.title);
+    if (text == filter) return Fit::Named;
+    if (hasAll(text, words)) return Fit::Title;
+    text.append(" ").append(entry.synonyms);
+    if (hasAll(text, words)) return Fit::Synonyms;
+    text.append(" ").append(lowerCase(entry.note));
+    text.append(" ").append(entry.id).append(" ").append(lowerCase(entry.help));
+    return hasAll(text, words) ? Fit::Elsewhere : Fit::None;
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> paletteEntries() {
+    std::vector<PaletteEntry> entries;
+    for (const Command& each : commands())
+        entries.push_back({PaletteEntry::Kind::Action, each.title, each.group, each.synonyms,
+                           each.id, each.help});
+    for (const PartRow& part : partRows()) {
+        const auto all = commands();
+        const bool known = std::any_of(
+            all.begin(), all.end(), [&](const Command& each) { return each.title == part.title; });
+        if (!known)
+            entries.push_back({PaletteEntry::Kind::Panel, part.title, kPanelNote, part.synonyms,
+                               part.title, "Show this panel."});
+    }
+    for (const LessonEntry& each : lessonEntries())
+        entries.push_back({PaletteEntry::Kind::Lesson, each.title, "Lesson", "teach course open",
+                           each.source, each.text});
+    for (const Scene& scene : scenes()) entries.push_back(entryOf(scene, "example open"));
+    for (const Figure& each : figures()) {
+        if (each.sample.empty()) continue;
+        entries.push_back(entryOf(each.scene, "example open sample"));
+        entries.back().id = each.sample;
+    }
+    for (const FailureScene& each : failureScenes())
+        entries.push_back(entryOf(each.scene, "example open failure gallery wrong"));
+    return entries;
+}
+
+std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
+                                          std::string_view filter) {
+    const std::string low = lowerCase(trimmed(filter));
+    const std::vector<std::string> words = io::wordsIn(low);
+    std::array<std::vector<PaletteEntry>, static_cast<std::size_t>(Fit::None) + 1> byFit;
+    for (const PaletteEntry& each : entries)
+        byFit[static_cast<std::size_t>(fitOf(each, low, words))].push_back(each);
+    byFit.back().clear();
+    std::vector<PaletteEntry> matches;
+    for (const auto& list : byFit) matches.insert(matches.end(), list.begin(), list.end());
+    return matches;
+}
+
+void choose(const PaletteEntry& entry, CommandContext& context) {
+    switch (entry.kind) {
+        case PaletteEntry::Kind::Action:
+            return runCommand(*findCommand(entry.id), context);
+        case PaletteEntry::Kind::Panel:
+            return actions::openPart(context, entry.id);
+        case PaletteEntry::Kind::Scene:
+            return context.document.open(isSample(entry.id) ? std::string(entry.id)
+                                                            : sceneSource(entry.id));
+        case PaletteEntry::Kind::Lesson:
+            return context.document.open(std::string(entry.id));
+    }
 }
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 /// the background. Independent of window and OpenGL.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,13 +12,64 @@
 
 #include "jobs/background_job.h"
 #include "jobs/file_watch.h"
+#include "panel_state/forms.h"
+#include "run/model.h"
 #include "session/compare_with.h"
+#include "session/layout_preset.h"
 #include "session/session.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
+#include "spiraling_edge/run/pivot_replay.h"
 #include "spiraling_edge/why/run_compare.h"
-#include "trace_replay.h"
+#include "teach/trace/trace_diff.h"
 
 namespace se::view {
+
+// The trace of another implementation as a run to look at: the mesh that its fans lay, pivot by
+// pivot, and the rings and statuses that follow from it.
+
+/// A position in a trace.
+struct TracePosition {
+    std::uint32_t pivot = 0;  ///< From 1; 0: before the first.
+    std::size_t laid = 0;     ///< Triangles of its fan so far.
+    bool complete = false;    ///< After the pivot: all of the fan is laid.
+    friend bool operator==(const TracePosition&, const TracePosition&) = default;
+};
+
+class TraceReplay {
+  public:
+    /// `given`: triangles that the run begins with. Requires that the points of the trace are less
+    /// than `pointCount`.
+    TraceReplay(teach::Trace trace, std::vector<Triangle> given, std::size_t pointCount);
+
+    std::uint32_t pivots() const { return static_cast<std::uint32_t>(trace_.pivots.size()); }
+    const teach::Trace& trace() const { return trace_; }
+    /// The mesh at the end, its triangles in the order of the fans; `made`: with the address that
+    /// an `emit` of ours would have.
+    const MadeMesh& mesh() const { return mesh_; }
+    /// Triangles of the fan of a pivot, from 1.
+    std::span<const Triangle> fanOf(std::uint32_t pivot) const;
+    /// The state at a position, without a decision. The rings are the loops of edges with a single
+    /// triangle, or the active ring of the trace; a point is DONE once it was a pivot, or no such
+    /// edge has it. O(triangles so far).
+    DecisionState stateAt(const TracePosition& position) const;
+    /// "Pivot 8 of the trace: point 11 between 1 and 3, fan 1 4 3."
+    std::string sentence(const TracePosition& position) const;
+
+  private:
+    std::vector<RingPath> ringsAt(std::size_t triangles, std::uint32_t pivots) const;
+
+    teach::Trace trace_;
+    std::size_t pointCount_;
+    MadeMesh mesh_;
+    std::vector<std::size_t> begin_;  ///< First triangle of each pivot's fan, and the end.
+};
+
+/// A trace beside the open run, and their first difference.
+struct ComparedTrace {
+    TraceReplay replay;
+    teach::TraceComparison comparison;
+    std::string guess;  ///< A sentence on the rules that account for it; empty: no difference.
+};
 
 /// The common part of the timelines of two runs A and B.
 struct RunAlignment {
@@ -139,5 +191,51 @@ class Comparison {
     std::optional<Stand> followed_;
     std::uint32_t asked_ = 0xffffffffU;  ///< The pivot requested from the other run.
 };
+
+// The layout Compare: the user's choice of the other run, and state. Plain values.
+
+struct CompareForm {
+    RunSpec rules;        ///< Its set, single rules and what-ifs count.
+    PrepareForm prepare;  ///< Lists, normals, walls, rims.
+    std::string whatIf;   ///< The line of another what-if, while it is typed.
+    std::array<char, 64> ruleFilter{};
+    std::string complaint;
+
+    /// Starts with the most informative rule set beside `spec`; all else as in `spec`.
+    void take(const RunSpec& spec, const Model& model);
+    /// Starts with `other`, which is compared with already.
+    void takeOther(const RunSpec& other, const Model& model);
+    /// The open run was opened again as `now`: its own changes are applied to both.
+    void follow(const RunSpec& before, const RunSpec& now, const Model& model);
+    /// Adds the line of a what-if to those of the other run; otherwise sets the complaint.
+    void addWhatIf();
+    /// `base` with these choices. Fails with a sentence.
+    Result<RunSpec> spec(const RunSpec& base) const;
+};
+
+/// `spec` without its what-ifs.
+RunSpec trueRunOf(RunSpec spec);
+
+struct ComparePage {
+    const Comparison* now = nullptr;  ///< Current comparison; null if nothing can be compared.
+    CompareForm form;
+    bool inPresent = false;  ///< Also in the layout Present: a step of a lesson compares.
+    bool choosing = false;   ///< The form is open although there is a comparison.
+    std::optional<std::size_t> region;  ///< The region that is shown.
+    std::optional<Selection> why;       ///< Subject of the last query to both runs.
+    /// The run as it was before it was opened again with other options.
+    std::optional<RunSpec> before;
+
+    /// A layout shows two views.
+    bool isIn(LayoutPreset layout) const {
+        return layout == LayoutPreset::Compare || (layout == LayoutPreset::Present && inPresent);
+    }
+    const Compared* result() const { return now != nullptr ? now->result() : nullptr; }
+};
+
+// Titles of two views that are compared.
+
+/// Titles of the open run and of what it is compared with; `now`: null if nothing can be.
+std::array<ComparedTitle, 2> comparedTitles(const Session& run, const Comparison* now);
 
 }  // namespace se::view

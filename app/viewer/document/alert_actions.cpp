@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "actions.h"
 #include "compare/compared_runs.h"
-#include "document.h"
 #include "jobs/questions.h"
-#include "panel_state/side_panels.h"
+#include "link_actions.h"
+#include "run/model.h"
 #include "run/overview.h"
 #include "run/strings.h"
 #include "session/playback.h"
@@ -73,7 +75,7 @@ std::string watchNote(std::size_t points, std::size_t noticed) {
 
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment) {
     Session& session = context.session;
-    assert(alert < session.alerts().search().failures().size());
+    assert(alert < session.alerts().failures().size());
     context.playback.pause();
     session.alerts().choose(alert);
     const RunFailure& chosen = *session.alerts().shown();
@@ -93,7 +95,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
 void showPlace(CommandContext& context, std::size_t place) {
     Session& session = context.session;
     RunAlerts& alerts = session.alerts();
-    assert(place < alerts.search().places().size());
+    assert(place < alerts.places().size());
     context.playback.pause();
     alerts.choosePlace(place);
     session.highlights().mark({});
@@ -105,7 +107,7 @@ void showPlace(CommandContext& context, std::size_t place) {
     session.messages().say(verdictSentence(alerts));
 }
 
-std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what) {
+std::optional<std::size_t> alertAt(const RunAlerts& alerts, const Selection& what) {
     const auto corners = what.corners();
     if (corners.empty()) return {};
     std::optional<std::size_t> worst;
@@ -126,7 +128,7 @@ std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& w
 void nextPlace(CommandContext& context, int direction) {
     Session& session = context.session;
     if (!session.ready()) return;
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     if (!alerts.done())
         return session.messages().say(alerts.busy() ? "The search for faults is still running."
                                                     : "The search for faults has not started yet.");
@@ -148,16 +150,15 @@ void nextPlace(CommandContext& context, int direction) {
     showPlace(context, static_cast<std::size_t>(next));
 }
 
-std::string verdictText(const AlertSearch& alerts) {
+std::string verdictText(const RunAlerts& alerts) {
     if (alerts.sound()) return "the mesh is sound";
     return headlineOf(alerts.found()->verdict);
 }
 
 std::string verdictSentence(const RunAlerts& alerts) {
-    const AlertSearch& search = alerts.search();
-    if (!alerts.place()) return "The run is finished: " + verdictText(search) + ".";
-    return "Place " + grouped(*alerts.place() + 1) + " of " + grouped(search.places().size()) +
-           ": " + describe(search.places()[*alerts.place()], search.found()->all) + ".";
+    if (!alerts.place()) return "The run is finished: " + verdictText(alerts) + ".";
+    return "Place " + grouped(*alerts.place() + 1) + " of " + grouped(alerts.places().size()) +
+           ": " + describe(alerts.places()[*alerts.place()], alerts.found()->all) + ".";
 }
 
 bool showsFinishedMesh(const CommandContext& context) {
@@ -174,7 +175,7 @@ bool canFix(const CommandContext& context) {
     const bool whole =
         session.input().spec().whatIf.empty() && session.model().params.start.empty();
     const TrialJob& job = session.trials();
-    return whole && !session.alerts().search().sound() && (job.best() != nullptr || !job.ended());
+    return whole && !session.alerts().sound() && (job.best() != nullptr || !job.ended());
 }
 
 void fixByTrials(CommandContext& context) {
@@ -209,11 +210,11 @@ void closeHoles(CommandContext& context, double width) {
     const RuleSetting* closes = findRuleSetting("closeholes");
     assert(closes != nullptr);
     if (width > 0.0 && valueOf(rules, *closes) == 0.0) rules.rules = "robust";
-    context.ui.verdict.closing = {width, context.session.alerts().search().openLoops().count};
+    context.ui.verdict.closing = {width, context.session.alerts().openLoops().count};
     context.document.rerun(withRule(rules, "holewidth", width), Resume::End);
 }
 
-std::string closedText(const HoleClosing& closing, const AlertSearch& alerts) {
+std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
     assert(alerts.done());
     const std::vector<MeshFailure>& all = alerts.found()->all;
     const auto wider = static_cast<std::size_t>(std::count_if(
@@ -240,14 +241,151 @@ bool openOnVerdict(CommandContext& context) {
     const bool untouched =
         session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
-    if (session.alerts().search().sound() || !untouched ||
-        context.ui.layoutPreset != LayoutPreset::Debug)
+    if (session.alerts().sound() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug)
         return false;
     // The notice about the input stays.
     const std::string notice = session.messages().notice();
     session.moves().toEnd();
     session.messages().say(notice);
     return true;
+}
+
+namespace {
+
+/// Reason why a run has no alert of the name CLASS:N.
+std::string whyNone(const RunAlerts& alerts, const std::string& name) {
+    const FailureClass* kind = findFailureClass(name.substr(0, name.find(':')));
+    if (kind == nullptr && name != "first")
+        return "no such class; spiraling-edge check --help lists them.";
+    if (!alerts.complaint().empty()) return alerts.complaint();
+    const std::span<const RunFailure> failures = alerts.failures();
+    if (failures.empty()) return "the run has no such failure; it has none at all.";
+    const auto count = std::count_if(failures.begin(), failures.end(), [&](const RunFailure& each) {
+        return each.failure.kind == kind;
+    });
+    const char* has = alerts.complete() ? "the run has no such failure; it has "
+                                        : "no such failure is listed; the run has ";
+    return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +
+           " in all.";
+}
+
+/// A sentence about the place that was shown in the mesh before: "1 hole of 3 edges is gone. ";
+/// empty if none was shown. The place is still there if a new one reaches its most severe fault.
+std::string changeOfPlace(const Session& session) {
+    const EarlierMesh& earlier = session.earlierMesh();
+    if (!earlier.place || !earlier.faults) return "";
+    const FaultPlace& place = earlier.faults->places[*earlier.place];
+    const RunFailureSearch& now = *session.alerts().found();
+    const bool stays =
+        std::any_of(now.places.begin(), now.places.end(), [&](const FaultPlace& each) {
+            return glm::length(each.center - place.center) <= each.radius + place.radius;
+        });
+    return "The place that was shown (" + describe(place, earlier.faults->all) +
+           (stays ? ") still has faults. " : ") is gone. ");
+}
+
+}  // namespace
+
+void AlertsShown::begin(const Options& options) {
+    asked_ = options.alert;
+    interactive_ = !options.onPaper();
+    // A picture of a file shows where its faults are. Built-in inputs are small, and may be about
+    // one.
+    const bool own = isScene(options.input.source) || !options.lesson.empty();
+    c_.session.alerts().setFollows(interactive_ || own || !asked_.empty() || options.session);
+}
+
+/// Applies the best settings that were tried, where the user has asked for it before all were.
+void AlertsShown::fixWhenTried() {
+    const TrialJob& job = c_.session.trials();
+    if (!c_.ui.verdict.fixing || !job.ended()) return;
+    c_.ui.verdict.fixing = false;
+    if (job.best() != nullptr) return fixByTrials(c_);
+    if (job.complaint().empty() && !job.trials().tried.empty())
+        c_.session.messages().say(noneBetterText(job.trials()));
+}
+
+void AlertsShown::poll() {
+    Session& session = c_.session;
+    fixWhenTried();
+    finishFailureLink(c_);
+    if (!session.alerts().takeNews()) return;
+    const std::string& source = session.input().spec().source;
+    const bool fresh = std::exchange(source_, source) != source;
+    if (fresh) {
+        verdict_.clear();
+        c_.ui.verdict = {};
+    }
+    reportChange();
+    if (const auto closing = std::exchange(c_.ui.verdict.closing, std::nullopt);
+        closing && session.alerts().done())
+        session.messages().say(closedText(*closing, session.alerts()));
+    startTrials();
+    if (!asked_.empty()) return showAsked();
+    if (const std::string kept = c_.document.takeAlert(); !kept.empty())
+        session.alerts().choose(alertNamed(session.alerts(), kept));
+    if (fresh) chooseOfGallery();
+    // Scenes and sampled points are opened to watch the run, so they open at the start.
+    const bool file = !isScene(source) && !isSample(source);
+    if (!fresh || !file || !interactive_ || c_.document.placed()) return;
+    opened_ = openOnVerdict(c_);
+}
+
+void AlertsShown::reportChange() {
+    const RunAlerts& alerts = c_.session.alerts();
+    if (!alerts.done()) return;
+    const std::string before = std::exchange(verdict_, verdictText(alerts));
+    const RunSpec rules = c_.session.input().spec();
+    const bool sameRules = std::exchange(rules_, rules) == rules;
+    if (before.empty() || (before == verdict_ && sameRules)) return;
+    // The message about the position in the new run stays.
+    const std::string said = c_.session.messages().last();
+    const std::string change = before == verdict_ ? "As before, " + verdict_ + "."
+                                                  : "Now " + verdict_ + "; before, " + before + ".";
+    const char* look =
+        c_.session.hasEarlierMesh() ? " Hold the back-quote key to see the mesh before." : "";
+    c_.session.messages().say(said + (said.empty() ? "" : " ") + changeOfPlace(c_.session) +
+                              change + look);
+}
+
+/// Other settings are tried without a request where that is quick, and neither the addresses of
+/// what-ifs nor the points of a given start are in the way.
+void AlertsShown::startTrials() {
+    const Session& session = c_.session;
+    const bool quick = session.model().points.size() <= kManyForTrials;
+    if (interactive_ && quick && canFix(c_)) c_.session.trials().start();
+}
+
+/// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
+void AlertsShown::chooseOfGallery() {
+    Session& session = c_.session;
+    const FailureScene* failing = galleryScene(session.input().spec().source);
+    if (failing == nullptr || session.alerts().chosen()) return;
+    const auto failures = session.alerts().failures();
+    const auto rate = [&](const RunFailure& each) {
+        if (each.failure.kind->name != failing->failure) return 0;
+        const auto address = addressFromString(failing->address);
+        if (toString(each.moments.unavoidable.event.address) == failing->address) return 3;
+        return address && each.moments.created.event.address.pivot == address->pivot ? 2 : 1;
+    };
+    const auto best = std::max_element(
+        failures.begin(), failures.end(),
+        [&](const RunFailure& a, const RunFailure& b) { return rate(a) < rate(b); });
+    if (best == failures.end() || rate(*best) == 0) return;
+    session.alerts().choose(static_cast<std::size_t>(best - failures.begin()));
+}
+
+void AlertsShown::showAsked() {
+    Session& session = c_.session;
+    const std::string name = std::exchange(asked_, {});
+    const auto alert = alertNamed(session.alerts(), name);
+    actions::showPart(c_, kAlertsPart);
+    // At the position that was named, if one was.
+    std::optional<AlertMoment> moment;
+    if (!c_.document.placed()) moment = AlertMoment::Created;
+    if (alert) return showAlert(c_, *alert, moment);
+    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts(), name)};
+    session.messages().say(status_.error().message);
 }
 
 }  // namespace se::view

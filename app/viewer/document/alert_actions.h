@@ -6,8 +6,10 @@
 #include <string>
 
 #include "context.h"
+#include "document.h"
 #include "panel_state/side_panels.h"
 #include "session/session.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 
@@ -30,19 +32,19 @@ std::string pointsText(const MeshFailure& failure, std::size_t limit);
 std::string watchNote(std::size_t points, std::size_t noticed);
 
 /// Chooses an alert, goes to one of its moments if given, selects its subject and
-/// frames it. Requires a place in session.alerts().search().failures().
+/// frames it. Requires a place in session.alerts().failures().
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment);
 /// Shows a place with faults on the finished mesh: chooses it, goes to the end of the run, selects
 /// the subject of its most severe fault, frames it, and says what is there. Requires a position in
-/// session.alerts().search().places().
+/// session.alerts().places().
 void showPlace(CommandContext& context, std::size_t place);
 /// The most severe fault that a point, an edge or a triangle is part of, by its alert; empty if
 /// there is none, or none that was followed.
-std::optional<std::size_t> alertAt(const AlertSearch& alerts, const Selection& what);
+std::optional<std::size_t> alertAt(const RunAlerts& alerts, const Selection& what);
 /// The next (+1) or previous (-1) place, from the most severe on.
 void nextPlace(CommandContext& context, int direction);
 /// "44 faults at 12 places", "the mesh is sound". Requires a search that is done.
-std::string verdictText(const AlertSearch& alerts);
+std::string verdictText(const RunAlerts& alerts);
 /// "Place 1 of 31: 1 hole of 3 edges." of the place that is shown, else "The run is finished: 44
 /// faults at 31 places." Requires a search that is done.
 std::string verdictSentence(const RunAlerts& alerts);
@@ -70,12 +72,46 @@ std::string openText(const OpenLoops& loops);
 void closeHoles(CommandContext& context, double width);
 /// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
 /// without a fault was found.". Requires alerts of the new run.
-std::string closedText(const HoleClosing& closing, const AlertSearch& alerts);
+std::string closedText(const HoleClosing& closing, const RunAlerts& alerts);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);
 
 /// Called when the alerts of an input are known. A newly opened input without any user action
 /// yet opens on its finished mesh if that has faults. True if it does.
 bool openOnVerdict(CommandContext& context);
+
+// Shows the alert of the command line, that of the session, or the finished mesh with its faults,
+// once the alerts of a run are known. Independent of window and OpenGL.
+
+class AlertsShown {
+  public:
+    explicit AlertsShown(CommandContext& context) : c_(context) {}
+
+    /// Takes the alert of the command line. Pictures without a user open where their options say.
+    void begin(const Options& options);
+    /// Once the alerts are known: goes to what to show; after a run of the same input with other
+    /// rules, says what has become of the faults.
+    void poll();
+    /// True once, if a newly opened input opened on its finished mesh.
+    bool takeOpened() { return std::exchange(opened_, false); }
+    /// Error if the alert of the command line does not exist.
+    const Status& status() const { return status_; }
+
+  private:
+    void chooseOfGallery();
+    void fixWhenTried();
+    void reportChange();
+    void startTrials();
+    void showAsked();
+
+    CommandContext& c_;
+    std::string asked_;        ///< By the command line, until it was shown.
+    std::string source_;       ///< The input of the last known alerts.
+    std::string verdict_;      ///< Of that input; empty before any was known.
+    RunSpec rules_;            ///< Of the last known alerts.
+    bool interactive_ = true;  ///< A user is present.
+    bool opened_ = false;
+    Status status_ = success();
+};
 
 }  // namespace se::view

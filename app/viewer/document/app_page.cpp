@@ -7,10 +7,9 @@
 #include "jobs/open_lesson.h"
 #include "link.h"
 #include "paint/svg_text.h"
-#include "run/base64.h"
+#include "run/packed_file.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/sampling/volume.h"
-#include "spiraling_edge/scenes/scenes.h"
 #include "teach/lesson_read.h"
 
 namespace se::view {

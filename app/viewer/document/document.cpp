@@ -42,7 +42,7 @@ SessionFile captureSession(const CommandContext& context) {
     file.layout = context.ui.layoutPreset;
     file.selected = session.selection();
     if (session.alerts().chosen())
-        file.alert = alertName(session.alerts().search(), *session.alerts().chosen());
+        file.alert = alertName(session.alerts(), *session.alerts().chosen());
     file.annotations = annotationsOf(context.ui);
     file.query = context.ui.query.typed;
     if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();

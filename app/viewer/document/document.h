@@ -9,10 +9,10 @@
 #include <string>
 
 #include "context.h"
+#include "edit_history.h"
 #include "panel_state/settings.h"
-#include "session/annotations.h"
 #include "session/session.h"
-#include "session/undo.h"
+#include "session/session_file.h"
 #include "start_options.h"
 #include "ui_state.h"
 

@@ -9,6 +9,119 @@
 
 namespace se::view {
 
+// Instead of a command object per action, the state of everything that can be undone is captured
+// once per frame and compared with the last entry. New actions are thus undoable without any code,
+// at the cost of a comparison per frame; the snapshots are small, since the run itself is not part
+// of them.
+
+namespace {
+
+void add(std::string& text, const std::string& what) { text += (text.empty() ? "" : ", ") + what; }
+
+std::string changedLayers(const LayerModes& from, const LayerModes& to) {
+    std::string changed;
+    for (const Layer& layer : layers()) {
+        const auto i = static_cast<std::size_t>(layer.id);
+        if (from[i] == to[i]) continue;
+        if (!changed.empty()) return "layers";
+        changed = "layer " + std::string(layer.name);
+    }
+    return changed;
+}
+
+/// Camera moves within this many seconds of each other are merged.
+constexpr double kOneMove = 0.5;
+
+bool onlyCamera(Edits from, const Edits& to) {
+    from.camera = to.camera;
+    return from == to;
+}
+
+}  // namespace
+
+std::string describeChange(const Edits& from, const Edits& to) {
+    std::string text;
+    if (from.theme != to.theme) add(text, "theme");
+    if (from.uiScale != to.uiScale) add(text, "text size");
+    if (from.legend != to.legend) add(text, "legend");
+    if (from.layers != to.layers) add(text, changedLayers(from.layers, to.layers));
+    if (from.layout != to.layout) add(text, "layout");
+    if (from.camera != to.camera) add(text, "camera");
+    if (from.selected != to.selected) add(text, "selection");
+    if (from.annotations.bookmarks.size() != to.annotations.bookmarks.size()) {
+        add(text, "bookmark");
+    } else if (from.annotations.bookmarks != to.annotations.bookmarks) {
+        add(text, "note of a bookmark");
+    }
+    if (from.annotations.notes != to.annotations.notes) add(text, "notes");
+    if (from.annotations.breakpoints != to.annotations.breakpoints) add(text, "breakpoints");
+    if (from.annotations.watches != to.annotations.watches) add(text, "watches");
+    // The other changes are consequences of this one.
+    const RunSpec& a = from.input;
+    const RunSpec& b = to.input;
+    if (withRulesOf(a, b) != b) {
+        if (a.fixes != b.fixes) return "the doctor's fix";
+        return a.leftOut != b.leftOut ? "points left out" : "preparation of the points";
+    }
+    if (a == b) return text;
+    const std::vector<RuleValue> rules = differingRules(ruleParams(b), ruleParams(a));
+    if (a.whatIf != b.whatIf)
+        add(text, "what-if");
+    else if (a.rules != b.rules)
+        add(text, "rules " + b.rules);
+    else
+        add(text, rules.size() == 1 ? "rule " + rules.front().name : "rules");
+    return text;
+}
+
+void UndoStack::begin(const Edits& now) {
+    present_ = now;
+    past_.clear();
+    future_.clear();
+    cameraMoved_ = false;
+}
+
+void UndoStack::note(const Edits& now) {
+    if (now == present_) return;
+    past_.push_back(std::exchange(present_, now));
+    if (past_.size() > kDepth) past_.erase(past_.begin());
+    future_.clear();
+}
+
+void UndoStack::observe(const Edits& now, double seconds, bool changing) {
+    if (changing) {
+        cameraMoved_ = false;
+        return;
+    }
+    if (now == present_) return;
+    const bool goesOn = cameraMoved_ && seconds - movedAt_ < kOneMove;
+    cameraMoved_ = onlyCamera(present_, now);
+    movedAt_ = seconds;
+    if (cameraMoved_ && goesOn) {
+        present_ = now;
+    } else {
+        note(now);
+    }
+}
+
+std::optional<UndoStack::Step> UndoStack::undo(const Edits& now) {
+    note(now);
+    cameraMoved_ = false;
+    if (past_.empty()) return std::nullopt;
+    future_.push_back(std::exchange(present_, past_.back()));
+    past_.pop_back();
+    return Step{present_, describeChange(future_.back(), present_)};
+}
+
+std::optional<UndoStack::Step> UndoStack::redo(const Edits& now) {
+    note(now);
+    cameraMoved_ = false;
+    if (future_.empty()) return std::nullopt;
+    past_.push_back(std::exchange(present_, future_.back()));
+    future_.pop_back();
+    return Step{present_, describeChange(past_.back(), present_)};
+}
+
 Annotations annotationsOf(const UiState& ui) {
     return {ui.bookmarks, ui.notes, ui.breakpoints, ui.watch.expressions};
 }

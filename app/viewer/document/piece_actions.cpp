@@ -3,7 +3,6 @@
 // included: the fix examines the piece alone.
 #include "piece_actions.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "actions.h"

@@ -8,7 +8,7 @@
 
 #include "alert_actions.h"
 #include "jobs/questions.h"
-#include "scene/hiding.h"
+#include "scene/picking.h"
 #include "session/playback.h"
 #include "session/session.h"
 

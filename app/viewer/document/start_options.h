@@ -12,7 +12,6 @@
 #include "run/sample_spec.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
-#include "scene/point_tint.h"
 #include "session/layout_preset.h"
 #include "session/session_file.h"
 #include "session/view_position.h"

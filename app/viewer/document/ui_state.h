@@ -3,38 +3,83 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "between_frames.h"
-#include "compare/compare_page.h"
+#include "compare/comparison.h"
 #include "input/clipboard.h"
 #include "input/go_to_box.h"
-#include "input/host_files.h"
 #include "input/key_routing.h"
-#include "input/tab_order.h"
 #include "input/view_drag.h"
-#include "leave_question.h"
-#include "lesson/lesson_panel.h"
-#include "paint/drawn_label.h"
+#include "lesson/lesson_walk.h"
+#include "paint/painter.h"
 #include "panel_state/column.h"
-#include "panel_state/export_form.h"
 #include "panel_state/file_browser_state.h"
-#include "panel_state/growth_page.h"
+#include "panel_state/forms.h"
 #include "panel_state/panel_states.h"
 #include "panel_state/picture_look.h"
-#include "panel_state/piece_tool.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panel_state/start_page.h"
-#include "scene/camera_move.h"
+#include "panel_state/view_tools.h"
 #include "scene/motion.h"
-#include "session/annotations.h"
 #include "session/selection_facts.h"
+#include "session/session_file.h"
 #include "spiraling_edge/run/breakpoint.h"
+#include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
+
+// The question before unsaved work is left. Plain values.
+
+enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
+enum class LeaveAnswer : std::uint8_t { Save, Discard, Cancel };
+
+/// Destination after the question.
+struct Leave {
+    LeaveFor what = LeaveFor::Quit;
+    std::string path;                            ///< Of LeaveFor::Open: a path or `scene:ID`.
+    std::string notice;                          ///< Message on arrival.
+    std::optional<RunSpec> spec = std::nullopt;  ///< Input to open, with its options.
+    std::function<void()> open = nullptr;        ///< Opens what a link names, instead of these.
+};
+
+/// The question, while it is open.
+struct LeaveQuestion {
+    bool asked = false;
+    bool justAsked = false;  ///< The first button gets the keyboard focus.
+    Leave leave;
+    std::string atStake;  ///< Unsaved annotations: "bookmarks and watches".
+
+    void ask(Leave to, std::string unsaved) {
+        *this = {true, true, std::move(to), std::move(unsaved)};
+    }
+};
+
+// Calls that would destroy what is being drawn: they wait for the end of the frame.
+
+class BetweenFrames {
+  public:
+    /// Makes the call at once, or at the end of the frame that is being drawn.
+    void operator()(std::function<void()> call) {
+        if (!drawing_) return call();
+        waiting_.push_back(std::move(call));
+    }
+    void beginDrawing() { drawing_ = true; }
+    /// Makes the calls that wait, in their order.
+    void endDrawing() {
+        drawing_ = false;
+        for (const auto& call : std::exchange(waiting_, {})) call();
+    }
+
+  private:
+    bool drawing_ = false;
+    std::vector<std::function<void()>> waiting_;
+};
 
 struct CommandPalette {
     bool open = false;

@@ -2,16 +2,76 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "frame.h"
 #include "order.h"
+#include "paint/painter.h"
+#include "rows/pivot_dial.h"
+#include "run/model.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
 #include "scene/palette.h"
+#include "scene/picture.h"
+#include "session/compare_with.h"
+#include "teach/lesson_runs.h"
 
 namespace se::view {
+
+// One frame of an export: its pixels, its shapes and its words.
+
+/// What is drawn in a frame, for formats of shapes. It refers to what it was made from.
+struct FrameShapes {
+    const DrawList& list;
+    const DrawList* other = nullptr;  ///< The same frame in the other theme; null: not needed.
+    const Model& model;
+    std::span<const Triangle> triangles;  ///< Finished ones, from the first.
+    CameraMatrices camera;
+    glm::vec2 size{1.0F};  ///< Pixels.
+    float em = 16.0F;      ///< Pixels.
+    std::span<const DrawnLabel> labels{};
+    glm::vec2 corner{0.0F};  ///< Upper left one of the view in the frame.
+    Theme theme = Theme::Dark;
+    Rect bar{};                            ///< Of `title`, in the frame.
+    const ComparedTitle* title = nullptr;  ///< Of one of two views; null: there is one.
+};
+
+/// The dial of the pivot, beside the view.
+struct FrameDial {
+    Dial dial;
+    Rect area;  ///< In the frame.
+    std::span<const PointName> names;
+};
+
+/// The step of a lesson that a frame shows.
+struct FrameStep {
+    const teach::Lesson& lesson;
+    std::size_t step = 0;  ///< From 0.
+    std::vector<teach::NamedPoint> names;
+    std::filesystem::path folder;               ///< Of the lesson's images.
+    const teach::RightAnswer* right = nullptr;  ///< Of its question; null: none.
+};
+
+/// One frame, valid while it is added to a file.
+struct ExportFrame {
+    std::string address;  ///< Of the decision; empty: the start of the run.
+    std::string title;    ///< Of a step of a lesson; else empty.
+    std::string caption;  ///< Sentence of the decision.
+    Picture pixels;       ///< Empty for formats of shapes.
+    /// One view, or two that are compared; empty for formats of pixels.
+    std::span<const FrameShapes> shapes{};
+    const FrameDial* dial = nullptr;  ///< Null: not in the frame, or formats of pixels.
+    glm::vec2 size{1.0F};             ///< Pixels, for formats of shapes.
+    bool answer = false;              ///< The answer to the question of the frame before.
+    const FrameStep* step = nullptr;  ///< Null: of a run.
+    /// The link to the program at an address of the run; null: there are no links.
+    std::function<std::string(const std::string& address)> link;
+};
 
 /// What a writer gets in each frame.
 enum class FrameContent : std::uint8_t { Pixels, Shapes, BothThemes };
@@ -66,5 +126,44 @@ bool namesFolder(const std::filesystem::path& path);
 /// Fails early, before any work: an unknown extension, a missing program, a place that cannot be
 /// written, or no background where there must be one.
 Status checkExport(const ExportOrder& order, bool cutOut);
+
+// The writers of the table of formats, each in a file of its own.
+
+Result<std::unique_ptr<FrameWriter>> openPngWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openSvgWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openPageWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openGifWriter(const ExportTarget& target);
+Result<std::unique_ptr<FrameWriter>> openMp4Writer(const ExportTarget& target);
+/// The reason why this machine cannot write them.
+Status gifPossible();
+Status mp4Possible();
+
+// Names of the files of a range, one per frame, with their captions.
+
+/// Files of frames: the path itself for one frame; of several, `name-001.png` beside it or
+/// `001.png` in a folder, and `captions.txt` (`name-captions.txt`).
+class NumberedFiles {
+  public:
+    explicit NumberedFiles(const ExportTarget& target) : target_(target) {}
+
+    /// Makes the folder, if the path names one that is not there. Fails with a sentence.
+    Status makeFolder() const;
+    /// The path of the next frame, whose words go to the captions.
+    std::filesystem::path next(const ExportFrame& frame);
+    /// Writes the captions of several frames, if they are wanted.
+    Status writeCaptions() const;
+
+  private:
+    std::filesystem::path captionsPath() const;
+
+    ExportTarget target_;
+    std::size_t count_ = 0;
+    std::string captions_;
+};
+
+/// The files that an export of several frames to `path` may replace: `path` if one file holds them
+/// all, else all existing ones with such numbers, ascending, since the number of frames is not
+/// known before the run.
+std::vector<std::filesystem::path> seriesFilesAt(const std::filesystem::path& path);
 
 }  // namespace se::view

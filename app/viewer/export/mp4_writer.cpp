@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "formats.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/files.h"
-#include "writers.h"
 
 namespace se::view {
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "run/model.h"
 #include "spiraling_edge/base/result.h"
 #include "teach/lesson.h"
 
@@ -74,5 +75,21 @@ std::optional<glm::ivec2> pictureSize(const std::string& text);
 
 /// Reads "2,4-6": numbers from 1 to `count`, ascending. Fails with a sentence.
 Result<std::vector<std::size_t>> stepsFromText(std::string_view text, std::size_t count);
+
+// The frames of a range of a run, and the points that one camera has to hold for all of them.
+
+/// Greatest number of frames of a range.
+inline constexpr std::size_t kMaxFrames = 10'000;
+
+/// The frames of a range, in the order of the run.
+struct FramePlan {
+    std::vector<std::string> places;  ///< Addresses; empty: the start of the run.
+    std::vector<Index> points;        ///< Points of the decisions, ascending.
+    std::vector<Index> pivots;        ///< Ascending.
+};
+
+/// Runs the input of `model` as far as the range goes. Fails with a sentence if a position is not
+/// in the run, if the second lies before the first, or if there are no frames or too many.
+Result<FramePlan> planFrames(const Model& model, const FrameRange& range);
 
 }  // namespace se::view

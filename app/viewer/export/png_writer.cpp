@@ -1,7 +1,6 @@
 // Pictures of pixels, a file per frame.
-#include "numbered_files.h"
+#include "formats.h"
 #include "render/context.h"
-#include "writers.h"
 
 namespace se::view {
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "svg_canvas.h"
+#include "svg_frame.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "keys.h"
+#include "key_map.h"
 
 namespace se::view {
 

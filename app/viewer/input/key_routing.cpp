@@ -1,11 +1,12 @@
 // Dear ImGui 1.86 polls the state of keys once per frame and reads characters before it, so
 // presses that arrive within one frame can hide each other. The window therefore queues presses,
 // and a frame takes as many from the front of the queue as remain distinguishable in their order.
+
 #include "key_routing.h"
 
 #include <cassert>
 #include <set>
-#include <string_view>
+#include <utility>
 
 namespace se::view {
 
@@ -105,6 +106,37 @@ bool reachesActions(const KeyChord& chord, const Keyboard& keyboard) {
     if (keyboard.textField && editsText(chord)) return false;
     const bool plain = isPlain(chord) && !chord.isFunctionKey();
     return !(plain && (keyboard.dialog || keyboard.panel));
+}
+
+namespace {
+
+std::size_t placeOf(KeyStop stop) { return static_cast<std::size_t>(stop); }
+
+}  // namespace
+
+void KeyWalk::begin() {
+    offered_ = std::exchange(fresh_, Offers{true});
+    // Its panel is gone, for example in another layout.
+    if (!offered_[placeOf(at_)]) leave();
+}
+
+bool KeyWalk::offer(KeyStop stop) {
+    fresh_[placeOf(stop)] = true;
+    if (wanted_ != stop) return false;
+    at_ = std::exchange(wanted_, KeyStop::View);
+    return true;
+}
+
+bool KeyWalk::go(int direction) {
+    const int count = static_cast<int>(kKeyStopCount);
+    int place = static_cast<int>(placeOf(at_));
+    do {
+        place = (place + direction + count) % count;
+    } while (!offered_[static_cast<std::size_t>(place)]);
+    wanted_ = static_cast<KeyStop>(place);
+    if (wanted_ != KeyStop::View) return false;
+    at_ = KeyStop::View;
+    return true;
 }
 
 }  // namespace se::view

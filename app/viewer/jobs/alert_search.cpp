@@ -8,21 +8,30 @@
 #include "spiraling_edge/doctor/doctor.h"
 #include "spiraling_edge/prepare/prepare.h"
 
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
+
 namespace se::view {
 
-void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
+void RunAlerts::open(std::shared_ptr<const Model> model) {
     query_.cancel();
     model_ = std::move(model);
     end_.reset();
-    started_ = stopped_ = false;
+    started_ = stopped_ = news_ = false;
     groups_.clear();
     openLoops_ = {};
     inOrder_.clear();
     alertOfFailure_.clear();
     placeOf_.clear();
+    chosen_.reset();
+    place_.reset();
+    remediesOf_.reset();
+    remedies_.cancel();
+    reduction_.cancel();
 }
 
-void AlertSearch::start(std::shared_ptr<const RunEnd> end) {
+void RunAlerts::start(std::shared_ptr<const RunEnd> end) {
     if (!model_ || started_ || stopped_) return;
     started_ = true;
     end_ = std::move(end);
@@ -35,25 +44,33 @@ void AlertSearch::start(std::shared_ptr<const RunEnd> end) {
         });
 }
 
-void AlertSearch::stop() {
+void RunAlerts::stop() {
     query_.stop();
     stopped_ = true;
     started_ = false;
 }
 
-void AlertSearch::resume() {
+void RunAlerts::resume() {
     assert(!busy());
     stopped_ = started_ = false;
     start(end_);
 }
 
-bool AlertSearch::poll() {
-    if (!query_.poll()) return false;
-    if (done()) indexAnswer();
-    return true;
+bool RunAlerts::poll() {
+    const bool known = query_.poll();
+    if (known && done()) indexAnswer();
+    news_ = news_ || known;
+    const bool reduced = reduction_.poll();
+    return remedies_.poll() || reduced || known;
 }
 
-void AlertSearch::indexAnswer() {
+void RunAlerts::waitUntilDone() {
+    query_.waitUntilDone();
+    remedies_.waitUntilDone();
+    reduction_.waitUntilDone();
+}
+
+void RunAlerts::indexAnswer() {
     const std::span<const RunFailure> all = failures();
     std::size_t first = 0;
     for (std::size_t i = 0; i < failureClasses().size(); ++i) {
@@ -80,7 +97,7 @@ void AlertSearch::indexAnswer() {
     });
 }
 
-std::vector<std::size_t> AlertSearch::alertsAt(std::size_t place) const {
+std::vector<std::size_t> RunAlerts::alertsAt(std::size_t place) const {
     std::vector<std::size_t> alerts;
     for (const std::size_t position : places()[place].faults) {
         if (alertOfFailure_[position] != kNoAlert) alerts.push_back(alertOfFailure_[position]);
@@ -88,11 +105,11 @@ std::vector<std::size_t> AlertSearch::alertsAt(std::size_t place) const {
     return alerts;
 }
 
-std::optional<std::size_t> AlertSearch::placeOf(std::size_t alert) const {
+std::optional<std::size_t> RunAlerts::placeOf(std::size_t alert) const {
     return placeOf_[alert] == kNoAlert ? std::nullopt : std::optional(placeOf_[alert]);
 }
 
-std::string alertName(const AlertSearch& alerts, std::size_t index) {
+std::string alertName(const RunAlerts& alerts, std::size_t index) {
     for (const AlertGroup& group : alerts.groups()) {
         if (index < group.first || index >= group.first + group.count) continue;
         return std::string(group.kind->name) + ":" + std::to_string(index - group.first + 1);
@@ -100,7 +117,7 @@ std::string alertName(const AlertSearch& alerts, std::size_t index) {
     return {};
 }
 
-std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_view name) {
+std::optional<std::size_t> alertNamed(const RunAlerts& alerts, std::string_view name) {
     if (name == "first")
         return alerts.inOrder().empty() ? std::nullopt : std::optional(alerts.inOrder().front());
     const std::size_t colon = name.find(':');
@@ -115,30 +132,6 @@ std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_vie
     return {};
 }
 
-void RunAlerts::open(std::shared_ptr<const Model> model) {
-    model_ = std::move(model);
-    search_.enqueue(model_);
-    chosen_.reset();
-    place_.reset();
-    remediesOf_.reset();
-    remedies_.cancel();
-    reduction_.cancel();
-    news_ = false;
-}
-
-bool RunAlerts::poll() {
-    const bool known = search_.poll();
-    news_ = news_ || known;
-    const bool reduced = reduction_.poll();
-    return remedies_.poll() || reduced || known;
-}
-
-void RunAlerts::waitUntilDone() {
-    search_.waitUntilDone();
-    remedies_.waitUntilDone();
-    reduction_.waitUntilDone();
-}
-
 void RunAlerts::choose(std::optional<std::size_t> alert) {
     if (chosen_ == alert && !place_) return;
     chosen_ = alert;
@@ -147,7 +140,7 @@ void RunAlerts::choose(std::optional<std::size_t> alert) {
 }
 
 void RunAlerts::choosePlace(std::size_t place) {
-    const std::vector<std::size_t> alerts = search_.alertsAt(place);
+    const std::vector<std::size_t> alerts = alertsAt(place);
     chosen_ = alerts.empty() ? std::nullopt : std::optional(alerts.front());
     place_ = place;
     ++revision_;
@@ -182,6 +175,90 @@ void RunAlerts::reduce(const RunSpec& spec, std::shared_ptr<const PointFile> inp
         share = made->share();
         return answer;
     });
+}
+
+namespace {
+
+/// Lowers the priority of this thread, and of those that it starts, so that the window and the
+/// user's own work come first. Elsewhere than on Linux, where that is one call, nothing changes.
+void lowerPriority() {
+#if defined(__linux__)
+    constexpr int kLow = 10;
+    static_cast<void>(setpriority(PRIO_PROCESS, 0, kLow));
+#endif
+}
+
+}  // namespace
+
+void TrialJob::open(std::shared_ptr<const PointFile> file, RunSpec spec) {
+    job_.cancel();
+    file_ = std::move(file);
+    spec_ = std::move(spec);
+    // Preparing takes one thread; the search for faults takes all, at low priority.
+    spec_.neighbors.threads = 1;
+    started_ = false;
+    trials_ = {};
+    trying_.clear();
+    change_.reset();
+    complaint_.clear();
+}
+
+void TrialJob::start() {
+    if (started_ || file_ == nullptr) return;
+    started_ = true;
+    trying_ = trialText({});
+    job_.start([file = file_, spec = spec_](auto& results) {
+        if (usesThreads()) lowerPriority();
+        double share = 0.0;
+        std::size_t best = 0;
+        std::shared_ptr<const MeshChange> change;
+        // Of the meshes, only their difference is handed on.
+        const auto add = [&](Trials trials, std::string next) {
+            if (trials.best != std::exchange(best, trials.best)) {
+                change = std::make_shared<const MeshChange>(
+                    changeOf(file->position, *trials.tried.front().mesh, *trials.tried[best].mesh));
+            }
+            for (Trial& each : trials.tried) each.mesh.reset();
+            results.add({std::move(trials), std::move(next), change});
+        };
+        const auto visit = [&](const Trials& trials, const SpecChange& next) {
+            add(trials, trialText(next));
+            results.report(share);
+        };
+        Result<Trials> all = tryChanges(*file, spec, visit, [&](double done) {
+            share = done;
+            return results.report(done);
+        });
+        if (all) {
+            add(std::move(all.value()), {});
+        } else {
+            results.add({{}, {}, nullptr, all.error().message});
+        }
+    });
+}
+
+void TrialJob::stop() {
+    job_.cancel();
+    trying_.clear();
+}
+
+bool TrialJob::poll() {
+    if (!job_.busy()) return false;
+    const bool ended = job_.ended();
+    std::vector<Progressed> found = job_.take();
+    for (Progressed& each : found) {
+        complaint_ = std::move(each.complaint);
+        if (!complaint_.empty()) break;
+        trials_ = std::move(each.trials);
+        trying_ = std::move(each.next);
+        change_ = std::move(each.change);
+    }
+    if (ended) {
+        if (!job_.complaint().empty()) complaint_ = job_.complaint();
+        trying_.clear();
+        job_.close();
+    }
+    return ended || !found.empty();
 }
 
 }  // namespace se::view

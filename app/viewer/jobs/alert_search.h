@@ -12,11 +12,13 @@
 
 #include "background_job.h"
 #include "run/model.h"
+#include "run/repair_diff.h"
 #include "runner.h"
 #include "spiraling_edge/spec/run_spec.h"
 #include "spiraling_edge/why/failure_moments.h"
 #include "spiraling_edge/why/reduce.h"
 #include "spiraling_edge/why/remedy.h"
+#include "spiraling_edge/why/trial.h"
 
 namespace se::view {
 
@@ -34,12 +36,13 @@ struct OpenLoops {
     double width = 0.0;  ///< Of the widest, scene units.
 };
 
-class AlertSearch {
+/// The alerts of the open run: the search for all of them, and the one that is shown.
+class RunAlerts {
   public:
-    /// Sets the run to search, which starts at start(); a search in progress is cancelled.
-    void enqueue(std::shared_ptr<const Model> model);
-    /// Starts the search, unless it was done or the user has stopped it. `end`: of the run; null if
-    /// it could not be made.
+    /// Sets another run, of which nothing is known; searches in progress are cancelled.
+    void open(std::shared_ptr<const Model> model);
+    /// Starts the search for all failures of the run, unless it was done or the user has stopped
+    /// it. `end`: of the run; null if it could not be made.
     void start(std::shared_ptr<const RunEnd> end = nullptr);
     /// Whether failures are followed to their causes, as lists of them need; where they are is
     /// found in a fraction of the time.
@@ -48,14 +51,16 @@ class AlertSearch {
     void stop();
     /// Starts the search again, after stop() or a failure. Requires !busy().
     void resume();
-    /// Takes the results, or the complaint. True if there was anything new.
+    /// Takes the results, or the complaints. True if there was anything new.
     bool poll();
-    /// Blocks until there is a result to take, or nothing was started.
-    void waitUntilDone() { query_.waitUntilDone(); }
+    /// Blocks until there are results to take, or nothing was started.
+    void waitUntilDone();
 
     bool busy() const { return query_.busy(); }
     bool done() const { return query_.answer() != nullptr; }
     bool stopped() const { return stopped_; }
+    /// True once, when all alerts are known.
+    bool takeNews() { return std::exchange(news_, false); }
     /// A sentence why the search failed; then it is never done. Empty if it did not.
     const std::string& complaint() const { return query_.complaint(); }
     /// In [0, 1], while busy.
@@ -85,54 +90,12 @@ class AlertSearch {
     /// Positions in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }
 
-  private:
-    static constexpr std::size_t kNoAlert = std::numeric_limits<std::size_t>::max();
-
-    void indexAnswer();
-
-    std::shared_ptr<const Model> model_;
-    std::shared_ptr<const RunEnd> end_;
-    bool follows_ = true;
-    bool started_ = false;
-    bool stopped_ = false;
-    std::vector<AlertGroup> groups_;
-    OpenLoops openLoops_;
-    std::vector<std::size_t> inOrder_;
-    std::vector<std::size_t> alertOfFailure_;  ///< Per failure of all: its alert, or kNoAlert.
-    std::vector<std::size_t> placeOf_;         ///< Per alert: its place, or kNoAlert.
-    BackgroundQuery<RunFailureSearch> query_;
-};
-
-/// "intersecting_triangles:2": the class and the number in it from 1, as on the command line.
-std::string alertName(const AlertSearch& alerts, std::size_t index);
-/// The alert of that name, without a number the first of its class; "first" is the one that was
-/// created first. Empty if there is none.
-std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_view name);
-
-/// The alerts of the open run: all of them, and the one that is shown.
-class RunAlerts {
-  public:
-    /// Sets another run, of which nothing is known.
-    void open(std::shared_ptr<const Model> model);
-    /// Starts the search; see AlertSearch::start().
-    void start(std::shared_ptr<const RunEnd> end) { search_.start(std::move(end)); }
-    /// Takes the results. True if there was anything new.
-    bool poll();
-    /// Blocks until there are results to take.
-    void waitUntilDone();
-
-    /// Search for all failures of the run; it starts once the run is complete.
-    const AlertSearch& search() const { return search_; }
-    AlertSearch& search() { return search_; }
-    /// True once, when all alerts are known.
-    bool takeNews() { return std::exchange(news_, false); }
-
     /// The alert that is shown; null if none is.
-    const RunFailure* shown() const { return chosen_ ? &search_.failures()[*chosen_] : nullptr; }
+    const RunFailure* shown() const { return chosen_ ? &failures()[*chosen_] : nullptr; }
     std::optional<std::size_t> chosen() const { return chosen_; }
-    /// Sets a position in search().failures(), or none.
+    /// Sets a position in failures(), or none.
     void choose(std::optional<std::size_t> alert);
-    /// Sets a position in search().places(), with its most severe alert if one was followed.
+    /// Sets a position in places(), with its most severe alert if one was followed.
     void choosePlace(std::size_t place);
     /// The place that is shown as a whole; empty if an alert alone is, or nothing.
     std::optional<std::size_t> place() const { return place_; }
@@ -158,8 +121,21 @@ class RunAlerts {
     std::uint32_t revision() const { return revision_; }
 
   private:
+    static constexpr std::size_t kNoAlert = std::numeric_limits<std::size_t>::max();
+
+    void indexAnswer();
+
     std::shared_ptr<const Model> model_;
-    AlertSearch search_;
+    std::shared_ptr<const RunEnd> end_;
+    bool follows_ = true;
+    bool started_ = false;
+    bool stopped_ = false;
+    std::vector<AlertGroup> groups_;
+    OpenLoops openLoops_;
+    std::vector<std::size_t> inOrder_;
+    std::vector<std::size_t> alertOfFailure_;  ///< Per failure of all: its alert, or kNoAlert.
+    std::vector<std::size_t> placeOf_;         ///< Per alert: its place, or kNoAlert.
+    BackgroundQuery<RunFailureSearch> query_;
     std::optional<std::size_t> chosen_;
     std::optional<std::size_t> place_;
     bool news_ = false;
@@ -168,6 +144,62 @@ class RunAlerts {
     const FailureClass* reducedClass_ = nullptr;
     BackgroundQuery<Reduced> reduction_;
     std::uint32_t revision_ = 0;
+};
+
+/// "intersecting_triangles:2": the class and the number in it from 1, as on the command line.
+std::string alertName(const RunAlerts& alerts, std::size_t index);
+/// The alert of that name, without a number the first of its class; "first" is the one that was
+/// created first. Empty if there is none.
+std::optional<std::size_t> alertNamed(const RunAlerts& alerts, std::string_view name);
+
+// Trials of other settings for the open input (core's trial.h), in a thread of low priority.
+
+class TrialJob {
+  public:
+    /// Sets the input to try, prepared by `spec`; trials in progress are cancelled.
+    void open(std::shared_ptr<const PointFile> file, RunSpec spec);
+    /// Starts the trials, unless they were started.
+    void start();
+    /// Ends them at the user's request; what was tried stays.
+    void stop();
+    /// Takes the results. True if there was anything new.
+    bool poll();
+    /// Blocks until all trials are made, or none are in progress.
+    void waitUntilDone() { job_.waitUntilDone(); }
+
+    bool busy() const { return job_.busy(); }
+    /// All trials were made, or the user has ended them.
+    bool ended() const { return started_ && !busy(); }
+    /// In [0, 1], while busy.
+    double share() const { return job_.share(); }
+    /// Trials so far.
+    const Trials& trials() const { return trials_; }
+    /// The best of them; null if none is better than the open run.
+    const Trial* best() const { return trials_.best > 0 ? &trials_.tried[trials_.best] : nullptr; }
+    /// The triangles in which the mesh of best() differs from that of the open run; null if there
+    /// is no best().
+    const MeshChange* change() const { return change_.get(); }
+    /// A sentence why the trials ended early; empty if they did not.
+    const std::string& complaint() const { return complaint_; }
+    /// The trial in progress: "trying robust rules".
+    const std::string& trying() const { return trying_; }
+
+  private:
+    struct Progressed {
+        Trials trials;
+        std::string next;
+        std::shared_ptr<const MeshChange> change = nullptr;
+        std::string complaint = {};
+    };
+
+    std::shared_ptr<const PointFile> file_;
+    RunSpec spec_;
+    bool started_ = false;
+    Trials trials_;
+    std::string trying_;
+    std::shared_ptr<const MeshChange> change_;
+    std::string complaint_;
+    BackgroundJob<Progressed> job_;
 };
 
 }  // namespace se::view

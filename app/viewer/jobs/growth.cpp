@@ -5,7 +5,6 @@
 #include "growth.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <limits>
@@ -80,13 +79,6 @@ GrowthPicture pictureOf(const Field& field, const Sampler& sampler, Measurer& me
 }
 
 }  // namespace
-
-std::string_view growthPhaseName(GrowthPhase phase) {
-    constexpr std::array<std::string_view, 6> kNames = {"idle",   "finding", "spreading",
-                                                        "paused", "done",    "failed"};
-    static_assert(kNames.size() == static_cast<std::size_t>(GrowthPhase::Failed) + 1);
-    return kNames[static_cast<std::size_t>(phase)];
-}
 
 Growth::Growth() = default;
 

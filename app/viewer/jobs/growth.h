@@ -21,8 +21,6 @@ enum class GrowthPhase : std::uint8_t {
     Done,
     Failed,
 };
-/// "idle", "finding", "spreading", "paused", "done", "failed".
-std::string_view growthPhaseName(GrowthPhase phase);
 
 /// The particles after a number of steps.
 struct GrowthPicture {

@@ -1,10 +1,11 @@
 /// Passes through the run for what is wanted, each for all that is not known yet. What is known is
-/// kept until another run is open.
+/// kept until another run is open: hits of breakpoints, and values of watched expressions.
 #pragma once
 
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,6 +13,8 @@
 
 #include "background_job.h"
 #include "run/model.h"
+#include "spiraling_edge/run/breakpoint.h"
+#include "spiraling_edge/run/watch.h"
 
 namespace se::view {
 
@@ -39,7 +42,21 @@ class KeptPass {
     }
     const std::vector<Wanted>& wanted() const { return wanted_; }
     /// Takes the results. True if there was anything new.
-    virtual bool poll() = 0;
+    bool poll() {
+        if (!busy()) return false;
+        const bool ended = job_.ended();
+        const std::string failure = ended ? job_.complaint() : "";
+        const bool news = take(ended && failure.empty());
+        if (!ended) return news;
+        if (failure.empty()) {
+            job_.close();
+            startNext();
+        } else {
+            complaint_ = failure;
+            giveUp();
+        }
+        return true;
+    }
     /// Blocks until all that is wanted is known.
     void waitUntilDone() {
         while (busy()) {
@@ -48,7 +65,11 @@ class KeptPass {
         }
     }
     /// Cancels the pass, until something else is wanted or resume() is called.
-    virtual void cancel() = 0;
+    void cancel() {
+        poll();
+        // The pass may just have ended.
+        if (busy()) giveUp();
+    }
     void resume() {
         givenUp_ = false;
         if (model_) startNext();
@@ -70,6 +91,10 @@ class KeptPass {
   protected:
     /// Begins a pass for what is missing, if anything is.
     virtual void startNext() = 0;
+    /// Takes what the pass has found so far; `complete`: all of it. True if there was anything.
+    virtual bool take(bool complete) = 0;
+    /// The pass will not end: drops what is of no use without the rest.
+    virtual void dropPart() {}
 
     std::shared_ptr<const Model> model_;
     std::vector<Wanted> wanted_;
@@ -77,6 +102,93 @@ class KeptPass {
     bool givenUp_ = false;
     std::string complaint_;
     BackgroundJob<Found> job_;
+
+  private:
+    void giveUp() {
+        dropPart();
+        job_.cancel();
+        givenUp_ = true;
+    }
+};
+
+// Hits of the breakpoint lines, searched in a thread of its own: one run for all new lines.
+// Results are kept until another run is open.
+
+/// Maximum number of hits of a log-only line that keep their sentences.
+inline constexpr std::size_t kMaxLogged = 10000;
+
+/// Results for a line.
+struct LineHits {
+    HitList list;
+    /// The sentences of the first hits; fewer than hits if the line is not a log-only one.
+    std::vector<std::string> sentences;
+    /// Nothing is missing up to this pivot.
+    std::uint32_t knownTo = 0;
+    bool complete = false;
+};
+
+/// The pivots with hits that the breakpoint picks, at most one for each of `columns` stretches of
+/// the range from `window.first` to `window.second`; for marks. O(columns log hits).
+std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitList& list,
+                                      std::pair<double, double> window, std::size_t columns);
+
+/// A hit of a line of the search in progress.
+struct FoundHit {
+    std::size_t line;
+    se::Hit hit;
+    std::string sentence;
+};
+
+/// The lines of enabled breakpoints are searched.
+class HitSearch : public KeptPass<Breakpoint, LineHits, FoundHit> {
+  public:
+    /// Whether the result of stop() is final.
+    enum class Known : std::uint8_t { Yes, NotYet, GivenUp };
+    struct Answer {
+        Known known = Known::Yes;
+        std::optional<Stop> stop;  ///< Its breakpoint is the position in the wanted list.
+    };
+    /// The next (1) or previous (-1) stop from `here`.
+    Answer stop(RunPosition here, int direction) const;
+
+  private:
+    struct Line {
+        std::string text;
+        DecisionQuery query;
+        bool listed = false;  ///< Lines with sentences.
+    };
+    static PivotVisitor visitorFor(const Model& model, const std::vector<Line>& lines,
+                                   BackgroundJob<FoundHit>::Results& results);
+    std::vector<Line> missing() const;
+    void startNext() override;
+    bool take(bool complete) override;
+    void dropPart() override;
+
+    std::vector<Line> sought_;  ///< Current search.
+};
+
+// Values of the watched expressions over the whole run, computed by one run in a thread of its own
+// for all new expressions.
+
+/// A watched number, pivot by pivot.
+struct WatchSeries {
+    std::vector<double> values;  ///< [pivot], from 0, the start; computed so far.
+    bool complete = false;
+};
+
+/// Values of one pivot, one for each expression in progress.
+struct WatchValues {
+    std::uint32_t pivot;
+    std::vector<double> values;
+};
+
+/// Known values stay if a scan is cancelled.
+class WatchScan : public KeptPass<std::string, WatchSeries, WatchValues> {
+  private:
+    void startNext() override;
+    bool take(bool complete) override;
+
+    std::vector<std::string> sought_;  ///< Current scan.
 };
 
 }  // namespace se::view

@@ -1,13 +1,11 @@
-/// The mesh at the end of the run with its points, and its export: each in a thread of its own.
+/// The mesh at the end of a run with its points, and its file.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "background_job.h"
 #include "run/model.h"
 #include "runner.h"
 
@@ -43,45 +41,6 @@ struct SavedMesh {
     bool capped = false;
     /// The offset that positions in the file are relative to, see shiftOf().
     std::optional<Vec3> shift = std::nullopt;
-};
-
-class MeshExport {
-  public:
-    /// Prepares the mesh at the end of the run of `model` once there is that end, unless it is
-    /// ready or in progress; to be called in every frame. The mesh of another run is discarded, and
-    /// with it a pending write. `input` is the file that prepare() took.
-    void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input,
-              std::shared_ptr<const RunEnd> end);
-    /// Discards the mesh, and a pending write. A write in progress completes.
-    void discard();
-    /// Writes a file as soon as the mesh is ready. Ignored while another one is written.
-    void save(const MeshTarget& target);
-    /// Cancels save(); too late once the file is being written.
-    void cancel() { order_.reset(); }
-    /// Takes the results of the threads. True if there was anything new.
-    bool poll();
-    /// Blocks until no work is in progress.
-    void waitUntilDone();
-
-    /// Null before the mesh is made.
-    const FinishedMesh* mesh() const { return mesh_.answer(); }
-    bool making() const { return mesh_.busy(); }
-    /// A file waits for the mesh, or is being written.
-    bool saving() const { return order_.has_value() || writing(); }
-    bool writing() const { return file_.busy(); }
-    bool busy() const { return making() || saving(); }
-    /// The outcome of save(), once.
-    std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
-
-  private:
-    void startWriting();
-
-    std::shared_ptr<const Model> model_;  ///< Model of the mesh; null: none.
-    bool begun_ = false;                  ///< The mesh of model_ is ready or in progress.
-    BackgroundQuery<FinishedMesh> mesh_;
-    BackgroundQuery<SavedMesh> file_;
-    std::optional<MeshTarget> order_;  ///< Waits for the mesh.
-    std::optional<Result<SavedMesh>> outcome_;
 };
 
 /// The mesh that `spiraling-edge run` makes of the same input with the same options: that of the

@@ -1,14 +1,163 @@
 // The circumsphere test of a candidate q (6.3): circle, radius and distance, and the angle that
 // would remain without q.
+
+#include "circumsphere.h"
+
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
 #include <string>
 
-#include "disc.h"
-#include "run/number_format.h"
-#include "sphere_contact.h"
+#include "run/strings.h"
 #include "spiraling_edge/spec/run_spec.h"
 
 namespace se::view {
+
+// A clear ball in space has no readable place; the curves in which it cuts what is around it do.
+// The plane of a triangle cuts the sphere in a circle; its arcs inside the triangle are drawn.
+
+namespace {
+
+constexpr float kFullTurn = 2.0F * std::numbers::pi_v<float>;
+/// Segments of a whole circle.
+constexpr int kCutParts = 72;
+
+/// The circle in which a plane cuts a sphere.
+struct CutCircle {
+    glm::vec3 center{0.0F};
+    glm::vec3 u{0.0F};
+    glm::vec3 v{0.0F};
+    float radius = 0.0F;
+
+    glm::vec3 at(float angle) const {
+        return center + radius * (std::cos(angle) * u + std::sin(angle) * v);
+    }
+    float angleOf(const glm::vec3& place) const {
+        const float a = std::atan2(glm::dot(place - center, v), glm::dot(place - center, u));
+        return a < 0.0F ? a + kFullTurn : a;
+    }
+};
+
+std::optional<CutCircle> cutByPlane(const Sphere& sphere, const glm::vec3& place,
+                                    const glm::vec3& normal) {
+    const float height = glm::dot(sphere.center - place, normal);
+    const float square = sphere.radius * sphere.radius - height * height;
+    if (!(square > 0.0F)) return std::nullopt;
+    const glm::vec3 n = glm::abs(normal);
+    const glm::vec3 other = n.x < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 u = glm::normalize(glm::cross(normal, other));
+    return CutCircle{sphere.center - height * normal, u, glm::cross(normal, u), std::sqrt(square)};
+}
+
+/// Angles at which the circle crosses a line between two places of its plane.
+void addCrossings(const CutCircle& circle, const glm::vec3& from, const glm::vec3& to,
+                  std::vector<float>& angles) {
+    const glm::vec3 way = to - from;
+    const glm::vec3 start = from - circle.center;
+    const float a = glm::dot(way, way);
+    const float b = glm::dot(start, way);
+    const float c = glm::dot(start, start) - circle.radius * circle.radius;
+    const float root = b * b - a * c;
+    if (!(a > 0.0F) || !(root > 0.0F)) return;
+    for (const float sign : {-1.0F, 1.0F}) {
+        const float share = (-b + sign * std::sqrt(root)) / a;
+        if (share >= 0.0F && share <= 1.0F) angles.push_back(circle.angleOf(from + share * way));
+    }
+}
+
+bool isInside(const std::array<glm::vec3, 3>& corners, const glm::vec3& normal,
+              const glm::vec3& place) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3& a = corners[i];
+        const glm::vec3& b = corners[(i + 1) % 3];
+        if (glm::dot(glm::cross(b - a, place - a), normal) < 0.0F) return false;
+    }
+    return true;
+}
+
+/// The part of the circle between two angles, as segments.
+template <typename Add>
+void addCutArc(const CutCircle& circle, float from, float to, Add&& add) {
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil((to - from) / kFullTurn * float{kCutParts})));
+    for (int i = 0; i < parts; ++i) {
+        const float step = (to - from) / static_cast<float>(parts);
+        add(circle.at(from + step * static_cast<float>(i)),
+            circle.at(from + step * static_cast<float>(i + 1)));
+    }
+}
+
+bool reaches(const Sphere& sphere, const std::array<glm::vec3, 3>& corners) {
+    const float size =
+        std::max(glm::distance(corners[0], corners[1]), glm::distance(corners[0], corners[2]));
+    const float distance = glm::distance(corners[0], sphere.center);
+    return std::abs(distance - sphere.radius) <= size;
+}
+
+void addMeshCut(const LayerInput& in, const Sphere& sphere, DrawList& out) {
+    const std::size_t count = std::min(in.picture.finishedTriangles, in.triangles.size());
+    for (const Triangle& t : in.triangles.first(count)) {
+        for (const auto& [from, to] : sphereCut(sphere, in.cornersOf(t)))
+            out.line(from, to, in.palette.test, 0.09F, Depth::XRay);
+    }
+}
+
+/// The part of the disc's plane inside the sphere, as far as the disc reaches.
+void addDiscCut(const LayerInput& in, const Sphere& sphere, const Disc& disc, DrawList& out) {
+    const std::optional<CutCircle> circle = cutByPlane(sphere, disc.origin, disc.normal);
+    if (!circle) return;
+    const float reach = discRadius(in);
+    addCutArc(*circle, 0.0F, kFullTurn, [&](const glm::vec3& from, const glm::vec3& to) {
+        const bool within = glm::distance(0.5F * (from + to), disc.origin) <= reach;
+        if (within) out.line(from, to, in.palette.test.withAlpha(0.8F), 0.1F, Depth::OnTop);
+    });
+}
+
+/// The shadow of a place on the disc, with its drop line.
+void addShadow(const LayerInput& in, const Disc& disc, const glm::vec3& place, DrawList& out) {
+    const glm::vec3 foot = disc.foot(place);
+    const Color& color = in.palette.textDim;
+    out.dashed(place, foot, color, 0.07F, 0.18F);
+    // Below the marks of points.
+    out.sprites.insert(out.sprites.begin(), {foot, {color, 0.5F, Shape::Disc}});
+}
+
+}  // namespace
+
+std::vector<std::pair<glm::vec3, glm::vec3>> sphereCut(const Sphere& sphere,
+                                                       const std::array<glm::vec3, 3>& corners) {
+    std::vector<std::pair<glm::vec3, glm::vec3>> segments;
+    const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (!reaches(sphere, corners) || !(glm::length(across) > 0.0F)) return segments;
+    const glm::vec3 normal = glm::normalize(across);
+    const std::optional<CutCircle> circle = cutByPlane(sphere, corners[0], normal);
+    if (!circle) return segments;
+    std::vector<float> angles;
+    for (std::size_t i = 0; i < 3; ++i)
+        addCrossings(*circle, corners[i], corners[(i + 1) % 3], angles);
+    std::sort(angles.begin(), angles.end());
+    // Without a crossing the circle is inside or outside as a whole.
+    if (angles.empty()) angles.push_back(0.0F);
+    angles.push_back(angles.front() + kFullTurn);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        if (!isInside(corners, normal, circle->at(0.5F * (angles[i] + angles[i + 1])))) continue;
+        addCutArc(
+            *circle, angles[i], angles[i + 1],
+            [&](const glm::vec3& from, const glm::vec3& to) { segments.emplace_back(from, to); });
+    }
+    return segments;
+}
+
+void addSphereContact(const LayerInput& in, const Sphere& sphere, const glm::vec3& tested,
+                      DrawList& out) {
+    addMeshCut(in, sphere, out);
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (!disc) return;
+    addDiscCut(in, sphere, *disc, out);
+    addShadow(in, *disc, tested, out);
+    addShadow(in, *disc, sphere.center, out);
+}
 
 namespace {
 

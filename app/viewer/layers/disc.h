@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "layer.h"
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "spiraling_edge/run/reading.h"
 
 namespace se::view {

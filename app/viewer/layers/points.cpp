@@ -1,9 +1,11 @@
 /// The points of the input, and their normals.
+
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "layer.h"
-#include "scene/point_tint.h"
+#include "scene/mesh_style.h"
 
 namespace se::view {
 
@@ -136,6 +138,139 @@ void addNormals(const LayerInput& in, DrawList& out) {
     if (in.picture.pivot == kNone) return;
     addNormal(in, in.picture.pivot, out);
     for (const Index q : in.model.points.neighbors[in.picture.pivot]) addNormal(in, q, out);
+}
+
+// Labels of the points that matter at the cursor, one per point: its name alone. Roles are shown by
+// the signs and colors of the points.
+
+namespace {
+
+/// Whether `name` is a word of `text`: "7" of "start point 7".
+bool isWordOf(const std::string& name, const std::string& text) {
+    const auto ends = [&](std::size_t at) { return text.find_first_of(" ,", at) == at; };
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const std::size_t after = at + name.size();
+        if ((at == 0 || text[at - 1] == ' ') && (after == text.size() || ends(after))) return true;
+    }
+    return false;
+}
+
+/// The color of a point's sign.
+const Color& roleColor(const DecisionState& p, const Palette& c, Index point) {
+    if (point == p.pivot || point == p.nextPivot) return c.pivot;
+    if (point == p.start || point == p.first) return c.first;
+    if (point == p.end || point == p.last) return c.last;
+    return c.test;
+}
+
+/// Points that the decision names besides the pivot, the most important first.
+std::vector<Index> namedPoints(const DecisionState& p) {
+    std::vector<Index> points{p.underTest};
+    if (p.sphere) points.insert(points.end(), {p.sphere->q, p.sphere->t, p.sphere->s});
+    if (const auto* e = p.evidence<ReciprocalEvidence>(Stage::Reciprocal))
+        points.insert(points.end(), {e->pred, e->succ});
+    points.insert(points.end(), {p.start, p.end, p.first, p.last});
+    return points;
+}
+
+}  // namespace
+
+void addLabels(const LayerInput& in, DrawList& out) {
+    const DecisionState none;
+    const DecisionState& p = in.finished ? none : in.picture;
+    const Palette& c = in.palette;
+    std::set<Index> seen;
+    // Those of the decision come first: a view has room for a few.
+    const auto add = [&](Index point, const Color& color, bool strong) {
+        if (point == kNone || !seen.insert(point).second) return;
+        const std::string name = nameOf(point, in.names);
+        // Another layer may have named it already, with what it is.
+        const bool elsewhere =
+            std::any_of(out.labels.begin(), out.labels.end(), [&](const Label& each) {
+                return each.position == in.at(point) && isWordOf(name, each.text);
+            });
+        if (elsewhere) return;
+        const bool asked =
+            point == in.hovered || point == in.selected ||
+            std::find(in.labeled.begin(), in.labeled.end(), point) != in.labeled.end();
+        out.labels.push_back({in.at(point), name, color, strong, strong, 0.0F, asked});
+    };
+    add(p.pivot, c.pivot, true);
+    const bool stranded = p.event && p.event->address.stage == Stage::Strand;
+    // Seeds and the steps after the last pivot label their points themselves.
+    const bool named = p.repaired || (p.event && p.event->address.stage == Stage::Seed);
+    if (p.pivot == kNone && !named) add(p.underTest, stranded ? c.rejected : c.test, true);
+    if (!p.complete && p.pivot != kNone) {
+        for (const Index point : namedPoints(p)) add(point, roleColor(p, c, point), true);
+        for (const CandidateMark& mark : p.candidates) {
+            const bool kept = mark.state == CandidateState::Kept;
+            add(mark.point, kept ? c.used : c.rejected, false);
+        }
+    }
+    if (p.complete) add(p.nextPivot, c.pivot, true);
+    // Of a figure, all points on the rings that it names.
+    for (const PointName& each : in.names) {
+        const bool onRing = each.point < p.status.size() && p.status[each.point] > 0;
+        if (onRing) add(each.point, c.used, false);
+    }
+    for (const Index point : in.labeled) add(point, c.text, false);
+    for (const auto& [point, size] : {std::pair{in.hovered, 1.5F}, {in.selected, 1.3F}}) {
+        if (point == kNone) continue;
+        out.mark(in.at(point), Shape::Circle, c.text.withAlpha(point == in.hovered ? 0.8F : 1.0F),
+                 size);
+        add(point, c.text, true);
+    }
+}
+
+// The user's selection: an edge or a triangle, and highlighted points.
+
+namespace {
+
+/// Strength of the tint on a selected triangle.
+constexpr float kSelectionTint = 0.42F;
+/// Number of highlighted points whose marks are large enough to find each.
+constexpr std::size_t kLargeMarks = 500;
+/// Number of highlighted points up to which they are named.
+constexpr std::size_t kNamedMarks = 24;
+
+}  // namespace
+
+/// The selected edge or triangle: outlined over everything else; dashed if it is not present
+/// at the cursor. Points have their circle with the labels.
+void addSelection(const LayerInput& in, DrawList& out) {
+    const std::span<const Index> corners = in.selection.corners();
+    if (corners.size() < 2) return;
+    const bool triangle = in.selection.kind == SelectionKind::Triangle;
+    const std::size_t sides = triangle ? 3 : 1;
+    for (std::size_t i = 0; i < sides; ++i) {
+        out.dashed(in.at(corners[i]), in.at(corners[(i + 1) % corners.size()]), in.palette.text,
+                   triangle ? 0.2F : 0.3F, in.selectionPresent ? 0.0F : 0.35F);
+    }
+    for (const Index p : corners) out.mark(in.at(p), Shape::Square, in.palette.text, 0.55F);
+    if (!triangle) return;
+    const float tint = in.selectionPresent ? kSelectionTint : 0.5F * kSelectionTint;
+    out.sheet(in.at(corners[0]), in.at(corners[1]), in.at(corners[2]),
+              in.palette.accent.withAlpha(tint));
+}
+
+/// Highlighted points, such as those of a finding: a ring around each, over everything else.
+void addMarked(const LayerInput& in, DrawList& out) {
+    constexpr float kLineWidth = 1.5F;
+    for (const EvidenceLine& each : in.markedLines) {
+        out.line(in.model.toView(each.from), in.model.toView(each.to),
+                 each.asItShouldBe ? in.palette.used : in.palette.rejected, kLineWidth);
+    }
+    const float size = in.marked.size() > kLargeMarks ? 0.32F : 0.95F;
+    for (const Index p : in.marked) {
+        if (!in.model.drawable[p]) continue;
+        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, size);
+        // A point with a label of its role has its name already.
+        const bool named =
+            std::any_of(out.labels.begin(), out.labels.end(),
+                        [&](const Label& each) { return each.position == in.at(p); });
+        if (in.marked.size() <= kNamedMarks && !named)
+            out.label(in.at(p), nameOf(p, in.names), in.palette.rejected);
+    }
 }
 
 }  // namespace se::view

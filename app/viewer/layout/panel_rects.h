@@ -4,10 +4,17 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "panel_sizes.h"
 #include "session/layout_preset.h"
 
 namespace se::view {
+
+// Sizes of panels that the user sets. Plain values.
+
+struct PanelSizes {
+    float column = 0.0F;  ///< Width of the column in em; 0: automatic.
+    bool folded = false;  ///< The column is folded to its rail.
+    friend bool operator==(const PanelSizes&, const PanelSizes&) = default;
+};
 
 struct Rect {
     glm::vec2 min{0.0F};

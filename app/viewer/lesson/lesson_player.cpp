@@ -1,24 +1,104 @@
 // A step takes several frames: its input is opened, then the cursor goes to its position
 // (entering_), then names, layers, horizon, comparison and camera of the step are set (enter()).
 // What a step changes of the user's choices, it puts back when it is left (leaveStep()).
+
 #include "lesson_player.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "compare/compared_runs.h"
 #include "document/actions.h"
-#include "document/camera_actions.h"
 #include "document/ui_state.h"
-#include "lesson_frames.h"
 #include "run/packed_file.h"
 #include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "teach/embedded_lessons.h"
+#include "teach/lesson_read.h"
 #include "teach/lesson_skeleton.h"
 #include "teach/practice.h"
 
 namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void setMode(LayerModes& layers, const std::vector<std::string>& names, LayerMode mode) {
+    for (const Layer& each : view::layers()) {
+        if (std::find(names.begin(), names.end(), each.name) != names.end())
+            modeOf(layers, each.id) = mode;
+    }
+}
+
+Result<std::shared_ptr<const LessonFile>> checkedLesson(teach::LessonReading reading,
+                                                        const std::string& name,
+                                                        const fs::path& folder) {
+    if (!reading.ok()) return Error{teach::faultText(reading.faults.front(), name)};
+    return std::make_shared<const LessonFile>(LessonFile{std::move(reading.lesson), folder});
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source) {
+    std::error_code error;
+    const bool file = fs::exists(source, error);
+    const bool named = source.starts_with(kLessonPrefix);
+    const teach::EmbeddedLesson* built =
+        teach::findEmbeddedLesson(named ? source.substr(kLessonPrefix.size()) : source);
+    if (!file && built != nullptr)
+        return checkedLesson(teach::readLesson(built->text, source), source, {});
+    if (!source.ends_with(teach::kLessonExtension)) return std::shared_ptr<const LessonFile>();
+    Result<teach::LessonReading> reading = teach::readLessonFile(source);
+    if (!reading) return reading.error();
+    return checkedLesson(std::move(reading.value()), source, fs::path(source).parent_path());
+}
+
+std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key) {
+    const teach::LessonStep& each = file.lesson.steps[step];
+    const std::size_t line = key.empty() || each.lines.block == 0 ? each.line : each.lines.of(key);
+    const std::string text = file.lesson.name + ":" + std::to_string(line) + ": ";
+    return key.empty() ? text : text + std::string(key) + ": ";
+}
+
+Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step) {
+    return inputOfStep(teach::settingOf(file.lesson, step), file.folder);
+}
+
+LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step) {
+    setMode(layers, step.pin, LayerMode::PinnedOn);
+    setMode(layers, step.hide, LayerMode::PinnedOff);
+    return layers;
+}
+
+LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step) {
+    setMode(layers, step.pin, LayerMode::Automatic);
+    setMode(layers, step.hide, LayerMode::Automatic);
+    return layers;
+}
+
+Selection selectionOfStep(const teach::LessonStep& step,
+                          const std::vector<teach::NamedPoint>& names) {
+    std::vector<Index> points;
+    points.reserve(step.select.size());
+    for (const std::string& word : step.select) points.push_back(teach::pointOf(word, names));
+    return Selection::of(points);
+}
+
+Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
+                 const teach::StepSetting& setting) {
+    if (step.camera.empty()) {
+        frameStep(context, step.frame == "all", teach::viewDirection(setting));
+        return success();
+    }
+    const Result<ViewPosition> place = viewPositionFromText(step.camera);
+    if (!place || !place.value().camera)
+        return Error{"expected a position with its address, as Ctrl+C copies it"};
+    context.camera.setPose(*place.value().camera);
+    return success();
+}
 
 namespace {
 
@@ -487,5 +567,88 @@ void LessonChoices::putBack() {
     c_.ui.layoutPreset = *before;
     c_.ui.column.choose(Task::Lesson);
 }
+
+bool isAllowedDuringQuestion(const Command& command) {
+    constexpr std::array<std::string_view, 3> kGroups = {"View", "Layers", "Help"};
+    constexpr std::array<std::string_view, 13> kOthers = {
+        "file.open",           "file.screenshot", "file.quit",           "step.pivot.next",
+        "step.pivot.previous", "step.event.next", "step.event.previous", "step.pivot.finish",
+        "run.start",           "lesson.next",     "lesson.previous",     "lesson.return",
+        "lesson.close"};
+    const auto among = [](const auto& list, std::string_view word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    if (command.id == "view.layout.compare") return false;
+    return among(kGroups, command.group) || among(kOthers, command.id);
+}
+
+namespace {
+
+/// Adds a sign to the number that is the answer. One that was wrong is replaced by the next.
+bool typeNumber(int key, LessonWalk& walk) {
+    const bool sign = (key >= '0' && key <= '9') || key == '.' || key == '-';
+    if (!sign && key != key::kBackspace) return false;
+    std::string typed = walk.state().grade ? std::string{} : walk.state().typed;
+    if (sign)
+        typed += static_cast<char>(key);
+    else if (!typed.empty())
+        typed.pop_back();
+    walk.type(std::move(typed));
+    return true;
+}
+
+}  // namespace
+
+bool answerByKey(const KeyChord& chord, CommandContext& context) {
+    LessonPanel& panel = context.ui.lesson;
+    if (chord.mods != kNoMods || !panel.hides() || panel.countsHands) return false;
+    LessonWalk& walk = panel.walk;
+    if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
+        if (walk.state().given == teach::Answer{})
+            context.session.messages().say("Give an answer first, or show it.");
+        else
+            context.lesson.answer();
+        return true;
+    }
+    if (walk.question()->kind == "number") return typeNumber(chord.key, walk);
+    const std::size_t count = walk.question()->options.size();
+    const auto option = static_cast<std::size_t>(chord.key - 'A');
+    if (chord.key < 'A' || option >= count) return false;
+    walk.choose(option);
+    return true;
+}
+
+namespace actions {
+
+void openTour(CommandContext& c) { c.document.open(embeddedLessonSource("tour")); }
+
+void openPractice(CommandContext& c) {
+    c.document.open(std::string(teach::kPracticePrefix) + std::to_string(c.ui.lesson.nextPractice));
+}
+
+void returnToLessonStep(CommandContext& c) {
+    if (c.lesson.requireLesson()) c.lesson.returnToStep();
+}
+
+void closeLesson(CommandContext& c) {
+    if (c.lesson.requireLesson()) c.lesson.close();
+}
+
+void saveResult(CommandContext& c) {
+    if (!c.lesson.requireLesson()) return;
+    if (!c.ui.lesson.walk.hasAnswers())
+        return c.session.messages().say("No question of this lesson has been answered yet.");
+    openBrowser(c, BrowserTask::SaveResult);
+}
+
+void saveLesson(CommandContext& c) {
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
+    if (c.ui.bookmarks.empty())
+        return c.session.messages().say(
+            "Set bookmarks first (Ctrl+B): each becomes a step of the lesson.");
+    openBrowser(c, BrowserTask::SaveLesson);
+}
+
+}  // namespace actions
 
 }  // namespace se::view

@@ -9,19 +9,51 @@
 #include <string>
 #include <vector>
 
+#include "document/context.h"
 #include "document/document.h"
 #include "document/start_options.h"
+#include "export/order.h"
+#include "input/key_map.h"
 #include "jobs/background_job.h"
 #include "jobs/file_watch.h"
 #include "jobs/open_lesson.h"
 #include "layers/layer.h"
+#include "run/model.h"
+#include "run/selection.h"
 #include "session/compare_with.h"
 #include "session/layout_preset.h"
 #include "session/playback.h"
 #include "spiraling_edge/base/result.h"
 #include "teach/lesson.h"
+#include "teach/lesson_setting.h"
 
 namespace se::view {
+
+// The steps of a lesson as inputs and looks of the viewer.
+
+/// The lesson of an id or a file; null if `source` names none. Fails with the first fault of it.
+Result<std::shared_ptr<const LessonFile>> lessonOfSource(const std::string& source);
+
+/// "name:14: at: ": where a fault of a step is. `key`: of its block; empty: the heading.
+std::string stepPlace(const LessonFile& file, std::size_t step, std::string_view key);
+
+/// The input of a step, from 0, with its rules. Fails with a sentence.
+Result<RunSpec> inputOfStep(const LessonFile& file, std::size_t step);
+
+/// `layers` with those that the step pins and hides.
+LayerModes layersOfStep(LayerModes layers, const teach::LessonStep& step);
+
+/// `layers` of a window that shows the step, without what the step pins and hides there.
+LayerModes layersWithout(LayerModes layers, const teach::LessonStep& step);
+
+/// The points that a step selects; nothing if it selects none.
+Selection selectionOfStep(const teach::LessonStep& step,
+                          const std::vector<teach::NamedPoint>& names);
+
+/// Camera of a step: its own, or one that frames the decision or all, from the direction of its
+/// view. Fails if its own is no position.
+Status aimAtStep(CommandContext& context, const teach::LessonStep& step,
+                 const teach::StepSetting& setting);
 
 /// Choices of the user that a step of a lesson changes, and that are put back when it is left:
 /// layers, playback, the layout for a comparison.
@@ -140,5 +172,31 @@ class LessonPlayer {
     Clock::time_point polled_ = Clock::now();
     Status status_ = success();
 };
+
+// Commands of the open lesson, and the commands that are off while its question is open.
+
+/// Whether a command shows nothing of what follows the cursor in the run: camera, layers, looks,
+/// moves, which end at the question, and what leaves it.
+bool isAllowedDuringQuestion(const Command& command);
+
+/// Answers the open question by a key: a letter chooses its option, Enter is the button Answer.
+/// True if the key was for the question; not in Present, where B is black.
+bool answerByKey(const KeyChord& chord, CommandContext& context);
+
+namespace actions {
+
+/// Opens the lesson that shows the six stages on a torus.
+void openTour(CommandContext& c);
+/// Opens the next pivot to play: that after the open one, or after the last one.
+void openPractice(CommandContext& c);
+/// To the position of the step, with its settings.
+void returnToLessonStep(CommandContext& c);
+void closeLesson(CommandContext& c);
+/// Opens the file dialog for the answers given so far.
+void saveResult(CommandContext& c);
+/// Opens the file dialog for the bookmarks, as the steps of a lesson.
+void saveLesson(CommandContext& c);
+
+}  // namespace actions
 
 }  // namespace se::view

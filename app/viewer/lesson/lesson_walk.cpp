@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rows/evidence_rows.h"
-#include "run/number_format.h"
 #include "run/strings.h"
 
 namespace se::view {

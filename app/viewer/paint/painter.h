@@ -1,8 +1,9 @@
 /// Drawing in the plane, with one backend for the screen (panels/widgets/screen_painter.h) and one
-/// for files (svg_painter.h). Places and lengths are in pixels, y down.
+/// for files (svg_text.h). Places and lengths are in pixels, y down.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <initializer_list>
@@ -88,6 +89,22 @@ class Painter {
     const Palette& colors_;
     const Palette& other_;
     float em_;
+};
+
+// Where a label of a view is drawn.
+
+/// One label of a view where it is drawn, in pixels of the window.
+struct DrawnLabel {
+    std::size_t index = 0;  ///< Into the labels of the draw list.
+    glm::vec2 at{0.0F};     ///< The labeled point.
+    Rect plate;             ///< Behind the text.
+    glm::vec2 text{0.0F};   ///< Upper left corner of the text.
+    Type type;
+    bool leader = false;  ///< A line leads from `at` to the plate.
+
+    DrawnLabel movedBy(glm::vec2 way) const {
+        return {index, at + way, {plate.min + way, plate.size}, text + way, type, leader};
+    }
 };
 
 }  // namespace se::view

@@ -6,7 +6,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "painter.h"
@@ -54,6 +53,65 @@ class SvgClasses {
     bool both_;
     std::map<std::string, std::size_t> known_;
     std::vector<Rule> rules_;
+};
+
+// Drawings as elements of SVG: colors are classes, equal neighbors are one path.
+
+/// Elements in the order in which they are drawn.
+class SvgPainter : public Painter {
+  public:
+    /// `classes`: of the whole file. `prefix` begins the ids.
+    SvgPainter(Theme theme, float em, SvgClasses& classes, std::string prefix)
+        : Painter(paletteOf(theme), paletteOf(otherTheme(theme)), em),
+          classes_(classes),
+          prefix_(std::move(prefix)) {}
+
+    using Painter::box;
+    void line(glm::vec2 from, glm::vec2 to, const Ink& ink) override;
+    void polygon(std::initializer_list<glm::vec2> corners, const Ink& ink) override;
+    void box(glm::vec2 low, glm::vec2 high, const Ink& ink, float round = 0.0F) override;
+    void circle(glm::vec2 center, float radius, const Ink& ink) override;
+    void arc(glm::vec2 center, float radius, double from, double to, const Ink& ink) override;
+    void text(glm::vec2 at, const std::string& words, const Ink& ink, const Type& type) override;
+    /// About that of most fonts: the program that shows the file chooses one.
+    glm::vec2 textSize(const std::string& words, const Type& type) const override;
+    void setPoint(Index point) override;
+    /// Attributes of all that is drawn from now on, beside that of setPoint().
+    void setMore(std::string attributes) { more_ = std::move(attributes); }
+
+    SvgClasses& classes() { return classes_; }
+    const std::string& prefix() const { return prefix_; }
+
+    void beginGroup(std::string_view name);
+    /// Ends the group; one without elements is left out.
+    void endGroup();
+    /// Adds an element.
+    void add(std::string_view element);
+    /// Adds outlines with attributes; those that follow each other with equal ones are one path.
+    void addPath(const std::string& attributes, std::string_view data);
+    /// Class, width and opacity of an ink, as attributes.
+    std::string attributesOf(const Ink& ink);
+    /// The same of an area with an outline.
+    std::string attributesOf(const Ink& area, const Ink& edge);
+    /// Elements so far.
+    std::size_t count() const { return count_; }
+    std::string take();
+
+  private:
+    void endPath();
+    std::string beginOf(const std::string& classes) const;
+    void addOutline(const Ink& ink, std::string_view data);
+
+    SvgClasses& classes_;
+    std::string prefix_;
+    std::string point_;  ///< Attribute of setPoint().
+    std::string more_;
+    std::string out_;
+    std::string attributes_;  ///< Of the open path.
+    std::string data_;
+    std::vector<std::size_t> groups_;  ///< Where the open groups begin.
+    std::vector<std::size_t> filled_;  ///< Length of the text once they are open.
+    std::size_t count_ = 0;
 };
 
 }  // namespace se::view

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <utility>
 
-#include "export_form.h"
 #include "jobs/open_lesson.h"
 #include "run/strings.h"
 #include "session/compare_with.h"
 #include "session/session_file.h"
+#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/sampling/volume.h"
@@ -124,11 +125,10 @@ void MeshForm::clearLines() {
     note.clear();
 }
 
-std::string sizeText(const MeshSize& size, bool usedOnly) {
-    std::string text = countText(size.triangles, "triangle", "triangles") + ", ";
-    if (!usedOnly || size.usedPoints == size.points)
-        return text + countText(size.points, "point", "points");
-    return text + grouped(size.usedPoints) + " of " + countText(size.points, "point", "points");
+std::string sizeText(std::size_t triangles, std::size_t points, std::size_t allPoints) {
+    return countText(triangles, "triangle", "triangles") + ", " +
+           (points == allPoints ? "" : grouped(points) + " of ") +
+           countText(allPoints, "point", "points");
 }
 
 std::string savedText(const SavedMesh& saved) {
@@ -150,6 +150,53 @@ std::string replaceText(const std::string& path, const std::string& source) {
     const bool input = fs::equivalent(path, source, error) && !error;
     return name +
            (input ? " is the input itself. Replace the points?" : " exists already. Replace it?");
+}
+
+void ExportForm::open() { complaint.clear(); }
+
+bool ExportForm::hasCaptions() const {
+    return frames != ExportFrames::Picture || chosen().captioned ||
+           chosen().content != FrameContent::Pixels;
+}
+
+bool ExportForm::hasSpeed() const { return chosen().animated(); }
+
+/// Adds the range or the steps to an order.
+Status ExportForm::addFrames(ExportOrder& order, const std::string& address,
+                             const std::shared_ptr<const LessonFile>& lesson) const {
+    if (frames == ExportFrames::Pivot) {
+        Result<FrameRange> range = rangeAround(address);
+        if (!range) return Error{"There is no pivot at the start of the run."};
+        order.range = range.value();
+    }
+    if (frames == ExportFrames::Range) {
+        if (from.empty() || to.empty()) return Error{"Enter both positions of the range."};
+        order.range = FrameRange{from, to, unit};
+    }
+    if (frames != ExportFrames::Lesson) return success();
+    if (lesson == nullptr) return Error{"No lesson is open."};
+    order.lesson = lesson;
+    if (steps.empty()) return success();
+    Result<std::vector<std::size_t>> chosen = stepsFromText(steps, lesson->lesson.steps.size());
+    if (!chosen) return chosen.error();
+    order.steps = std::move(chosen.value());
+    return success();
+}
+
+Result<ExportOrder> ExportForm::order(const std::string& address,
+                                      const std::shared_ptr<const LessonFile>& lesson) const {
+    ExportOrder order;
+    order.path = path;
+    order.captions = captions || !hasCaptions();
+    if (!pictureSize(size))
+        return Error{size + ": expected a size such as 1280x800, from 320x240 on"};
+    const std::optional<double> speed = numberIn<double>(perSecond);
+    if (hasSpeed() && (!speed || *speed < kLeastPerSecond || *speed > kMostPerSecond))
+        return Error{perSecond + ": expected frames per second, from 0.1 to 60"};
+    order.perSecond = speed.value_or(order.perSecond);
+    if (const Status added = addFrames(order, address, lesson); !added) return added.error();
+    if (const Status possible = checkExport(order, false); !possible) return possible.error();
+    return order;
 }
 
 }  // namespace se::view

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "export/formats.h"
 #include "jobs/mesh_export.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/io/write_mesh.h"
@@ -74,14 +75,6 @@ std::string typedSource(const std::filesystem::path& folder, const std::string& 
 /// File name with `extension` (".ply") at its end, regardless of other dots in it.
 std::filesystem::path withExtension(std::filesystem::path path, std::string_view extension);
 
-/// Size of the mesh that would be written.
-struct MeshSize {
-    std::size_t triangles = 0;
-    std::size_t points = 0;
-    std::size_t usedPoints = 0;
-    bool capped = false;
-};
-
 /// The format of a file that a dialog saves: one of a table, which is chosen, or that of the
 /// extension of the name.
 template <auto Formats, auto FormatOf>
@@ -116,11 +109,7 @@ struct MeshForm : ChosenFormat<meshFormats, meshFormatOf> {
     bool faultFields = false;
 
     // Set by MeshSaving.
-    std::optional<MeshSize> size;  ///< Empty until the run has ended.
-    double share = 0.0;            ///< Of the run, in [0, 1].
     bool saving = false;
-    bool writing = false;  ///< Too late to cancel.
-
     std::string complaint;    ///< Reason why nothing was saved or copied; empty: no problem.
     std::string note;         ///< Note about the copied command.
     std::string question;     ///< The file that would be replaced; empty: none.
@@ -136,11 +125,56 @@ struct MeshForm : ChosenFormat<meshFormats, meshFormatOf> {
     void clearLines();
 };
 
-/// The size as a line of the dialog: "19 304 triangles, 21 000 points".
-std::string sizeText(const MeshSize& size, bool usedOnly);
+/// The size of a mesh with some of all points, as a line of the dialog: "19 304 triangles, 21 000
+/// points".
+std::string sizeText(std::size_t triangles, std::size_t points, std::size_t allPoints);
 /// The notice after saving: size and path.
 std::string savedText(const SavedMesh& saved);
 /// The question before a file is replaced; `source` is that of the input.
 std::string replaceText(const std::string& path, const std::string& source);
+
+// Choices and progress of the dialog Export. No ImGui.
+
+/// Frames that the dialog offers.
+enum class ExportFrames : std::uint8_t {
+    Picture,  ///< What the view shows.
+    Pivot,    ///< All decisions of the pivot at the cursor.
+    Range,    ///< `from` to `to`.
+    Lesson,   ///< `steps` of the open lesson.
+};
+
+struct ExportForm : ChosenFormat<exportFormats, exportFormatOf> {
+    ExportFrames frames = ExportFrames::Picture;
+    std::string from;
+    std::string to;
+    FrameUnit unit = FrameUnit::SubStep;
+    std::string steps;  ///< "2,4-6"; empty: all.
+    std::string size = "1280x800";
+    bool captions = true;
+    std::string perSecond = "2";  ///< Frames of an animation.
+    std::string path;             ///< The file to write.
+    /// The export is to be made, or being made: it ends by itself, or when this is cleared.
+    bool working = false;
+
+    // Set by the export.
+    std::size_t made = 0;
+    std::size_t total = 0;  ///< 0: not known yet.
+    std::string complaint;  ///< Reason why nothing was exported; empty: no problem.
+
+    /// Clears the messages of the previous use of the dialog; choices stay.
+    void open();
+    /// Whether the format has captions with these frames, and frames that follow each other in
+    /// time.
+    bool hasCaptions() const;
+    bool hasSpeed() const;
+    /// The order of these choices, for `path`; `address`: of the cursor; `lesson`: the open one, or
+    /// null. Fails with a sentence.
+    Result<ExportOrder> order(const std::string& address,
+                              const std::shared_ptr<const LessonFile>& lesson = nullptr) const;
+
+  private:
+    Status addFrames(ExportOrder& order, const std::string& address,
+                     const std::shared_ptr<const LessonFile>& lesson) const;
+};
 
 }  // namespace se::view

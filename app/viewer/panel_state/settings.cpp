@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "run/model.h"
-#include "run/number_format.h"
 #include "run/sample_spec.h"
 #include "run/strings.h"
 #include "session/playback.h"

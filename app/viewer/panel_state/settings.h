@@ -14,11 +14,10 @@
 #include "column.h"
 #include "input/key_map.h"
 #include "layers/layer.h"
-#include "layout/panel_sizes.h"
+#include "layout/panel_rects.h"
+#include "scene/camera.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
-#include "scene/point_tint.h"
-#include "scene/up_axis.h"
 #include "session/layout_preset.h"
 #include "spiraling_edge/base/result.h"
 

@@ -13,7 +13,6 @@
 #include "rows/lane_picture.h"
 #include "rows/normal_section.h"
 #include "rows/step_tree.h"
-#include "rows/watch_plot.h"
 #include "run/selection.h"
 #include "spiraling_edge/run/breakpoint.h"
 #include "spiraling_edge/why/ring_history.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "session/session.h"
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/why/what_if_check.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "document/ui_state.h"
-#include "input/tab_order.h"
-#include "panel_state/growth_page.h"
+#include "input/key_routing.h"
+#include "panel_state/forms.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"

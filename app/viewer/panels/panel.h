@@ -3,7 +3,6 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -71,8 +70,6 @@ void drawStartPage(const PanelContext& context);
 void drawGrowthPage(const PanelContext& context);
 /// The strip below the view: transport, cells of the pivot, lanes of the run.
 void drawStrip(const PanelContext& context);
-/// The box with the address, in the menu bar.
-void drawGoTo(const PanelContext& context, float width);
 /// The scene with its overlays, in a window of that name.
 void drawView(const PanelContext& context, const char* window = "##view");
 /// The titles and the second view of the layout Compare.
@@ -106,13 +103,10 @@ void drawRings(const PanelContext& context);
 /// The step of the open lesson, or the list of lessons.
 void drawLesson(const PanelContext& context);
 void drawInspect(const PanelContext& context);
-void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);
 /// The profile along the normal at the pivot.
 void drawSection(const PanelContext& context);
 void drawPaper(const PanelContext& context);
-/// Bookmarks, and the user's own text.
-void drawNotes(const PanelContext& context);
 /// Breakpoints, and the log of those that do not stop.
 void drawBreakpoints(const PanelContext& context);
 /// Watched numbers of the run, and their plots.
@@ -131,7 +125,6 @@ void drawWhatIfBanner(const PanelContext& context);
 void drawPrepare(const PanelContext& context);
 /// All rules as switches.
 void drawRules(const PanelContext& context);
-void drawLayerSwitches(const PanelContext& context);
 /// Reasons why something is in the mesh, or why it is not.
 void drawLedger(const PanelContext& context);
 /// Decisions found by a query line, and the closest decisions.

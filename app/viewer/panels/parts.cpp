@@ -1,5 +1,4 @@
 // The parts of the column: a row for each.
-#include <array>
 #include <tuple>
 
 #include "panel_state/column.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "layout/picture_tile.h"
+#include "panel_state/picture_look.h"
 #include "scene/palette.h"
 
 struct ImFont;

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -114,6 +115,23 @@ class Target {
     unsigned resolved_ = 0;
     unsigned texture_ = 0;
     int previous_ = 0;
+};
+
+// The shaders that a scene is drawn with, compiled once for all views of a window.
+
+struct Shaders {
+    Shader mesh;
+    Shader shape;  ///< Points with their shapes, over the shaded surfaces.
+    Shader dot;    ///< Points too close together for shapes, shaded as surfaces are.
+    Shader line;
+    Shader shell;  ///< Spheres.
+    Shader sprite;
+    Shader occlusion;
+    Shader relief;   ///< Outlines and occlusion.
+    Shader outline;  ///< Outlines alone.
+
+    /// Compiles them; from `folder` unless it is empty. Call with a current OpenGL context.
+    static Result<std::shared_ptr<Shaders>> load(const std::filesystem::path& folder);
 };
 
 }  // namespace se::view

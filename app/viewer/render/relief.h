@@ -5,7 +5,6 @@
 #include "gl_objects.h"
 #include "kept_picture.h"
 #include "scene/camera.h"
-#include "shaders.h"
 
 namespace se::view {
 

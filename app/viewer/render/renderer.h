@@ -1,21 +1,49 @@
 /// Draws a DrawList into a picture of its own, which the window then shows.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
 
 #include "gl_objects.h"
 #include "kept_picture.h"
-#include "line_pass.h"
 #include "relief.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
-#include "shaders.h"
 #include "surface.h"
 
 namespace se::view {
+
+// Draws lines with gaps where a nearer line crosses (halos by depth, Everts et al. 2009).
+
+/// Sizes that lines are drawn with.
+struct LineSizes {
+    float em = 16.0F;       ///< Pixels.
+    float zoom = 1.0F;      ///< Of widths and arrow heads.
+    float bias = 0.0F;      ///< Distance by which lines are moved toward the eye, view units.
+    float haloBias = 0.0F;  ///< That of the halos, less: lines that are nearly as near stay whole.
+};
+
+class LinePass {
+  public:
+    explicit LinePass(Shader& shader) : shader_(shader) {}
+
+    /// The shader, whose camera has to be set before draw().
+    Shader& shader() { return shader_; }
+    /// Draws into the present target, whose depth is that of the mesh; it is lost.
+    void draw(std::span<const Line> lines, const LineSizes& sizes);
+
+  private:
+    enum class Part { Lines, Halos };
+    /// Makes this line of the upload the first that is drawn.
+    void describeFrom(std::size_t first);
+    /// Draws lines of the upload, from `first` up to `last`.
+    void drawRange(std::size_t first, std::size_t last, Part part);
+
+    Shader& shader_;
+    Batch batch_;
+    LineSizes sizes_;
+};
 
 class Renderer {
   public:

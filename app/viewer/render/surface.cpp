@@ -8,10 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/matrix_access.hpp>
-#include <tuple>
 #include <utility>
 
-#include "scene/detail.h"
+#include "scene/camera.h"
 
 namespace se::view {
 

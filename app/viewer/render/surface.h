@@ -10,7 +10,6 @@
 #include "run/model.h"
 #include "scene/draw_list.h"
 #include "scene/screen_rect.h"
-#include "shaders.h"
 
 namespace se::view {
 

@@ -1,6 +1,7 @@
 // One pass over the lane changes of the run, O(changes), that emits shapes only as far as pixels
 // can show them: bars of a row that touch are merged, and marks closer than their size are
 // dropped. Rows that do not fit are summed into the last one, as a maximum per pixel column.
+
 #include "lane_picture.h"
 
 #include <algorithm>
@@ -240,6 +241,74 @@ const LaneAlert* alertNear(const LanePicture& picture, float x, float within) {
 std::string alertText(const LaneAlert& alert) {
     const Event event{{alert.pivot, Stage::Done, 1}, alert.what};
     return describe(event) + " (pivot " + std::to_string(alert.pivot) + ")";
+}
+
+std::optional<std::size_t> workPlace(const DecisionState& picture, const RingPath& ring) {
+    const std::size_t size = ring.points.size();
+    std::optional<std::size_t> pivot;
+    std::optional<std::size_t> next;
+    std::optional<std::size_t> end;
+    for (std::size_t i = 0; i < size; ++i) {
+        const Index point = ring.points[i];
+        if (point == picture.pivot && picture.pivot != kNone) {
+            const bool between = ring.points[(i + size - 1) % size] == picture.first &&
+                                 ring.points[(i + 1) % size] == picture.last;
+            if (between || !pivot) pivot = i;
+            if (between) break;
+        }
+        if (point == picture.nextPivot && picture.nextPivot != kNone && !next) next = i;
+        if (point == picture.end && picture.end != kNone && !end) end = i;
+    }
+    return pivot ? pivot : next ? next : end;
+}
+
+RingSlice sliceAbout(std::size_t size, std::size_t middle, long shift, std::size_t fits) {
+    if (size == 0) return {};
+    const std::size_t count = std::min(size, std::max<std::size_t>(1, fits));
+    const auto n = static_cast<long>(size);
+    const long first = static_cast<long>(middle) + shift - static_cast<long>(count / 2);
+    return {static_cast<std::size_t>(((first % n) + n) % n), count, size};
+}
+
+const RingPath* ringToShow(const DecisionState& picture, Index id) {
+    const RingPath* active = nullptr;
+    for (const RingPath& ring : picture.rings) {
+        if (id != kNone && ring.id == id) return &ring;
+        if (ring.active) active = &ring;
+    }
+    return active;
+}
+
+// Each column of pixels shows the least and the largest value of its pivots instead of a sample,
+// so that a peak of a single pivot stays visible in a long run. O(pivots), computed again only
+// when more of the run is known or the width changes.
+
+std::vector<PlotColumn> plotColumns(std::span<const double> values, std::size_t last,
+                                    std::size_t columns) {
+    std::vector<PlotColumn> plot;
+    const std::size_t all = last + 1;
+    for (std::size_t i = 0; i < columns; ++i) {
+        const std::size_t from = i * all / columns;
+        const std::size_t to = std::max(from + 1, (i + 1) * all / columns);
+        if (from >= values.size()) break;
+        const auto part = values.subspan(from, std::min(to, values.size()) - from);
+        const auto [low, high] = std::minmax_element(part.begin(), part.end());
+        plot.push_back({*low, *high});
+    }
+    return plot;
+}
+
+void keepPlot(PaintedPlot& plot, std::uint32_t generation, std::span<const double> values,
+              std::size_t last, std::size_t columns) {
+    const bool same = plot.generation == generation && plot.known == values.size() &&
+                      plot.last == last && plot.columns.size() <= columns &&
+                      plot.columns.size() + 1 >= columns;
+    if (same) return;
+    plot = {generation, values.size(), last, plotColumns(values, last, columns), 0.0, 0.0};
+    if (values.empty()) return;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    plot.low = *low;
+    plot.high = *high;
 }
 
 }  // namespace se::view

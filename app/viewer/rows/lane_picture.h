@@ -2,10 +2,15 @@
 /// limited by the number of pixels, not by the length of the run.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "run/overview.h"
+#include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
 
@@ -98,5 +103,55 @@ LanePicture makeLanePicture(const RunOverview& run, const StripWindow& window,
 const LaneAlert* alertNear(const LanePicture& picture, float x, float within);
 /// A sentence about an alert, with its pivot.
 std::string alertText(const LaneAlert& alert);
+
+// The part of an edge ring that fits into the strip of the panel Rings. Plain arithmetic.
+
+/// Positions in RingPath::points, in the direction of the ring; each at most once.
+struct RingSlice {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    std::size_t size = 0;  ///< Of the ring.
+
+    std::size_t at(std::size_t i) const { return (first + i) % size; }
+    bool whole() const { return count == size; }
+};
+
+/// The position of current work: the pivot if it is still on the ring, between first and last if it
+/// is there more than once; otherwise where the ring continues; empty in a ring without the pivot.
+std::optional<std::size_t> workPlace(const DecisionState& picture, const RingPath& ring);
+
+/// As many points as fit, with `middle` in the middle, moved by `shift` points.
+RingSlice sliceAbout(std::size_t size, std::size_t middle, long shift, std::size_t fits);
+
+/// The ring with that id, otherwise the active one; null if there is none.
+const RingPath* ringToShow(const DecisionState& picture, Index id);
+
+// A watched number over the whole run, as columns of a small plot. Plain values.
+
+/// The number within one column of pixels.
+struct PlotColumn {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// The least and the largest value in each of `columns` stretches of [0, last], `values` being the
+/// known ones by pivot: no peak is lost, however many pivots share a column. Columns without
+/// known values are left out at the end.
+std::vector<PlotColumn> plotColumns(std::span<const double> values, std::size_t last,
+                                    std::size_t columns);
+
+/// The columns as last computed, and their inputs.
+struct PaintedPlot {
+    std::uint32_t generation = 0;
+    std::size_t known = 0;
+    std::size_t last = 0;
+    std::vector<PlotColumn> columns;
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// Computes the plot again if something has changed.
+void keepPlot(PaintedPlot& plot, std::uint32_t generation, std::span<const double> values,
+              std::size_t last, std::size_t columns);
 
 }  // namespace se::view

@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "pivot_dial.h"

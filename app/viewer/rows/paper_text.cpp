@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "run/embedded_files.h"
-#include "run/neighborhood.h"
+#include "run/model.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/base/text_scan.h"
@@ -15,10 +17,10 @@ namespace se::view {
 
 namespace {
 
-/// Reads assets/paper_text.txt, which describes its form itself.
-std::vector<PaperRule> readRules() {
+/// Reads assets/paper_text.txt or paper_words.txt, which describe their form themselves.
+std::vector<PaperRule> readRules(std::string_view file) {
     std::vector<PaperRule> rules;
-    std::istringstream text{std::string(embeddedFile("paper_text.txt"))};
+    std::istringstream text{std::string(embeddedFile(file))};
     for (std::string line; std::getline(text, line);) {
         if (line.starts_with('[')) {
             const std::size_t end = line.find("] ");
@@ -97,7 +99,7 @@ struct LineOfPaper {
 }  // namespace
 
 const PaperRule& paperRule(Stage stage) {
-    static const std::vector<PaperRule> rules = readRules();
+    static const std::vector<PaperRule> rules = readRules("paper_text.txt");
     const auto found = std::find_if(rules.begin(), rules.end(), [&](const PaperRule& rule) {
         const std::vector<std::string> stages = io::wordsIn(rule.stages);
         return std::find(stages.begin(), stages.end(), stageName(stage)) != stages.end();
@@ -139,6 +141,46 @@ std::string liveNumbers(const Event& event) {
     if (const auto verdict = verdictOf(event); verdict && isWhatIf(*verdict))
         text = std::string(verdictText(*verdict)) + (text.empty() ? "" : "; " + text);
     return text;
+}
+
+namespace {
+
+const std::vector<PaperWord>& words() {
+    static const std::vector<PaperWord> read = [] {
+        std::vector<PaperWord> words;
+        for (PaperRule& each : readRules("paper_words.txt"))
+            words.push_back({std::move(each.title), std::move(each.stages), std::move(each.words)});
+        return words;
+    }();
+    return read;
+}
+
+bool same(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+/// True if `word` is one of those between the bars.
+bool isNamed(const PaperWord& row, std::string_view word) {
+    for (std::string_view rest = row.words; !rest.empty();) {
+        const std::size_t bar = std::min(rest.find('|'), rest.size());
+        if (same(rest.substr(0, bar), word)) return true;
+        rest.remove_prefix(std::min(bar + 1, rest.size()));
+    }
+    return false;
+}
+
+}  // namespace
+
+std::span<const PaperWord> paperWords() { return words(); }
+
+std::string definitionOf(std::string_view word) {
+    const auto found = std::find_if(words().begin(), words().end(),
+                                    [&](const PaperWord& row) { return isNamed(row, word); });
+    if (found == words().end()) return {};
+    return found->words.substr(0, found->words.find('|')) + " (paper, " + found->section +
+           "): " + found->sentence;
 }
 
 }  // namespace se::view

@@ -2,12 +2,15 @@
 /// no ImGui: the panel draws it, tests read it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "run/model.h"
+#include "scene/draw_list.h"
+#include "scene/palette.h"
 #include "spiraling_edge/points/point_name.h"
 #include "spiraling_edge/run/pivot_replay.h"
 
@@ -107,5 +110,33 @@ struct Dial {
 
 /// The disc at the event `event` of the picture (null: none). Empty without a pivot.
 Dial makeDial(const Model& model, const DecisionState& picture, const Event* event);
+
+// Looks of the neighbors of a pivot, on the dial and in the section.
+
+/// Look of a neighbor on the disc.
+struct DialTickLook {
+    Shape shape;
+    Color Palette::*color;
+};
+
+inline const DialTickLook& lookOf(DialRole role) {
+    static constexpr std::array<DialTickLook, 8> kLooks = {{
+        {Shape::Circle, &Palette::unused},
+        {Shape::Dot, &Palette::done},
+        {Shape::Disc, &Palette::used},
+        {Shape::Cross, &Palette::rejected},
+        {Shape::Forward, &Palette::first},
+        {Shape::Back, &Palette::last},
+        {Shape::Forward, &Palette::first},
+        {Shape::Back, &Palette::last},
+    }};
+    static_assert(static_cast<std::size_t>(DialRole::End) + 1 == kLooks.size());
+    return kLooks[static_cast<std::size_t>(role)];
+}
+
+/// Color of a neighbor.
+inline Color Palette::*colorOf(DialRole role, bool underTest) {
+    return role == DialRole::Candidate && underTest ? &Palette::test : lookOf(role).color;
+}
 
 }  // namespace se::view

@@ -1,24 +1,23 @@
 // Positions stay doubles for the stepper. For drawing they are moved to the center of their box
 // and scaled to the unit sphere before they become floats, so that inputs far from the origin keep
 // their precision.
+
 #include "model.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <glm/common.hpp>
+#include <initializer_list>
 #include <limits>
 
-#include "packed_file.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/base/types.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/sampling/gzip.h"
 #include "strings.h"
 #include "teach/file_bytes.h"
-#include "teach/practice.h"
 
 namespace se::view {
 
@@ -401,6 +400,43 @@ std::string hashOfPoints(const PointFile& points) {
         }
     }
     return hash.text();
+}
+
+std::vector<Index> neighborhoodOf(const DecisionState& picture) {
+    std::vector<Index> all;
+    const auto add = [&](std::initializer_list<Index> points) {
+        for (const Index point : points) {
+            const bool known = std::find(all.begin(), all.end(), point) != all.end();
+            if (point != kNone && !known) all.push_back(point);
+        }
+    };
+    add({picture.pivot, picture.start, picture.end, picture.first, picture.last, picture.underTest,
+         picture.nextPivot});
+    for (const CandidateMark& mark : picture.candidates) {
+        if (mark.state == CandidateState::Kept) add({mark.point});
+    }
+    for (const Triangle& t : picture.newTriangles) add({t.a, t.b, t.c});
+    if (!picture.event) return all;
+    // Points that an event names beside its subject.
+    std::visit(Overloaded{
+                   [&](const ReciprocalEvidence& e) {
+                       add({e.pred, e.succ});
+                   },
+                   [&](const LimitEvidence& e) {
+                       add({e.from, e.to});
+                   },
+                   [&](const SphereEvidence& e) {
+                       add({e.s, e.t});
+                   },
+                   [](const auto&) {},
+               },
+               picture.event->evidence);
+    return all;
+}
+
+bool isMeasured(const LimitEvidence& e) {
+    return e.verdict != Verdict::OtherLimit && e.verdict != Verdict::NotAnEdge &&
+           e.verdict != Verdict::NotListed;
 }
 
 }  // namespace se::view

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +22,7 @@
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/run/pivot_replay.h"
 #include "spiraling_edge/scenes/figures.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/spec/run_spec.h"
@@ -130,5 +130,16 @@ std::string hashOfPoints(const PointFile& points);
 inline float sizeOnMesh(const Model& model, const FaultPlace& place) {
     return std::max(static_cast<float>(place.radius * model.scale), model.spacing);
 }
+
+// The points that a decision involves, for cameras and labels, and how far it looked at them.
+
+/// The points that the decisions of a pivot involve: the pivot, its ends, the candidates that are
+/// left, and other points named by the last event; in order, none twice. Without a pivot: the point
+/// under test, if there is one.
+std::vector<Index> neighborhoodOf(const DecisionState& picture);
+
+/// True if the test of §6.1 (Fig. 4) went so far that the angle and the turn of the next point on
+/// the ring are known: otherwise both are 0 in the evidence.
+bool isMeasured(const LimitEvidence& e);
 
 }  // namespace se::view

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,5 +37,16 @@ std::string packedSource(const PackedFile& file);
 Result<PackedFile> unpackedFile(std::string_view source);
 /// The name of the file in the line.
 std::string packedName(std::string_view source);
+
+// Bytes as letters, four for three: RFC 4648, for data in pages and for files in links.
+
+/// Bytes as base64, filled up with `=`.
+std::string base64Of(std::string_view bytes);
+
+/// Bytes as base64url, which addresses may hold: `-` and `_` in place of `+` and `/`, not filled
+/// up.
+std::string base64UrlOf(std::string_view bytes);
+/// Reads base64url; empty if there is another letter, or a rest that is no byte.
+std::optional<std::string> bytesOfBase64Url(std::string_view letters);
 
 }  // namespace se::view

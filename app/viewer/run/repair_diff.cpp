@@ -18,7 +18,7 @@ namespace {
 
 MeshEdge edgeOf(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
-std::set<MeshEdge> edgesOf(std::span<const Triangle> triangles) {
+std::set<MeshEdge> edgesIn(std::span<const Triangle> triangles) {
     std::set<MeshEdge> edges;
     for (const Triangle& t : triangles) {
         edges.insert({edgeOf(t.a, t.b), edgeOf(t.b, t.c), edgeOf(t.c, t.a)});
@@ -29,8 +29,8 @@ std::set<MeshEdge> edgesOf(std::span<const Triangle> triangles) {
 }  // namespace
 
 MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made, Index seated) {
-    const std::set<MeshEdge> before = edgesOf(gone);
-    const std::set<MeshEdge> after = edgesOf(made);
+    const std::set<MeshEdge> before = edgesIn(gone);
+    const std::set<MeshEdge> after = edgesIn(made);
     MeshEdges edges;
     for (const MeshEdge& edge : after) {
         const bool wasThere = before.contains(edge) || (gone.empty() && seated != kNone &&

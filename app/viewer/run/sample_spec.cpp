@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "number_format.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"

@@ -1,4 +1,4 @@
-/// Helpers for strings and files, shared by several rooms. ASCII, independent of the locale.
+/// Helpers for text, numbers and files, shared by several rooms. ASCII, independent of the locale.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/outside_text.h"
+#include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 
@@ -27,5 +28,37 @@ std::string grouped(std::size_t number);
 void printLines(std::FILE* stream, std::string_view text);
 /// All bytes of a file; empty if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
+
+// Numbers and boxes as text, the same in the view, on the dial and in Inspect, independent of the
+// locale. A number that rounds to zero has no sign: never "-0".
+
+/// The shortest text that reads back as the same number.
+std::string exact(double value);
+/// Parses one finite number; the whole text must match.
+std::optional<double> numberFromText(std::string_view text);
+
+/// "x0,y0,z0,x1,y1,z1", with the character `between` instead of the commas.
+std::string boxText(const WallBox& box, char between);
+/// Six numbers, the lower corner first.
+std::optional<WallBox> boxFromText(std::string_view text, char between);
+
+/// Four significant digits.
+std::string numberText(double value);
+/// Four significant digits with a sign, for values compared with zero.
+std::string signedText(double value);
+/// "96.1 degrees", with the sign of degrees.
+std::string degreesText(double degrees);
+/// A sentence with at most four significant digits per decimal fraction, and none after the
+/// decimal point if four come before it. Whole numbers and addresses stay as they are.
+std::string withShortNumbers(std::string_view sentence);
+/// describe() with short numbers: for panels, which are read and compared. Traces, copies and
+/// tooltips use describe() itself.
+std::string shortSentence(const Event& event);
+/// "1.5, 0, -2"
+std::string numbersText(const Vec3& values);
+/// "+3.4 %" for 0.034.
+std::string percentText(double share);
+/// "0.91 ms", "2.5 s".
+std::string durationText(double seconds);
 
 }  // namespace se::view

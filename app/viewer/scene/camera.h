@@ -1,14 +1,32 @@
 /// An orbit camera with one of the axes up. Plain mathematics: independent of window and OpenGL.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
+#include <string_view>
 
-#include "up_axis.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se::view {
+
+// The axis of an input that points up.
+
+enum class UpAxis : std::uint8_t { X, Y, Z };
+
+/// "x", "y", "z": the names in settings and session files.
+std::string_view upAxisName(UpAxis axis);
+/// Empty if there is no axis of that name.
+std::optional<UpAxis> upAxisFromName(std::string_view name);
+
+/// A guess at the up axis of `source`. Scenes, sampled points and points with wall types have z
+/// up. Other files lie on their flat side if they have one; otherwise the convention of
+/// their format decides: y for formats of meshes, such as PLY, z for all others. O(points).
+UpAxis guessUpAxis(const PointSet& points, std::string_view source);
 
 enum class ViewPreset { Front, Back, Right, Left, Top, Bottom };
 
@@ -107,5 +125,31 @@ Ray rayThrough(const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel);
 
 /// Pixel position (y down) and depth of a point; depth <= 0 means behind the camera.
 glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size);
+
+// Detail that has room on the screen, from the distance of the points there.
+
+/// Pixels from which marks of single points are shown, and from which they have full strength.
+inline constexpr float kMarksFrom = 10.0F;
+inline constexpr float kMarksFull = 20.0F;
+/// Pixels below which shapes of points cannot be told apart.
+inline constexpr float kShapesFrom = 10.0F;
+
+/// Distance of the points in pixels of a view of `height`, at the near side of the middle of the
+/// scene. `spacing`: their distance in view units.
+inline float spacingInPixels(const CameraMatrices& camera, float height, float spacing) {
+    const float depth =
+        camera.orthographic ? 1.0F : std::max(0.01F, glm::length(camera.eye) - 0.7F);
+    return 0.5F * height * camera.projection[1][1] * spacing / depth;
+}
+
+/// Strength, from 0 to 1, of marks on the mesh where points are that many pixels apart: closer
+/// together they would cover it, and make patterns.
+inline float markStrength(float pixels) {
+    const float share = std::clamp((pixels - kMarksFrom) / (kMarksFull - kMarksFrom), 0.0F, 1.0F);
+    return share * share * (3.0F - 2.0F * share);
+}
+
+/// Whether points that many pixels apart are drawn as solid dots with depth, instead of shapes.
+inline bool drawnSolid(float pixels) { return pixels < kShapesFrom; }
 
 }  // namespace se::view

@@ -5,12 +5,26 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "camera.h"
 
 namespace se::view {
+
+// Convex polygons in a plane.
+
+/// Intersection of `subject` and `window`. Both are convex and counterclockwise, and so is the
+/// result; empty if they are disjoint. (Sutherland and Hodgman: one cut along each side of the
+/// window.)
+std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
+                                  std::span<const glm::vec2> window);
+
+/// Positive if b lies to the left of a.
+inline float crossOf(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
+/// Positive if counterclockwise.
+float areaOf(std::span<const glm::vec2> polygon);
 
 /// Bounds of positions, in view units; empty at first.
 struct Bounds {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "run/number_format.h"
 #include "spiraling_edge/base/files.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/spec/run_spec.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "scene/selection_measures.h"
+#include "run/selection.h"
 #include "session.h"
 
 namespace se::view {

@@ -6,6 +6,70 @@
 
 namespace se::view {
 
+namespace {
+
+/// A notice of at most kShortNotice bytes is shown this long; each further byte adds kSignTime.
+constexpr std::chrono::milliseconds kNoticeTime{3000};
+constexpr std::chrono::milliseconds kSignTime{40};
+constexpr std::size_t kShortNotice = 80;
+
+}  // namespace
+
+void Messages::say(std::string message) {
+    message_ = std::move(message);
+    saidAt_ = Clock::now();
+}
+
+void Messages::sayIfAny(std::string complaint) {
+    if (!complaint.empty()) say(std::move(complaint));
+}
+
+void Messages::miss(std::string message) {
+    missed_ = true;
+    say(std::move(message));
+}
+
+void Messages::clear() {
+    message_.clear();
+    missed_ = false;
+}
+
+std::string Messages::notice(Clock::time_point now) const {
+    // A long message takes longer to read.
+    const std::size_t more = message_.size() > kShortNotice ? message_.size() - kShortNotice : 0;
+    return now - saidAt_ < kNoticeTime + more * kSignTime ? message_ : std::string{};
+}
+
+void Highlights::hover(Index point) {
+    if (point == hovered_) return;
+    hovered_ = point;
+    ++revision_;
+}
+
+void Highlights::mark(std::vector<Index> points, std::vector<EvidenceLine> lines) {
+    if (marked_ == points && lines_ == lines) return;
+    marked_ = std::move(points);
+    lines_ = std::move(lines);
+    ++revision_;
+}
+
+void Highlights::label(std::vector<Index> points) {
+    if (labeled_ == points) return;
+    labeled_ = std::move(points);
+    ++revision_;
+}
+
+void Highlights::chooseRing(Index ring) {
+    chosenRing_ = chosenRing_ == ring ? kNone : ring;
+    ++revision_;
+}
+
+void Highlights::hoverRing(Index ring) {
+    if (ring == hoveredRing_) return;
+    hoveredRing_ = ring;
+    ++revision_;
+}
+
 Session::Session() : moves_(*this), drag_(*this), questions_(std::make_unique<Questions>()) {}
 
 Session::~Session() = default;
@@ -44,7 +108,7 @@ void Session::keepFinishedMesh(const Opened& opened) {
     if (!same) return;
     const std::span<const Triangle> shown = shownTriangles();
     earlier_.triangles = std::make_shared<const std::vector<Triangle>>(shown.begin(), shown.end());
-    if (const RunFailureSearch* found = alerts_.search().found())
+    if (const RunFailureSearch* found = alerts_.found())
         earlier_.faults = std::make_shared<const RunFailureSearch>(*found);
     earlier_.place = alerts_.place();
 }

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cassert>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,14 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "highlights.h"
 #include "jobs/alert_search.h"
 #include "jobs/doctor_job.h"
-#include "jobs/hit_search.h"
+#include "jobs/kept_pass.h"
 #include "jobs/runner.h"
-#include "jobs/trial_job.h"
-#include "jobs/watch_scan.h"
-#include "messages.h"
 #include "moves.h"
 #include "point_drag.h"
 #include "run/model.h"
@@ -28,10 +26,78 @@
 #include "run/selection.h"
 #include "scene/mesh_index.h"
 #include "session_input.h"
+#include "spiraling_edge/base/types.h"
 #include "spiraling_edge/run/pivot_record.h"
 #include "spiraling_edge/run/pivot_replay.h"
 
 namespace se::view {
+
+// Messages of the session to the user, beside the decision at the cursor.
+
+class Messages {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    void say(std::string message);
+    /// Shows an error; nothing if it is empty.
+    void sayIfAny(std::string complaint);
+    /// Says why a move did not find its target.
+    void miss(std::string message);
+    /// The last message becomes empty, and nothing is missed: a move begins.
+    void clear();
+
+    /// The last message that is not about an event, for example that an address does not exist.
+    const std::string& last() const { return message_; }
+    /// The message while it is new, then empty: it must not cover the decision.
+    std::string notice(Clock::time_point now = Clock::now()) const;
+    /// The last move did not find its target; last() gives the reason. False again with the next
+    /// move.
+    bool missed() const { return missed_; }
+    void forgetMiss() { missed_ = false; }
+
+  private:
+    std::string message_;
+    bool missed_ = false;
+    Clock::time_point saidAt_;
+};
+
+// Highlights beside the selection: the item under the pointer, the points of a finding,
+// and a ring.
+
+class Highlights {
+  public:
+    /// The point under the pointer, in the view or on the dial; highlighted in both.
+    Index hovered() const { return hovered_; }
+    void hover(Index point);
+    /// Points that are highlighted, such as those of a finding; none by default.
+    std::span<const Index> marked() const { return marked_; }
+    void mark(std::vector<Index> points, std::vector<EvidenceLine> lines = {});
+    /// Lines that are highlighted with them.
+    std::span<const EvidenceLine> lines() const { return lines_; }
+    bool any() const { return !marked_.empty() || !lines_.empty(); }
+    /// Points that show their names, such as the possible answers to a question; none by default.
+    std::span<const Index> labeled() const { return labeled_; }
+    void label(std::vector<Index> points);
+    Index chosenRing() const { return chosenRing_; }
+    /// Chooses a ring; none if it was chosen already.
+    void chooseRing(Index ring);
+    /// Sets the ring under the pointer, which is highlighted.
+    void hoverRing(Index ring);
+    /// The ring to highlight: the one under the pointer, otherwise the chosen one.
+    Index litRing() const { return hoveredRing_ != kNone ? hoveredRing_ : chosenRing_; }
+    void clearRings() { chosenRing_ = hoveredRing_ = kNone; }
+    /// Grows with every change.
+    std::uint32_t revision() const { return revision_; }
+
+  private:
+    Index hovered_ = kNone;
+    Index chosenRing_ = kNone;
+    Index hoveredRing_ = kNone;
+    std::vector<Index> marked_;
+    std::vector<EvidenceLine> lines_;
+    std::vector<Index> labeled_;
+    std::uint32_t revision_ = 0;
+};
 
 class Questions;
 
@@ -140,7 +206,7 @@ class Session {
     bool hasEarlierMesh() const { return earlier_.triangles != nullptr; }
     /// Faults of the finished mesh that is shown; null if they are not known.
     const RunFailureSearch* finishedFaults() const {
-        return showsEarlierMesh() ? earlier_.faults.get() : alerts_.search().found();
+        return showsEarlierMesh() ? earlier_.faults.get() : alerts_.found();
     }
     Address address() const;
     /// Position of the cursor in the order of the run.

@@ -1,7 +1,7 @@
 // What a page leaves out: videos, since it cannot run the program that makes them, and the state
 // for tests, which look at the page instead.
 #include "application.h"
-#include "export/writers.h"
+#include "export/formats.h"
 
 namespace se::view {
 

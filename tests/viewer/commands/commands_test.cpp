@@ -8,7 +8,6 @@
 #include <set>
 #include <sstream>
 
-#include "commands/palette_entries.h"
 #include "document/ui_state.h"
 #include "headless_app.h"
 #include "scene/camera.h"

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "compare/compare_page.h"
 #include "open_session.h"
 #include "scene/difference.h"
 #include "spiraling_edge/io/write_mesh.h"

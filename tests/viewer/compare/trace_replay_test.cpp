@@ -1,4 +1,4 @@
-#include "compare/trace_replay.h"
+#include "compare/comparison.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "../../teach/trace/traced_scenes.h"
-#include "compare/comparison.h"
 #include "open_session.h"
 
 using namespace se;

@@ -1,7 +1,6 @@
-#include "document/alerts_shown.h"
+#include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
-#include "document/camera_actions.h"
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
 #include "jobs/questions.h"
@@ -63,7 +62,7 @@ struct FailingFile {
 
 TEST_CASE("Alerts are all failures of the run, by class, and known once the run is complete") {
     OpenSession open("scene:noise");
-    const AlertSearch& alerts = open.session.alerts().search();
+    const RunAlerts& alerts = open.session.alerts();
     REQUIRE(alerts.done());
     const auto all = failuresOfRun(open.session.model().points, open.session.model().params);
     REQUIRE(all.ok());
@@ -81,10 +80,10 @@ TEST_CASE("Alerts are all failures of the run, by class, and known once the run 
 }
 
 TEST_CASE("A search that was stopped has no results until it is resumed") {
-    AlertSearch alerts;
+    RunAlerts alerts;
     alerts.start();
     CHECK_FALSE(alerts.busy());
-    alerts.enqueue(sphereModel());
+    alerts.open(sphereModel());
     alerts.start();
     alerts.stop();
     CHECK(alerts.stopped());
@@ -99,7 +98,7 @@ TEST_CASE("A search that was stopped has no results until it is resumed") {
 
 TEST_CASE("An alert is named by its class and its number in it") {
     OpenSession open("scene:noise");
-    const AlertSearch& alerts = open.session.alerts().search();
+    const RunAlerts& alerts = open.session.alerts();
     REQUIRE(alerts.failures().size() > 2);
     for (std::size_t i = 0; i < alerts.failures().size(); ++i)
         CHECK(alertNamed(alerts, alertName(alerts, i)) == i);
@@ -112,7 +111,7 @@ TEST_CASE("An alert is named by its class and its number in it") {
 
 TEST_CASE("A click goes to the moment, selects its subject, and each moment is in the run") {
     AlertApp app("scene:four-edge-hole");
-    const AlertSearch& alerts = app.session.alerts().search();
+    const RunAlerts& alerts = app.session.alerts();
     REQUIRE(alerts.done());
     for (std::size_t i = 0; i < alerts.failures().size(); ++i) {
         for (const AlertMoment moment : kAlertMoments) {
@@ -129,20 +128,19 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
 TEST_CASE("The next place is the most severe one, then the next, always on the finished mesh") {
     AlertApp app("scene:uneven-density", {}, "0");
     const RunAlerts& alerts = app.session.alerts();
-    const AlertSearch& search = alerts.search();
-    REQUIRE(search.places().size() > 2);
+    REQUIRE(alerts.places().size() > 2);
     app.session.alerts().choose({});
     nextPlace(app.context, 1);
     CHECK(alerts.place() == 0U);
-    const auto worst = search.alertsAt(0);
+    const auto worst = alerts.alertsAt(0);
     REQUIRE_FALSE(worst.empty());
     CHECK(alerts.chosen() == worst.front());
-    CHECK(app.session.selection() == subjectOf(search.failures()[worst.front()]));
+    CHECK(app.session.selection() == subjectOf(alerts.failures()[worst.front()]));
     CHECK(app.ui.frame == FrameRequest::Fault);
     CHECK(app.ui.column.part == kAlertsPart);
     CHECK(app.session.messages().last() ==
-          "Place 1 of " + std::to_string(search.places().size()) + ": " +
-              describe(search.places()[0], search.found()->all) + ".");
+          "Place 1 of " + std::to_string(alerts.places().size()) + ": " +
+              describe(alerts.places()[0], alerts.found()->all) + ".");
     app.session.waitUntilDone();
     CHECK(app.session.atEnd());
     nextPlace(app.context, 1);
@@ -152,26 +150,26 @@ TEST_CASE("The next place is the most severe one, then the next, always on the f
     nextPlace(app.context, -1);
     CHECK(app.session.messages().last() == "This is the first place.");
     // A single fault leads on from its place.
-    app.session.alerts().choose(search.alertsAt(1).front());
+    app.session.alerts().choose(alerts.alertsAt(1).front());
     CHECK_FALSE(alerts.place());
     nextPlace(app.context, 1);
     CHECK(alerts.place() == 2U);
-    app.session.alerts().choosePlace(search.places().size() - 1);
+    app.session.alerts().choosePlace(alerts.places().size() - 1);
     nextPlace(app.context, 1);
     CHECK(app.session.messages().last() == "This is the last place.");
     app.session.alerts().choose({});
     nextPlace(app.context, -1);
-    CHECK(alerts.place() == search.places().size() - 1);
+    CHECK(alerts.place() == alerts.places().size() - 1);
     OpenSession open("scene:sphere", "robust");
     CommandContext sound = app.context.of(open.session);
-    REQUIRE(open.session.alerts().search().done());
+    REQUIRE(open.session.alerts().done());
     nextPlace(sound, 1);
     CHECK(open.session.messages().last() == "No faults found.");
 }
 
 TEST_CASE("A place is looked at straight, with all of its faults on half of the view") {
     AlertApp app("scene:uneven-density", {}, "0");
-    const AlertSearch& search = app.session.alerts().search();
+    const RunAlerts& search = app.session.alerts();
     REQUIRE(search.places().size() > 2);
     const Model& model = app.session.model();
     int seen = 0;
@@ -205,7 +203,7 @@ TEST_CASE("A place is looked at straight, with all of its faults on half of the 
 
 TEST_CASE("Every alert of a class that is a fault is at one place, and no other is") {
     OpenSession open("scene:noise");
-    const AlertSearch& alerts = open.session.alerts().search();
+    const RunAlerts& alerts = open.session.alerts();
     std::vector<int> seen(alerts.failures().size(), 0);
     for (std::size_t place = 0; place < alerts.places().size(); ++place) {
         for (const std::size_t alert : alerts.alertsAt(place)) {
@@ -221,7 +219,7 @@ TEST_CASE("Every alert of a class that is a fault is at one place, and no other 
 
 TEST_CASE("The alert at a point, an edge or a triangle is the most severe fault it is part of") {
     OpenSession open("scene:uneven-density");
-    const AlertSearch& alerts = open.session.alerts().search();
+    const RunAlerts& alerts = open.session.alerts();
     std::size_t asked = 0;
     for (const RunFailure& each : alerts.failures()) {
         if (!each.failure.kind->fault) continue;
@@ -248,7 +246,7 @@ TEST_CASE(
     "A file with faults opens on its finished mesh, if no position was named, and only once") {
     const FailingFile file;
     AlertApp app(file.path.string());
-    const AlertSearch& alerts = app.session.alerts().search();
+    const RunAlerts& alerts = app.session.alerts();
     REQUIRE_FALSE(alerts.places().empty());
     CHECK(app.session.atEnd());
     CHECK_FALSE(app.session.alerts().chosen());
@@ -264,12 +262,12 @@ TEST_CASE(
     "faults") {
     const FailingFile file;
     AlertApp app(file.path.string());
-    const std::string before = verdictText(app.session.alerts().search());
+    const std::string before = verdictText(app.session.alerts());
     CHECK(before.find(" of ") != std::string::npos);
     app.session.moves().toEnd();
     app.session.waitUntilDone();
     const std::size_t trianglesBefore = app.session.shownTriangles().size();
-    const std::size_t placesBefore = app.session.alerts().search().places().size();
+    const std::size_t placesBefore = app.session.alerts().places().size();
     // Before all settings are tried it waits for them.
     const RunSpec& spec = app.session.input().spec();
     app.session.trials().open(app.session.input().file(), withFixesAsOptions(spec));
@@ -282,9 +280,9 @@ TEST_CASE(
     app.alerts.poll();
     CHECK_FALSE(app.ui.verdict.fixing);
     app.arrive();
-    const std::string after = verdictText(app.session.alerts().search());
+    const std::string after = verdictText(app.session.alerts());
     CHECK(app.session.atEnd());
-    CHECK(faultCount(app.session.alerts().search().found()->verdict.totals) ==
+    CHECK(faultCount(app.session.alerts().found()->verdict.totals) ==
           faultCount(best.verdict.totals));
     CHECK(app.session.messages().last().find("Now " + after + "; before, " + before + ".") !=
           std::string::npos);
@@ -296,7 +294,7 @@ TEST_CASE(
     REQUIRE(app.session.finishedFaults() != nullptr);
     CHECK(app.session.finishedFaults()->places.size() == placesBefore);
     app.session.showBefore(false);
-    CHECK(app.session.finishedFaults() == app.session.alerts().search().found());
+    CHECK(app.session.finishedFaults() == app.session.alerts().found());
     // What the trials were about is gone.
     CHECK(app.session.trials().trials().tried.empty());
 }
@@ -323,7 +321,7 @@ TEST_CASE("While the pointer is on Fix, the finished mesh shows the triangles th
     REQUIRE(shownChange(app.context) == app.session.trials().change());
     LayerInput input{app.session.model(), app.session.picture(), paletteOf(Theme::Dark)};
     input.triangles = app.session.triangles();
-    input.faults = app.session.alerts().search().found();
+    input.faults = app.session.alerts().found();
     DrawList faults;
     addTriangles(input, faults);
     CHECK(faults.tinted[0].triangles == nullptr);
@@ -365,7 +363,7 @@ TEST_CASE("A mesh without a triangle is not called sound, and other settings are
     const std::filesystem::path path = other.folder / "two.xyz";
     std::ofstream(path) << "0 0 0 0 0 1\n1 0 0 0 0 1\n";
     AlertApp app(path.string());
-    const AlertSearch& alerts = app.session.alerts().search();
+    const RunAlerts& alerts = app.session.alerts();
     REQUIRE(alerts.done());
     CHECK(alerts.found()->verdict.triangles == 0);
     CHECK_FALSE(alerts.sound());
@@ -406,7 +404,7 @@ TEST_CASE(
         points.judge = judge;
         return judgeMesh(points, saved.faces).verdict;
     };
-    const auto judged = [&] { return app.session.alerts().search().found()->verdict; };
+    const auto judged = [&] { return app.session.alerts().found()->verdict; };
     requireEqual(judged(), counted());
     app.session.moves().toEnd();
     app.session.trials().start();
@@ -424,7 +422,7 @@ TEST_CASE("Faults are colored on the finished mesh, and places numbered as F8 wa
     session.waitUntilDone();
     LayerInput input{session.model(), session.picture(), paletteOf(Theme::Dark)};
     input.triangles = session.triangles();
-    input.faults = session.alerts().search().found();
+    input.faults = session.alerts().found();
     REQUIRE(input.faults != nullptr);
     DrawList all;
     addTriangles(input, all);
@@ -462,7 +460,7 @@ TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
 TEST_CASE("--alert opens on any alert, at a position if one is named too, and fails otherwise") {
     AlertApp app("scene:noise", "duplicate_triangles:2");
     REQUIRE(app.session.alerts().chosen());
-    CHECK(alertName(app.session.alerts().search(), *app.session.alerts().chosen()) ==
+    CHECK(alertName(app.session.alerts(), *app.session.alerts().chosen()) ==
           "duplicate_triangles:2");
     CHECK(app.place() == "286.emit.2");
     AlertApp there("scene:noise", "duplicate_triangles:2", "5");
@@ -543,7 +541,7 @@ TEST_CASE("Of several alerts at a decision one is said, and the number of the ot
         if (most > 1) break;
         const std::string source = "scene:" + std::string(scene.scene.id);
         OpenSession open(source.c_str());
-        for (const RunFailure& each : open.session.alerts().search().failures()) {
+        for (const RunFailure& each : open.session.alerts().failures()) {
             open.session.moves().goTo(each.moments.created.event.address);
             open.session.waitUntilDone();
             const std::size_t count = open.session.noticedHere().size();
@@ -559,7 +557,7 @@ TEST_CASE("Of several alerts at a decision one is said, and the number of the ot
 
 TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
     AlertApp app("scene:four-edge-hole");
-    const auto& failures = app.session.alerts().search().failures();
+    const auto& failures = app.session.alerts().failures();
     const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
         return isLoop(each.failure) && each.failure.kind->fault;
     });
@@ -581,7 +579,7 @@ TEST_CASE("A hole that is chosen is outlined, at any place of the run") {
 
 TEST_CASE("Why of a hole is answered by its moments, not by a point near it") {
     AlertApp app("scene:four-edge-hole");
-    const auto& failures = app.session.alerts().search().failures();
+    const auto& failures = app.session.alerts().failures();
     const auto hole = std::find_if(failures.begin(), failures.end(), [](const RunFailure& each) {
         return isLoop(each.failure) && each.failure.kind->fault;
     });
@@ -605,7 +603,7 @@ TEST_CASE("Why of a hole is answered by its moments, not by a point near it") {
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
     AlertApp app("scene:four-edge-hole");
     REQUIRE(app.session.alerts().chosen());
-    const std::size_t before = app.session.alerts().search().failures().size();
+    const std::size_t before = app.session.alerts().failures().size();
     app.session.alerts().seekRemedies();
     CHECK(app.session.alerts().remedies().busy());
     app.session.waitUntilDone();
@@ -630,11 +628,10 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     CHECK(app.camera.pose() == camera);
     CHECK(app.ui.frame == FrameRequest::None);
     CHECK(best.rule->isOn(app.session.model().params));
-    CHECK(app.session.alerts().search().failures().size() == best.all);
+    CHECK(app.session.alerts().failures().size() == best.all);
     CHECK(best.all < before);
     std::vector<MeshFailure> now;
-    for (const RunFailure& each : app.session.alerts().search().failures())
-        now.push_back(each.failure);
+    for (const RunFailure& each : app.session.alerts().failures()) now.push_back(each.failure);
     CHECK_FALSE(isStillThere(failure, now));
 }
 
@@ -645,7 +642,7 @@ TEST_CASE("A session keeps the chosen alert") {
     app.document.open((app.folder / "alert.sesession").string());
     app.arrive();
     REQUIRE(app.session.alerts().chosen());
-    CHECK(alertName(app.session.alerts().search(), *app.session.alerts().chosen()) ==
+    CHECK(alertName(app.session.alerts(), *app.session.alerts().chosen()) ==
           "duplicate_triangles:2");
     CHECK(app.place() == "286.emit.2");
 }
@@ -665,7 +662,7 @@ TEST_CASE("Alerts of a tangled run are the first of each class, with the number 
     session.open(spec);
     session.waitUntilDone();
     REQUIRE(session.ready());
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     REQUIRE(alerts.done());
     CHECK_FALSE(alerts.complete());
     std::size_t next = 0;

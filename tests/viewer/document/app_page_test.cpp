@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "document/link.h"
-#include "lesson/lesson_frames.h"
+#include "lesson/lesson_player.h"
 #include "open_session.h"
-#include "run/base64.h"
+#include "run/packed_file.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,4 +1,4 @@
-#include "document/between_frames.h"
+#include "document/ui_state.h"
 
 #include <doctest/doctest.h>
 

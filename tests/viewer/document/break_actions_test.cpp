@@ -4,7 +4,7 @@
 
 #include "commands/commands.h"
 #include "document/actions.h"
-#include "document/break_actions.h"
+#include "document/ask_actions.h"
 #include "headless_app.h"
 
 using namespace se;

@@ -1,11 +1,10 @@
-#include "document/failure_link.h"
+#include "document/link_actions.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
 #include "document/alert_actions.h"
-#include "document/alerts_shown.h"
 #include "document/link.h"
 #include "headless_app.h"
 #include "run/packed_file.h"
@@ -22,7 +21,7 @@ struct FailureApp : test::HeadlessApp {
     explicit FailureApp(const char* source, const char* alert) : test::HeadlessApp("failure-link") {
         openInstead(source);
         settle();
-        const auto found = alertNamed(session.alerts().search(), alert);
+        const auto found = alertNamed(session.alerts(), alert);
         REQUIRE(found);
         session.alerts().choose(found);
     }

@@ -47,10 +47,10 @@ PointFile read(const fs::path& path) {
 TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format read here") {
     SavingApp app("scene:sheet");
     app.settle();
-    REQUIRE(app.ui.mesh.size.has_value());
+    REQUIRE(app.mesh.mesh() != nullptr);
     const FinishedMesh mesh = app.finished();
     REQUIRE(!mesh.triangles->empty());
-    CHECK(app.ui.mesh.size->triangles == mesh.triangles->size());
+    CHECK(*app.mesh.mesh()->triangles == *mesh.triangles);
     for (const char* name : {"a.ply", "a.obj", "a.off"}) {
         CAPTURE(name);
         actions::saveMesh(app.context);
@@ -193,12 +193,12 @@ TEST_CASE(
 TEST_CASE("Another run, other rules: the mesh is made again") {
     SavingApp app("scene:noise");
     app.settle();
-    const MeshSize paper = *app.ui.mesh.size;
+    const std::size_t paper = app.mesh.mesh()->triangles->size();
     app.session.rerun(withSet({}, "robust"));
     app.waitUntilDone();
     app.settle();
-    CHECK(app.ui.mesh.size->triangles == app.finished().triangles->size());
-    CHECK(app.ui.mesh.size->triangles != paper.triangles);
+    CHECK(*app.mesh.mesh()->triangles == *app.finished().triangles);
+    CHECK(app.mesh.mesh()->triangles->size() != paper);
 }
 
 TEST_CASE("For an STL far from the origin the notice reports the offset of its positions") {

@@ -7,9 +7,9 @@
 #include <array>
 
 #include "commands/commands.h"
+#include "document/mesh_saving.h"
 #include "headless_app.h"
 #include "run/strings.h"
-#include "session/mesh_command.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,4 +1,4 @@
-#include "export/depth_picture.h"
+#include "export/svg_frame.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "export/frame_plan.h"
+#include "export/order.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "export/gif_palette.h"
+#include "export/gif_writer.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
-#include "export/page_text.h"
+#include "export/page_writer.h"
 
 #include <doctest/doctest.h>
 
 #include <fstream>
 
 #include "open_session.h"
-#include "run/base64.h"
+#include "run/packed_file.h"
 
 using namespace se::view;
 using se::teach::textBlocks;

@@ -1,4 +1,4 @@
-#include "input/tab_order.h"
+#include "input/key_routing.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "jobs/loader.h"
 #include "open_session.h"
 #include "run/model.h"
+#include "session/session_input.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "teach/file_bytes.h"
 

@@ -12,11 +12,11 @@
 #include "headless_app.h"
 #include "layers/layer.h"
 #include "panel_state/side_panels.h"
-#include "rows/line_text.h"
+#include "rows/evidence_rows.h"
 #include "scene/camera.h"
-#include "scene/point_tint.h"
-#include "session/line_position.h"
+#include "scene/mesh_style.h"
 #include "session/playback.h"
+#include "session/view_position.h"
 
 using namespace se;
 using namespace se::view;

@@ -12,11 +12,10 @@
 #include "jobs/background_job.h"
 #include "jobs/doctor_job.h"
 #include "jobs/growth.h"
-#include "jobs/hit_search.h"
-#include "jobs/loader.h"
+#include "jobs/kept_pass.h"
 #include "jobs/runner.h"
-#include "jobs/watch_scan.h"
 #include "open_session.h"
+#include "session/session_input.h"
 #include "spiraling_edge/run/run_charts.h"
 #include "support/scarce_memory.h"
 

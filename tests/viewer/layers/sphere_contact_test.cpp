@@ -1,4 +1,4 @@
-#include "layers/sphere_contact.h"
+#include "layers/circumsphere.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "layout/dial.h"
+#include "paint/dial_painter.h"
 
 #include <doctest/doctest.h>
 

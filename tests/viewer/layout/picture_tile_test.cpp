@@ -1,4 +1,4 @@
-#include "layout/picture_tile.h"
+#include "panel_state/picture_look.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,10 @@
-#include "layout/pins.h"
+#include "layout/overlays.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "layout/overlays.h"
 #include "spiraling_edge/base/random.h"
 
 using namespace se;

@@ -6,7 +6,6 @@
 
 #include "commands/commands.h"
 #include "headless_app.h"
-#include "lesson/lesson_actions.h"
 #include "teach/embedded_lessons.h"
 #include "teach/lesson_check.h"
 #include "teach/lesson_read.h"

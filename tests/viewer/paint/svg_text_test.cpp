@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "paint/svg_painter.h"
-
 using namespace se::view;
 
 TEST_CASE("Pixels have at most one digit after the point") {

@@ -1,8 +1,8 @@
-#include "panel_state/export_form.h"
+#include "panel_state/file_browser_state.h"
 
 #include <doctest/doctest.h>
 
-#include "lesson/lesson_frames.h"
+#include "lesson/lesson_player.h"
 #include "open_session.h"
 
 using namespace se::view;

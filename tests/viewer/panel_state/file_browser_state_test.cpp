@@ -83,9 +83,9 @@ TEST_CASE("A mesh is saved among the meshes of a folder: all formats that can be
 }
 
 TEST_CASE("The dialog shows the size of the mesh, the notice the written file") {
-    CHECK(sizeText({4, 6, 5, false}, false) == "4 triangles, 6 points");
-    CHECK(sizeText({4, 6, 5, false}, true) == "4 triangles, 5 of 6 points");
-    CHECK(sizeText({1, 3, 3, false}, true) == "1 triangle, 3 points");
+    CHECK(sizeText(4, 6, 6) == "4 triangles, 6 points");
+    CHECK(sizeText(4, 5, 6) == "4 triangles, 5 of 6 points");
+    CHECK(sizeText(1, 3, 3) == "1 triangle, 3 points");
     CHECK(savedText({{"/a/b.ply", false}, 4, 6, false}) ==
           "Saved 4 triangles and 6 points to /a/b.ply.");
     CHECK(savedText({{"/a/b.stl", false}, 1, 6, false}) == "Saved 1 triangle to /a/b.stl.");

@@ -1,4 +1,4 @@
-#include "panel_state/growth_page.h"
+#include "panel_state/forms.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,6 @@
 
 #include "commands/commands.h"
 #include "headless_app.h"
-#include "panel_state/prepare_form.h"
 
 using namespace se;
 using namespace se::view;

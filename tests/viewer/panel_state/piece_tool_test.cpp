@@ -1,4 +1,4 @@
-#include "panel_state/piece_tool.h"
+#include "panel_state/view_tools.h"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 
 #include "offscreen.h"
 #include "open_session.h"
-#include "scene/detail.h"
+#include "scene/camera.h"
 
 using namespace se::view;
 

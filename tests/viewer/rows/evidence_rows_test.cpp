@@ -9,8 +9,8 @@
 #include <set>
 
 #include "open_session.h"
-#include "run/number_format.h"
-#include "scene/selection_measures.h"
+#include "run/selection.h"
+#include "run/strings.h"
 
 using namespace se;
 using namespace se::view;

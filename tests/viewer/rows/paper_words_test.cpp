@@ -1,4 +1,4 @@
-#include "rows/paper_words.h"
+#include "rows/paper_text.h"
 
 #include <doctest/doctest.h>
 

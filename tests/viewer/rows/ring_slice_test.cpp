@@ -1,4 +1,4 @@
-#include "rows/ring_slice.h"
+#include "rows/lane_picture.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "spiraling_edge/run/event_text.h"
 
 #include <doctest/doctest.h>

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "document/camera_actions.h"
+#include "document/actions.h"
 #include "document/ui_state.h"
 #include "headless_app.h"
-#include "layout/dial.h"
 #include "layout/overlays.h"
-#include "run/neighborhood.h"
-#include "scene/decision_view.h"
+#include "paint/dial_painter.h"
+#include "run/model.h"
 #include "scene/framing.h"
 #include "session/playback.h"
 

@@ -1,4 +1,4 @@
-#include "scene/camera_move.h"
+#include "scene/motion.h"
 
 #include <doctest/doctest.h>
 

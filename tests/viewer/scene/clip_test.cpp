@@ -1,4 +1,4 @@
-#include "scene/clip.h"
+#include "scene/screen_rect.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/decision_view.h"
+#include "scene/framing.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "drawn.h"
-#include "run/neighborhood.h"
-#include "scene/hiding.h"
+#include "run/model.h"
+#include "scene/picking.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,4 +1,4 @@
-#include "scene/detail.h"
+#include "scene/camera.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "scene/hiding.h"
+#include "scene/picking.h"
 
 #include <doctest/doctest.h>
 
 #include "open_session.h"
-#include "run/neighborhood.h"
-#include "scene/decision_view.h"
+#include "run/model.h"
+#include "scene/framing.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,4 +1,4 @@
-#include "scene/point_move.h"
+#include "scene/picking.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "scene/selection_measures.h"
+#include "run/selection.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 
 using namespace se;

@@ -1,4 +1,4 @@
-#include "scene/up_axis.h"
+#include "scene/camera.h"
 
 #include <doctest/doctest.h>
 

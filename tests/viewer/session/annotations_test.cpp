@@ -1,4 +1,4 @@
-#include "session/annotations.h"
+#include "session/session_file.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "session/mesh_command.h"
+#include "document/mesh_saving.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "document/mesh_saving.h"
 #include "headless_app.h"
 #include "jobs/mesh_export.h"
 #include "run/strings.h"

@@ -1,4 +1,4 @@
-#include "session/undo.h"
+#include "document/edit_history.h"
 
 #include <doctest/doctest.h>
 

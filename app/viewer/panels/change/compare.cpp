@@ -2,11 +2,11 @@
 // first difference, the regions.
 #include <algorithm>
 
-#include "compare/compare_page.h"
 #include "compare/compared_runs.h"
-#include "input/tab_order.h"
+#include "compare/comparison.h"
+#include "input/key_routing.h"
 #include "jobs/questions.h"
-#include "lesson/lesson_panel.h"
+#include "lesson/lesson_walk.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"

@@ -1,7 +1,7 @@
 /// Panel for overriding decisions at the cursor: the run forks, and can return.
 #include "document/actions.h"
 #include "document/document.h"
-#include "panel_state/move_tool.h"
+#include "panel_state/view_tools.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"

@@ -1,7 +1,7 @@
 // The command palette: all commands, filtered by the typed words.
 #include <algorithm>
 
-#include "commands/palette_entries.h"
+#include "commands/commands.h"
 #include "document/ui_state.h"
 #include "input/key_routing.h"
 #include "panels/panel.h"

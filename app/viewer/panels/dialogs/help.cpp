@@ -1,5 +1,7 @@
 // The dialogs Guide, the page docs/viewer.md up to its list of keys, and About.
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -100,6 +102,164 @@ void drawHelp(const PanelContext& context) {
             {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y},
             {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()}};
         guide ? drawGuide(context) : drawAbout(context);
+    }
+    ImGui::End();
+    if (!open) ui.help = HelpPage::None;
+}
+
+// The sheet of all keys, in which they can be changed.
+
+namespace {
+
+struct MouseLine {
+    const char* action;
+    const char* what;
+};
+
+constexpr std::array kMouse = {
+    MouseLine{"left drag", "Orbit"},
+    MouseLine{"right, middle or Shift+left drag", "Pan"},
+    MouseLine{"Ctrl+left drag", "Break on the enclosed points"},
+    MouseLine{"wheel", "Zoom to the pointer"},
+    MouseLine{"click", "Select a point, edge or triangle, or clear"},
+    MouseLine{"double click", "Center the orbit on a point"},
+    MouseLine{"drop a file", "Open points or a session"},
+};
+
+bool changes(const PanelContext& context) { return context.ui().help == HelpPage::ChangeKeys; }
+
+void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    wrappedText(keys);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    wrappedText(what);
+}
+
+/// An action whose keys a click changes, with a button to reset them.
+void changeableRow(const PanelContext& context, const Command& command) {
+    UiState& ui = context.ui();
+    KeyMap& keys = ui.settings.keys;
+    const bool asked = ui.keyCapture.command() == command.id;
+    const std::string shown = asked ? "press a key" : keys.all(command);
+    ImGui::PushID(command.id.data());
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    const std::string label = (shown.empty() ? std::string("none") : shown) + "##key";
+    if (selectable(context, label, asked, "key " + std::string(command.id)))
+        ui.keyCapture.begin(command.id);
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    wrappedText(std::string(command.title));
+    tooltip(std::string(command.id) + ": " + std::string(command.help));
+    if (keys.isChanged(command)) {
+        if (ImGui::SmallButton("reset")) keys.reset(command);
+        tooltip(command.keys.empty() ? "Reset to no key" : "Reset to " + std::string(command.keys));
+    }
+    ImGui::PopID();
+}
+
+bool beginKeys(const char* id, const PanelContext& context) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchSame)) return false;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 8.5F * context.em);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+/// The ten keys of bookmarks are one row, unless one of them was changed.
+bool bookmarksAreOneRow(const KeyMap& keys) {
+    return std::none_of(commands().begin(), commands().end(), [&](const Command& command) {
+        return command.id.starts_with("notes.go.") && keys.isChanged(command);
+    });
+}
+
+void drawKeysOf(const PanelContext& context, const Command& command, bool oneRow) {
+    // Esc cannot be changed.
+    if (changes(context) && command.id != "help.leave") return changeableRow(context, command);
+    const std::string keys = context.settings().keys.all(command);
+    if (keys.empty()) return;
+    const bool bookmark = oneRow && command.id.starts_with("notes.go.");
+    if (!bookmark) keyRow(context, keys, std::string(command.title));
+    if (bookmark && command.id == "notes.go.1")
+        keyRow(context, "Ctrl+1 ... Ctrl+0", "Go to bookmark 1 ... 10");
+}
+
+void drawGroup(const PanelContext& context, std::string_view group) {
+    heading(context, std::string(group).c_str());
+    if (!beginKeys(std::string(group).c_str(), context)) return;
+    const bool oneRow = bookmarksAreOneRow(context.settings().keys);
+    for (const Command& command : commands())
+        if (command.group == group) drawKeysOf(context, command, oneRow);
+    ImGui::EndTable();
+    ImGui::Spacing();
+}
+
+void drawMouseGroup(const PanelContext& context) {
+    heading(context, "Mouse");
+    if (!beginKeys("mouse", context)) return;
+    for (const MouseLine& line : kMouse) keyRow(context, line.action, line.what);
+    ImGui::EndTable();
+}
+
+void drawColumn(const PanelContext& context, std::initializer_list<const char*> groups) {
+    ImGui::TableNextColumn();
+    for (const char* group : groups) drawGroup(context, group);
+}
+
+/// As many columns as fit: in four, all of it fits a window of 1280x800.
+void drawColumns(const PanelContext& context, int columns) {
+    if (!ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
+    if (columns == 4) {
+        drawColumn(context, {"Step"});
+        drawColumn(context, {"Run", "Edit", "Layers"});
+        drawColumn(context, {"View", "Notes"});
+        drawColumn(context, {"File", "Help"});
+    } else {
+        drawColumn(context, {"Step", "Run", "File", "Edit", "Layers"});
+        drawColumn(context, {"View", "Notes", "Help"});
+    }
+    drawMouseGroup(context);
+    ImGui::EndTable();
+}
+
+/// Of constant height: rows must not move under the pointer.
+void drawHead(const PanelContext& context) {
+    UiState& ui = context.ui();
+    const std::string& note = ui.keyCapture.note();
+    const float lines = ImGui::GetFrameHeight() + ImGui::GetTextLineHeightWithSpacing();
+    if (ImGui::BeginChild("##note", {-9.0F * context.em, lines}, false)) {
+        ImGui::AlignTextToFramePadding();
+        wrappedText(note.empty() ? "Click the keys of an action, then press the new one." : note);
+    }
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(ui.settings.keys.changes().empty());
+    if (ImGui::Button("Reset all keys")) ui.settings.keys.resetAll();
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void drawKeySheet(const PanelContext& context) {
+    UiState& ui = context.ui();
+    const bool changing = changes(context);
+    if (!changing) ui.keyCapture.cancel();
+    if (!changing && ui.help != HelpPage::Keys) return;
+    const float ems = placeDialog(context, {84.0F, 50.0F}).x / context.em;
+    bool open = true;
+    if (beginDialog("Keys and mouse", &open, ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (changing) {
+            drawHead(context);
+            // It stays in sight while the rows scroll.
+            ImGui::BeginChild("##rows");
+        } else if (ImGui::Button("Change keys...")) {
+            ui.help = HelpPage::ChangeKeys;
+        }
+        drawColumns(context, ems > 66.0F ? 4 : ems > 40.0F ? 2 : 1);
+        if (changing) ImGui::EndChild();
     }
     ImGui::End();
     if (!open) ui.help = HelpPage::None;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "document/document.h"
-#include "document/leave_question.h"
+#include "document/ui_state.h"
 #include "panels/widgets/widgets.h"
 
 namespace se::view {

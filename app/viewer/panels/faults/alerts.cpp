@@ -9,12 +9,12 @@
 
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
-#include "document/failure_link.h"
+#include "document/link_actions.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
 
@@ -37,7 +37,7 @@ bool isOpen(const PanelContext& context, const std::string& head, bool holds) {
     const auto found = byHand.find(head);
     if (holds && context.state<AlertsPanel>().reveal) return true;
     if (found != byHand.end()) return found->second;
-    return holds || context.session().alerts().search().failures().size() <= kManyAlerts;
+    return holds || context.session().alerts().failures().size() <= kManyAlerts;
 }
 
 std::string placeName(std::size_t place) { return "place " + std::to_string(place + 1); }
@@ -46,7 +46,7 @@ bool isOpen(const PanelContext& context, std::size_t place) {
     const RunAlerts& alerts = context.session().alerts();
     const auto chosen = alerts.chosen();
     return isOpen(context, placeName(place),
-                  alerts.place() == place || (chosen && alerts.search().placeOf(*chosen) == place));
+                  alerts.place() == place || (chosen && alerts.placeOf(*chosen) == place));
 }
 
 bool isOpen(const PanelContext& context, const AlertGroup& group) {
@@ -57,7 +57,7 @@ bool isOpen(const PanelContext& context, const AlertGroup& group) {
 
 std::vector<AlertRow> rowsOf(const PanelContext& context) {
     std::vector<AlertRow> rows;
-    const AlertSearch& alerts = context.session().alerts().search();
+    const RunAlerts& alerts = context.session().alerts();
     for (std::size_t place = 0; place < alerts.places().size(); ++place) {
         rows.push_back({AlertRow::Kind::Place, place});
         if (!isOpen(context, place)) continue;
@@ -115,8 +115,7 @@ bool drawHead(const PanelContext& context, const std::string& name, const std::s
 void drawPlace(const PanelContext& context, std::size_t place) {
     const RunAlerts& alerts = context.session().alerts();
     const std::string name = placeName(place);
-    const std::string what =
-        describe(alerts.search().places()[place], alerts.search().found()->all);
+    const std::string what = describe(alerts.places()[place], alerts.found()->all);
     const bool open = isOpen(context, place);
     const bool shown = alerts.place() == place;
     if (!drawHead(
@@ -138,12 +137,11 @@ void drawClass(const PanelContext& context, const AlertGroup& group) {
 
 void drawRow(const PanelContext& context, std::size_t index) {
     const Session& session = context.session();
-    const RunFailure& alert = session.alerts().search().failures()[index];
+    const RunFailure& alert = session.alerts().failures()[index];
     const bool chosen = session.alerts().chosen() == index;
     ImGui::PushID(static_cast<int>(index));
     const float left = ImGui::GetCursorPosX();
-    if (selectable(context, "##alert", chosen,
-                   "alert " + alertName(session.alerts().search(), index),
+    if (selectable(context, "##alert", chosen, "alert " + alertName(session.alerts(), index),
                    "Go to where it was created, frame it, and show why"))
         showAlert(context.commands, index, AlertMoment::Created);
     ImGui::SameLine(left + 1.3F * context.em);
@@ -330,7 +328,7 @@ void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
                     drawPlace(context, row.number);
                     break;
                 case AlertRow::Kind::Class:
-                    drawClass(context, context.session().alerts().search().groups()[row.number]);
+                    drawClass(context, context.session().alerts().groups()[row.number]);
                     break;
                 case AlertRow::Kind::Alert:
                     drawRow(context, row.number);
@@ -367,7 +365,7 @@ void drawList(const PanelContext& context) {
 }
 
 /// The verdict on a mesh without failures: "No failures found: the mesh is sound."
-std::string noneText(const AlertSearch& alerts) {
+std::string noneText(const RunAlerts& alerts) {
     if (alerts.sound()) return "No failures found: the mesh is sound.";
     const bool none = alerts.found()->verdict.triangles == 0;
     return std::string("No failures found, but ") +
@@ -375,7 +373,7 @@ std::string noneText(const AlertSearch& alerts) {
 }
 
 /// List of the checks, if nothing was found.
-void drawNothing(const AlertSearch& alerts) {
+void drawNothing(const RunAlerts& alerts) {
     ImGui::TextUnformatted(noneText(alerts).c_str());
     ImGui::Spacing();
     std::string checked;
@@ -386,26 +384,25 @@ void drawNothing(const AlertSearch& alerts) {
 
 void drawSearch(const PanelContext& context) {
     Session& session = context.session();
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     const std::string& complaint = alerts.complaint();
     if (alerts.stopped() || !complaint.empty()) {
         dimText(alerts.stopped() ? "The search was stopped." : complaint);
-        if (smallButton(context, "Search for failures", "alerts resume"))
-            session.alerts().search().resume();
+        if (smallButton(context, "Search for failures", "alerts resume")) session.alerts().resume();
         return;
     }
     dimText(alerts.busy() ? "Searching for alerts ..."
                           : "The search for alerts starts once the run is complete.");
     if (!alerts.busy()) return;
     ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
-    if (smallButton(context, "Stop", "alerts stop")) session.alerts().search().stop();
+    if (smallButton(context, "Stop", "alerts stop")) session.alerts().stop();
 }
 
 }  // namespace
 
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());
     if (!note.empty()) dimText(note);

@@ -1,8 +1,5 @@
 // The part Verdict: the faults of the finished mesh, and the next actions.
 #include <algorithm>
-#include <cctype>
-#include <string_view>
-#include <vector>
 
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
@@ -11,7 +8,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -140,7 +137,7 @@ void askWhyShown(const PanelContext& context) {
 }
 
 /// The next actions of an engineer: Fix and Save mesh; then a look at the places.
-void drawActions(const PanelContext& context, const AlertSearch& alerts) {
+void drawActions(const PanelContext& context, const RunAlerts& alerts) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool fixes = canFix(context.commands) && !context.state<VerdictPart>().fixing;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
@@ -167,7 +164,7 @@ void drawActions(const PanelContext& context, const AlertSearch& alerts) {
         askWhyShown(context);
 }
 
-void drawFound(const PanelContext& context, const AlertSearch& alerts) {
+void drawFound(const PanelContext& context, const RunAlerts& alerts) {
     const bool faulty = !alerts.sound();
     const MeshVerdict& verdict = alerts.found()->verdict;
     // The counts are in the table.
@@ -193,7 +190,7 @@ void drawFound(const PanelContext& context, const AlertSearch& alerts) {
 
 void drawVerdict(const PanelContext& context) {
     const Session& session = context.session();
-    const AlertSearch& alerts = session.alerts().search();
+    const RunAlerts& alerts = session.alerts();
     if (alerts.done()) return drawFound(context, alerts);
     if (!alerts.complaint().empty()) return wrappedText(alerts.complaint());
     if (alerts.stopped()) return dimText("The search for faults was stopped.");

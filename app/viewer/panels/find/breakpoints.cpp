@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "document/break_actions.h"
-#include "jobs/hit_search.h"
+#include "document/ask_actions.h"
+#include "jobs/kept_pass.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"

@@ -2,16 +2,15 @@
 #include <glm/geometric.hpp>
 
 #include "document/ask_actions.h"
-#include "document/break_actions.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
-#include "rows/line_text.h"
+#include "rows/evidence_rows.h"
 #include "run/strings.h"
-#include "scene/point_tint.h"
+#include "scene/mesh_style.h"
 #include "session/session.h"
 #include "spiraling_edge/run/decision_query.h"
 

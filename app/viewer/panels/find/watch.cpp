@@ -9,7 +9,7 @@
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "rows/watch_plot.h"
+#include "rows/lane_picture.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/run/decision_query.h"

@@ -11,7 +11,7 @@
 
 #include "document/actions.h"
 #include "document/ui_state.h"
-#include "input/tab_order.h"
+#include "input/key_routing.h"
 #include "panel_state/column.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"

@@ -1,10 +1,9 @@
 // The two views of the layout Compare: their titles, and the second view.
 #include <algorithm>
 
-#include "compare/compare_page.h"
-#include "compare/compared_titles.h"
+#include "compare/comparison.h"
 #include "document/ui_state.h"
-#include "paint/view_texts.h"
+#include "paint/shapes.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/screen_painter.h"
 #include "session/session.h"

@@ -10,7 +10,7 @@
 #include "paint/shapes.h"
 #include "panel_state/settings.h"
 #include "panels/widgets/screen_painter.h"
-#include "rows/paper_words.h"
+#include "rows/paper_text.h"
 #include "session/session.h"
 #include "view_parts.h"
 

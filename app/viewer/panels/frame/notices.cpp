@@ -129,7 +129,7 @@ void drawNotices(const PanelContext& context) {
         drawMove(context);
     // At the start the caption shows the message permanently: there is no decision.
     // A dialog covers the view.
-    const bool narrated = showsFinishedMesh(context.commands) && session.alerts().search().done() &&
+    const bool narrated = showsFinishedMesh(context.commands) && session.alerts().done() &&
                           session.messages().last() == verdictSentence(session.alerts());
     if (session.ready() && session.event() != nullptr && !context.ui().coversView() && !narrated)
         drawSaid(context);

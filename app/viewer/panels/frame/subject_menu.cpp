@@ -1,8 +1,8 @@
 // The context menu of a point, edge or triangle: queries, what-ifs, breakpoints, watches.
 #include <algorithm>
 
-#include "compare/compare_page.h"
 #include "compare/compared_runs.h"
+#include "compare/comparison.h"
 #include "document/actions.h"
 #include "document/alert_actions.h"
 #include "document/ask_actions.h"
@@ -78,7 +78,7 @@ void drawSelectEntries(const PanelContext& context, const Selection& what) {
 
 /// Only where something is wrong.
 void drawWrongEntry(const PanelContext& context, const Selection& what) {
-    const auto alert = alertAt(context.session().alerts().search(), what);
+    const auto alert = alertAt(context.session().alerts(), what);
     if (!alert) return;
     if (ImGui::MenuItem("What is wrong here?")) {
         showAlert(context.commands, *alert, std::nullopt);

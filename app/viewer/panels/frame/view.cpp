@@ -1,22 +1,31 @@
 // The view of the scene: the overlays in the order in which they take room, the lasso, and what a
 // click or a drag means.
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "document/actions.h"
-#include "document/break_actions.h"
+#include "document/alert_actions.h"
+#include "document/ask_actions.h"
 #include "document/ui_state.h"
 #include "input/view_drag.h"
 #include "layers/layer.h"
-#include "lesson/lesson_panel.h"
-#include "panel_state/piece_tool.h"
+#include "lesson/lesson_walk.h"
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
-#include "panels/widgets/axis_gizmo.h"
+#include "panel_state/view_tools.h"
+#include "panels/panel.h"
+#include "panels/widgets/screen_painter.h"
 #include "panels/widgets/widgets.h"
+#include "run/model.h"
 #include "scene/motion.h"
+#include "scene/palette.h"
 #include "scene/picking.h"
 #include "session/layout_preset.h"
 #include "session/playback.h"
@@ -25,7 +34,281 @@
 
 namespace se::view {
 
+// The Layers panel: a row per layer, with a pin that holds it on or off.
+
 namespace {
+
+/// A pin: upright and filled if the layer is pinned, a ring if the stage decides.
+void drawPin(const PanelContext& context, ImVec2 center, LayerMode mode) {
+    const float em = context.em;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float width = std::max(1.0F, 0.1F * em);
+    if (mode == LayerMode::Automatic) {
+        list->AddCircle(center, 0.26F * em, toU32(context.palette.textDim.withAlpha(0.6F)), 0,
+                        width);
+        return;
+    }
+    const ImU32 color = toU32(context.palette.accent);
+    list->AddCircleFilled({center.x, center.y - 0.16F * em}, 0.28F * em, color);
+    list->AddLine({center.x, center.y}, {center.x, center.y + 0.5F * em}, color, width);
+}
+
+/// By LayerMode.
+constexpr std::array<const char*, 3> kPinTexts = {
+    "Automatic: the stage decides.\nClick to pin it as it is now.",
+    "Pinned: shown in every stage.\nClick to unpin.",
+    "Pinned: hidden in every stage.\nClick to unpin."};
+static_assert(static_cast<std::size_t>(LayerMode::PinnedOff) + 1 == kPinTexts.size());
+
+/// The content of the layer is not from the input.
+bool isDerived(const Session& session, LayerId layer) {
+    if (!session.ready()) return false;
+    const PrepareReport& report = session.model().report;
+    if (layer == LayerId::Normals) return report.derived.normals || report.derived.orientation;
+    if (layer == LayerId::Links) return report.neighborsComputed;
+    return layer == LayerId::Walls && report.derived.types;
+}
+
+void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
+    const Session& session = context.session();
+    LayerModes& modes = context.settings().layers;
+    LayerMode& mode = modeOf(modes, layer.id);
+    ImGui::PushID(static_cast<int>(layer.id));
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("##pin", {side, side})) {
+        mode = mode != LayerMode::Automatic ? LayerMode::Automatic
+               : shown                      ? LayerMode::PinnedOn
+                                            : LayerMode::PinnedOff;
+    }
+    tooltip(kPinTexts[static_cast<std::size_t>(mode)]);
+    drawPin(context, {corner.x + 0.5F * side, corner.y + 0.5F * side}, mode);
+    ImGui::SameLine(0.0F, 0.2F * context.em);
+    const bool rests = mode == LayerMode::Automatic && !shown;
+    if (rests) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
+    bool value = shown;
+    std::string title(layer.title);
+    if (isDerived(session, layer.id)) title += " (derived)";
+    if (ImGui::Checkbox(title.c_str(), &value)) toggleLayer(modes, layer.id, session.stage());
+    nameItem(context, "layer " + std::string(layer.name));
+    if (rests) ImGui::PopStyleColor();
+    if (const Command* command = findCommand("layer." + std::string(layer.name))) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
+        ImGui::TextDisabled("%s", context.key(*command).c_str());
+    }
+    ImGui::PopID();
+}
+
+void drawLayerSwitches(const PanelContext& context) {
+    LayerModes& modes = context.settings().layers;
+    const LayerSwitches shown = shownLayers(modes, context.session().stage());
+    heading(context, "Layers", "a pin holds a layer");
+    for (const Layer& layer : layers()) {
+        drawSwitch(context, layer, shown.test(static_cast<std::size_t>(layer.id)));
+    }
+    ImGui::Spacing();
+    ImGui::BeginDisabled(modes == LayerModes{});
+    if (ImGui::Button("Unpin all")) modes = {};
+    ImGui::EndDisabled();
+    ImGui::Checkbox("Legend", &context.settings().legend);
+    bool light = context.settings().theme == Theme::Light;
+    if (ImGui::Checkbox("Light theme", &light)) context.run("view.theme");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
+    ImGui::TextDisabled("T");
+}
+
+// For an audience: a halo at the pointer, and a spotlight on the neighborhood of the pivot, beyond
+// which the picture keeps a quarter of its strength.
+
+constexpr float kStrengthBeyond = 0.25F;
+/// Radius of the halo, and the least one of the spotlight, in em.
+constexpr float kHalo = 1.4F;
+constexpr float kLeastSpot = 4.0F;
+constexpr float kMarginOfSpot = 1.5F;
+
+/// The circle around marks, in pixels.
+struct SpotCircle {
+    glm::vec2 center{0.0F};
+    float radius = 0.0F;
+};
+
+SpotCircle circleAround(const std::vector<LabelMark>& marks) {
+    glm::vec2 low = marks.front().at;
+    glm::vec2 high = low;
+    for (const LabelMark& each : marks) {
+        low = glm::min(low, each.at);
+        high = glm::max(high, each.at);
+    }
+    SpotCircle circle{0.5F * (low + high), 0.0F};
+    for (const LabelMark& each : marks)
+        circle.radius = std::max(circle.radius, glm::distance(circle.center, each.at));
+    return circle;
+}
+
+void drawSpotlight(const PanelContext& context) {
+    const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
+    if (marks.empty()) return;
+    const SpotCircle spot = circleAround(marks);
+    const float em = context.em;
+    const float radius = std::max(kLeastSpot * em, spot.radius + kMarginOfSpot * em);
+    // A ring that is wide enough to cover the rest of the view.
+    const glm::vec2& size = context.rects.view.size;
+    const float width = 2.0F * (size.x + size.y) + radius;
+    ScreenPainter painter(context);
+    painter.circle(spot.center, radius + 0.5F * width,
+                   painter.ink(&Palette::background, 1.0F - kStrengthBeyond).line(width));
+}
+
+void drawHalo(const PanelContext& context) {
+    const glm::vec2 pointer = pointerInWindow();
+    if (!context.rects.view.contains(pointer)) return;
+    const float radius = kHalo * context.em;
+    ScreenPainter painter(context);
+    painter.circle(pointer, radius, painter.ink(&Palette::pivot, 0.15F));
+    painter.circle(pointer, radius,
+                   painter.ink(&Palette::pivot, 0.8F).line(std::max(1.5F, 0.12F * context.em)));
+}
+
+/// In Present, the spotlight on the neighborhood of the pivot, if it is on, and the halo at the
+/// pointer.
+void drawForAudience(const PanelContext& context) {
+    if (context.rects.layoutPreset != LayoutPreset::Present || context.beside) return;
+    if (context.ui().spotlight) drawSpotlight(context);
+    drawHalo(context);
+}
+
+// The plane of the panel Section, marked in the view while the panel is open: where it cuts the
+// tangent plane, and the normal, named at the end that the panel has on the left: the tested point
+// is on the right.
+
+/// Length of the normal, as a share of the reach.
+constexpr double kNormalShare = 0.5;
+constexpr float kPlaneDash = 0.5F;
+
+void dashedLine(ScreenPainter& painter, glm::vec2 from, glm::vec2 to, const Ink& ink, float dash) {
+    const float length = glm::distance(from, to);
+    if (length <= 0.0F) return;
+    const glm::vec2 way = (to - from) / length;
+    for (float done = 0.0F; done < length; done += 2.0F * dash)
+        painter.line(from + done * way, from + std::min(done + dash, length) * way, ink);
+}
+
+/// The plane of the panel Section, while that is open.
+void drawSectionPlane(const PanelContext& context) {
+    const SectionPanel& panel = context.state<SectionPanel>();
+    const NormalSection& section = panel.made;
+    const bool shown = ImGui::GetFrameCount() - panel.shownIn <= 1;
+    if (context.beside || !shown || section.empty()) return;
+    const Model& model = context.session().shown();
+    const ScreenProjection screen(context);
+    const Vec3& pivot = model.points.position[section.pivot];
+    const auto at = [&](const Vec3& offset) { return screen.at(model.toView(pivot + offset)); };
+    const auto left = at(-section.reach * section.along);
+    const auto right = at(section.reach * section.along);
+    const auto foot = at(Vec3(0.0));
+    const auto tip = at(kNormalShare * section.reach * section.normal);
+    if (!left || !right || !foot || !tip) return;
+    const float em = context.em;
+    ScreenPainter painter(context);
+    const float width = painter.px(0.1F);
+    const Ink rim = painter.ink(&Palette::background, 0.7F).line(3.0F * width);
+    const Ink ink = painter.ink(&Palette::text);
+    for (const auto& [from, to] : {std::pair{*left, *right}, {*foot, *tip}}) {
+        dashedLine(painter, from, to, rim, kPlaneDash * em);
+        dashedLine(painter, from, to, ink.line(width), kPlaneDash * em);
+    }
+    const Type type{0.84F * em};
+    const Rect& view = context.rects.view;
+    const glm::vec2 room = painter.textSize("section", type) + glm::vec2(0.4F * em, 0.0F);
+    const glm::vec2 corner =
+        glm::clamp(*left - glm::vec2(0.2F * em + room.x, 0.4F * em), view.min, view.max() - room);
+    painter.box({corner, room}, painter.ink(&Palette::background, 0.75F), 0.15F * em);
+    painter.text({corner.x + 0.2F * em, corner.y}, "section", ink, type);
+}
+
+// The pins of places with faults that are too small to be seen.
+
+/// On a head of this strength a text in the color of the background can be read.
+constexpr float kReadableFrom = 0.6F;
+
+/// A pin of places with faults, and where it is.
+struct FaultPin {
+    Pin pin;
+    Rect head;
+    bool hovered = false;
+};
+
+Type pinType(const PanelContext& context) {
+    return {0.9F * context.em, Typeface::Strong, Align::Middle};
+}
+
+/// "3 places, first place 4: 1 hole of 3 edges."
+std::string tipOf(const Pin& pin, const RunFailureSearch& found) {
+    return (pin.count == 1 ? "Place " : withS(pin.count, "place") + ", the most severe: place ") +
+           grouped(pin.place + 1) + ", " + describe(found.places[pin.place], found.all) +
+           ".\nClick to show it.";
+}
+
+void drawHead(const PanelContext& context, const FaultPin& each) {
+    const float em = context.em;
+    ScreenPainter p(context);
+    const float alpha = each.hovered ? 1.0F : each.pin.strength;
+    const Rect& head = each.head;
+    const glm::vec2 foot(each.pin.tip.x, std::clamp(each.pin.tip.y, head.min.y, head.max().y));
+    const float line = std::max(1.5F, 0.12F * em);
+    const Ink ink = p.ink(&Palette::rejected, alpha);
+    // With a rim of the background, so that it stands out from loops of the same color.
+    const Ink rim = p.ink(&Palette::background, alpha);
+    p.line(each.pin.tip, foot, rim.line(3.0F * line));
+    p.line(each.pin.tip, foot, ink.line(line));
+    const float round = 0.5F * head.size.y;
+    p.box(head.min - line, head.max() + line, rim, round + line);
+    p.box(head, ink, round);
+    if (each.hovered) p.box(head, p.ink(&Palette::text).line(line), round);
+    if (each.pin.count == 1) return;
+    const Type type = pinType(context);
+    p.text({head.min.x + 0.5F * head.size.x,
+            std::round(head.min.y + 0.5F * (head.size.y - type.size))},
+           std::to_string(each.pin.count),
+           p.ink(alpha > kReadableFrom ? &Palette::background : &Palette::rejected), type);
+}
+
+/// The pins on the finished mesh; a click on one shows its most severe place. To be called before
+/// the scene takes the remaining clicks.
+std::vector<FaultPin> offerFaultPins(const PanelContext& context) {
+    std::vector<FaultPin> shown;
+    const RunFailureSearch* found = context.session().finishedFaults();
+    if (context.beside || found == nullptr || !showsFinishedMesh(context.commands)) return shown;
+    const Model& model = context.session().model();
+    const ScreenProjection projection(context);
+    std::vector<PinPlace> places;
+    for (const FaultPlace& each : found->places) {
+        const glm::vec3 center = model.toView(each.center);
+        // Outside of every view where it is behind the eye.
+        const glm::vec2 at = projection.at(center).value_or(context.rects.view.min - 1.0F);
+        places.push_back({at, projection.pixels(center, sizeOnMesh(model, each))});
+    }
+    for (const Pin& pin : pinsOf(places, context.rects.view, context.em)) {
+        const float width =
+            pin.count == 1
+                ? 0.0F
+                : ScreenPainter(context).textSize(std::to_string(pin.count), pinType(context)).x;
+        FaultPin each{pin, headOf(pin, width, context.rects.view, context.em)};
+        const std::string name = "pin " + std::to_string(pin.place + 1);
+        ImGui::SetCursorScreenPos(toVec2(each.head.min));
+        if (ImGui::InvisibleButton(("##" + name).c_str(), toVec2(each.head.size)))
+            showPlace(context.commands, pin.place);
+        each.hovered = ImGui::IsItemHovered();
+        nameItem(context, name, each.hovered ? tipOf(pin, *found) : "");
+        shown.push_back(each);
+    }
+    return shown;
+}
+
+void drawFaultPins(const PanelContext& context, std::span<const FaultPin> pins) {
+    // The most severe last, on top.
+    for (auto each = pins.rbegin(); each != pins.rend(); ++each) drawHead(context, *each);
+}
 
 /// The disc, a large sign of the pivot, and the arrow from its center to the tip, in em.
 constexpr float kDisc = 0.85F;

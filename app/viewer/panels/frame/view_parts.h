@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "layout/overlays.h"
-#include "layout/pins.h"
 #include "panels/panel.h"
 #include "scene/camera.h"
 
@@ -38,8 +37,6 @@ void drawPieceLine(const PanelContext& context);
 /// Drags a point while the panel What if is open. True while it takes the mouse. To be called right
 /// after the scene's own item.
 bool handleMoveTool(const PanelContext& context);
-/// The plane of the panel Section, while that is open.
-void drawSectionPlane(const PanelContext& context);
 /// The way of the point that is being dragged, and where its verdict turns.
 void drawMoveWay(const PanelContext& context);
 
@@ -56,18 +53,6 @@ Rect drawPlate(const PanelContext& context, const PlateText& text);
 
 /// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
-
-/// A pin of places with faults, and where it is.
-struct FaultPin {
-    Pin pin;
-    Rect head;
-    bool hovered = false;
-};
-
-/// The pins on the finished mesh; a click on one shows its most severe place. To be called before
-/// the scene takes the remaining clicks.
-std::vector<FaultPin> offerFaultPins(const PanelContext& context);
-void drawFaultPins(const PanelContext& context, std::span<const FaultPin> pins);
 
 /// Projection of the scene to the screen, in pixels of the window: for overlays.
 class ScreenProjection {
@@ -92,13 +77,12 @@ class ScreenProjection {
     CameraMatrices camera_;
 };
 
-/// In Present, the spotlight on the neighborhood of the pivot, if it is on, and the halo at the
-/// pointer.
-void drawForAudience(const PanelContext& context);
+// The parts of the strip below the view.
 
-/// The step of a lesson is the caption.
-bool showsLessonCaption(const PanelContext& context);
-/// Draws it, with the decision at the cursor below it. Requires showsLessonCaption().
-void drawLessonCaption(const PanelContext& context, const std::string& decision);
+/// The area of the bars of a strip: `top` below its upper edge, with a margin on both sides. Test
+/// scripts find it as "strip run".
+Rect beginStrip(const PanelContext& context, const char* name, const Rect& strip, float height,
+                float top);
+void drawRunStrip(const PanelContext& context, const Rect& area);
 
 }  // namespace se::view

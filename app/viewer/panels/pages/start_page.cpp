@@ -5,7 +5,7 @@
 
 #include "document/document.h"
 #include "document/ui_state.h"
-#include "input/tab_order.h"
+#include "input/key_routing.h"
 #include "panels/widgets/widgets.h"
 #include "run/model.h"
 #include "session/session.h"

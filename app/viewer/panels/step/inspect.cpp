@@ -4,7 +4,7 @@
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "scene/palette.h"
 #include "session/selection_facts.h"
 #include "session/session.h"

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "document/ui_state.h"
-#include "input/tab_order.h"
+#include "input/key_routing.h"
 #include "paint/shapes.h"
 #include "panels/widgets/screen_painter.h"
-#include "rows/ring_slice.h"
+#include "rows/lane_picture.h"
 #include "scene/framing.h"
 #include "session/session.h"
 

@@ -10,7 +10,7 @@
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
 #include "panels/widgets/screen_painter.h"
-#include "rows/dial_looks.h"
+#include "rows/pivot_dial.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "input/tab_order.h"
+#include "input/key_routing.h"
 #include "layout/step_columns.h"
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
@@ -293,9 +293,9 @@ float stepArrowEnd(const PanelContext& context, const StepRow& row) {
 void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
                  const StepColumns& columns) {
     RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
-    constexpr std::array kDraw = {drawComponent, drawPivot, drawStage, drawTest};
-    static_assert(static_cast<std::size_t>(StepRowKind::Test) + 1 == kDraw.size());
-    kDraw[static_cast<std::size_t>(row.kind)](context, pen, row);
+    constexpr std::array kDrawKind = {drawComponent, drawPivot, drawStage, drawTest};
+    static_assert(static_cast<std::size_t>(StepRowKind::Test) + 1 == kDrawKind.size());
+    kDrawKind[static_cast<std::size_t>(row.kind)](context, pen, row);
 }
 
 void goTo(const PanelContext& context, const StepRow& row) {

@@ -5,8 +5,8 @@
 #include "panel_state/side_panels.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
-#include "rows/line_text.h"
-#include "run/number_format.h"
+#include "rows/evidence_rows.h"
+#include "run/strings.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -11,12 +11,11 @@
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
 #include "rows/evidence_rows.h"
-#include "rows/line_text.h"
-#include "run/number_format.h"
+#include "run/strings.h"
 #include "screen_painter.h"
-#include "session/line_position.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "session/view_position.h"
 
 namespace se::view {
 

@@ -3,14 +3,17 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "panel_state/prepare_form.h"
+#include "panel_state/forms.h"
 #include "panels/panel.h"
 #include "run/strings.h"
 
@@ -154,7 +157,7 @@ std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
 std::string addressAndSection(const Session& session);
 
-// ---- boxes.cpp: dialogs, plates over the view, the view itself ----
+// ---- Dialogs, plates over the view, the view itself ----
 inline void fill(ImDrawList* list, const Rect& rect, const Color& color, float rounding = 0.0F) {
     list->AddRectFilled(toVec2(rect.min), toVec2(rect.max()), toU32(color), rounding);
 }
@@ -177,19 +180,40 @@ void offerView(const PanelContext& context);
 /// The rendered picture of the view.
 void drawViewPicture(const PanelContext& context);
 
-// ---- camera_mouse.cpp: orbit, pan and zoom with the mouse, in any view ----
+// ---- Orbit, pan and zoom with the mouse, in any view ----
 /// Moves the camera by the mouse on the item drawn last, which must fill the view.
 void moveCameraByMouse(const PanelContext& context);
 /// A press of the button on the item drawn last that was no drag, when it ends. To be called after
 /// moveCameraByMouse().
 bool isClick(const PanelContext& context, ImGuiMouseButton button);
 
-// ---- prepare_fields.cpp: what is derived from the points of an input ----
+// ---- What is derived from the points of an input ----
 /// True if Enter was pressed in one of them. Test scripts find the items as `prefix` and their
 /// names.
 bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix);
 
 /// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
 bool drawBoxFields(const PanelContext& context, BoxFields& fields);
+
+// The three axes in a corner of a view; a click on an end looks from there.
+
+/// An end of an axis.
+struct AxisEnd {
+    std::size_t axis = 0;  ///< 0 to 2: x, y, z.
+    bool positive = true;
+    glm::vec2 at{0.0F};  ///< Middle, in pixels of the window.
+    float near = 0.0F;   ///< From -1, away from the eye, to 1, toward it.
+    bool hovered = false;
+};
+
+struct AxisGizmo {
+    Rect plate;                   ///< In pixels of the window.
+    std::array<AxisEnd, 6> ends;  ///< The nearest to the eye first.
+};
+
+/// Takes clicks on the ends, in the lower left corner of the view, or in another one beside
+/// `taken`; nothing if there is no room. To be called before the scene takes the remaining clicks.
+std::optional<AxisGizmo> offerAxes(const PanelContext& context, std::span<const Rect> taken);
+void drawAxes(const PanelContext& context, const AxisGizmo& gizmo);
 
 }  // namespace se::view
