@@ -67,6 +67,21 @@ std::string fanText(const std::vector<Index>& points) {
     return text;
 }
 
+/// The event of B that matches A's event at `cursor`, in the same pivot: that of the same
+/// address, otherwise the last one of no later stage. Requires that B has events.
+std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
+    assert(!b.empty());
+    const std::size_t last = b.size() - 1;
+    if (cursor >= a.size() || cursor + 1 == a.size()) return last;
+    const Address& here = a[cursor].address;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        if (b[i].address == here) return i;
+        if (b[i].address.stage <= here.stage) found = i;
+    }
+    return found;
+}
+
 }  // namespace
 
 TraceReplay::TraceReplay(teach::Trace trace, std::vector<Triangle> given, std::size_t pointCount)
@@ -179,19 +194,6 @@ std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot) 
     return from + static_cast<std::uint32_t>(gone * (alignment.endB - from) / left);
 }
 
-std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
-    assert(!b.empty());
-    const std::size_t last = b.size() - 1;
-    if (cursor >= a.size() || cursor + 1 == a.size()) return last;
-    const Address& here = a[cursor].address;
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-        if (b[i].address == here) return i;
-        if (b[i].address.stage <= here.stage) found = i;
-    }
-    return found;
-}
-
 namespace {
 
 /// No pivot: the other run has no request.
@@ -228,8 +230,8 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
 }
 
 /// The run, and a mesh that is finished already.
-std::string compareMesh(Compared& found, const std::string& path, const ByteLimit& limit,
-                        const Progress& progress) {
+std::string compareWithMesh(Compared& found, const std::string& path, const ByteLimit& limit,
+                            const Progress& progress) {
     const Result<PointFile> file = readPoints(std::filesystem::path(path), limit, unpackGzip);
     if (!file) return file.error().message;
     if (file.value().faces.empty()) return path + " has no triangles to compare with.";
@@ -292,7 +294,7 @@ Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Mode
     found->a = a;
     found->b = b;
     std::string complaint =
-        b ? compareTwo(*found, progress) : compareMesh(*found, mesh, limit, progress);
+        b ? compareTwo(*found, progress) : compareWithMesh(*found, mesh, limit, progress);
     if (!complaint.empty()) return Error{std::move(complaint)};
     compareTriangles(*found);
     return std::shared_ptr<const Compared>(std::move(found));

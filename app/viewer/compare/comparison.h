@@ -85,10 +85,6 @@ std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot);
 /// True if both are in the same pivot: then B follows stage by stage, otherwise by whole pivots.
 bool inStep(const RunAlignment& alignment, std::uint32_t pivot);
 
-/// The event of B that matches A's event at `cursor`, in the same pivot: that of the same
-/// address, otherwise the last one of no later stage. Requires that B has events.
-std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b);
-
 /// Result of a comparison. The meshes of the runs are those after the last step.
 struct Compared {
     std::shared_ptr<const Model> a;

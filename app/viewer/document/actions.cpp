@@ -427,17 +427,7 @@ void moveTo(CommandContext& context, CameraMove::Kind kind, void (*frame)(Comman
     context.ui.cameraMove.begin(context.camera, aim.pose(), kind);
 }
 
-}  // namespace
-
-void frameDecision(CommandContext& context, std::optional<glm::vec3> from) {
-    const Session& session = context.session;
-    if (!session.ready()) return;
-    const Figure* figure = figureOfSource(session.input().spec().source);
-    if (figure != nullptr && !from) from = glm::vec3(figure->view);
-    lookAtDecision(session.shown(), session.picture(), session.shownTriangles(),
-                   context.ui.viewPart(), context.camera, from);
-}
-
+/// Frames the selection, else the decision at the cursor, else everything.
 void frameFocus(CommandContext& context) {
     const Session& session = context.session;
     if (!session.ready()) return;
@@ -447,6 +437,17 @@ void frameFocus(CommandContext& context) {
         return frameSelected(session.shown(), selected, context.ui.viewPart(), context.camera);
     if (picture.pivot == kNone && picture.underTest == kNone) return actions::frameAll(context);
     frameDecision(context);
+}
+
+}  // namespace
+
+void frameDecision(CommandContext& context, std::optional<glm::vec3> from) {
+    const Session& session = context.session;
+    if (!session.ready()) return;
+    const Figure* figure = figureOfSource(session.input().spec().source);
+    if (figure != nullptr && !from) from = glm::vec3(figure->view);
+    lookAtDecision(session.shown(), session.picture(), session.shownTriangles(),
+                   context.ui.viewPart(), context.camera, from);
 }
 
 void frameStep(CommandContext& context, bool all, const std::optional<Vec3>& direction) {

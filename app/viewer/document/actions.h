@@ -132,8 +132,6 @@ void swing(CommandContext& c);
 /// Frames the decision at the cursor: from that direction, a figure as the paper shows it, others
 /// from the side that shows them best. No effect where there is none.
 void frameDecision(CommandContext& context, std::optional<glm::vec3> from = {});
-/// Frames the selection, else the decision at the cursor, else everything.
-void frameFocus(CommandContext& context);
 /// Frames a step of a lesson: everything, or the decision at the cursor where there is one; from
 /// that direction, if it has one.
 void frameStep(CommandContext& context, bool all, const std::optional<Vec3>& direction);

@@ -25,6 +25,40 @@ RunSpec rulesWith(const RunSpec& rules, const Remedy& remedy) {
     return withRule(rules, remedy.rule->name, 1.0);
 }
 
+/// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
+/// without a fault was found.". Requires alerts of the new run.
+std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
+    assert(alerts.done());
+    const std::vector<MeshFailure>& all = alerts.found()->all;
+    const auto wider = static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(),
+        [&](const MeshFailure& each) { return isLoop(each) && widthOf(each) > closing.width; }));
+    const std::size_t open = alerts.openLoops().count;
+    const std::size_t closed = closing.before > open ? closing.before - open : 0;
+    std::string text = "Closed " + grouped(closed) + " of " + grouped(closing.before) +
+                       (closing.before == 1 ? " open loop" : " open loops");
+    if (wider > 0) text += "; " + grouped(wider) + " wider than " + shortNumber(closing.width);
+    const std::size_t refused = open - wider;
+    if (refused > 0) text += "; for " + grouped(refused) + " no filling without a fault was found";
+    return text + ".";
+}
+
+/// Called when the alerts of an input are known. A newly opened input without any user action
+/// yet opens on its finished mesh if that has faults. True if it does.
+bool openOnVerdict(CommandContext& context) {
+    Session& session = context.session;
+    const bool untouched =
+        session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
+        session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
+    if (session.alerts().sound() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug)
+        return false;
+    // The notice about the input stays.
+    const std::string notice = session.messages().notice();
+    session.moves().toEnd();
+    session.messages().say(notice);
+    return true;
+}
+
 }  // namespace
 
 std::string_view momentName(AlertMoment moment) {
@@ -214,40 +248,10 @@ void closeHoles(CommandContext& context, double width) {
     context.document.rerun(withRule(rules, "holewidth", width), Resume::End);
 }
 
-std::string closedText(const HoleClosing& closing, const RunAlerts& alerts) {
-    assert(alerts.done());
-    const std::vector<MeshFailure>& all = alerts.found()->all;
-    const auto wider = static_cast<std::size_t>(std::count_if(
-        all.begin(), all.end(),
-        [&](const MeshFailure& each) { return isLoop(each) && widthOf(each) > closing.width; }));
-    const std::size_t open = alerts.openLoops().count;
-    const std::size_t closed = closing.before > open ? closing.before - open : 0;
-    std::string text = "Closed " + grouped(closed) + " of " + grouped(closing.before) +
-                       (closing.before == 1 ? " open loop" : " open loops");
-    if (wider > 0) text += "; " + grouped(wider) + " wider than " + shortNumber(closing.width);
-    const std::size_t refused = open - wider;
-    if (refused > 0) text += "; for " + grouped(refused) + " no filling without a fault was found";
-    return text + ".";
-}
-
 void showBeside(CommandContext& context, const Remedy& remedy) {
     const RunSpec& spec = context.session.input().spec();
     actions::enterCompare(context);
     context.compare.begin(CompareWith::otherRun(withRulesOf(spec, rulesWith(spec, remedy))));
-}
-
-bool openOnVerdict(CommandContext& context) {
-    Session& session = context.session;
-    const bool untouched =
-        session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
-        session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
-    if (session.alerts().sound() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug)
-        return false;
-    // The notice about the input stays.
-    const std::string notice = session.messages().notice();
-    session.moves().toEnd();
-    session.messages().say(notice);
-    return true;
 }
 
 namespace {

@@ -70,15 +70,8 @@ std::string openText(const OpenLoops& loops);
 /// Runs the input again, to its end, with holes and openings closed up to a width in the unit of
 /// the file; 0: as the rules say. With the robust rules if those of the input close no holes.
 void closeHoles(CommandContext& context, double width);
-/// The outcome of that request: "Closed 3 of 14 open loops; 9 wider than 0.2; for 2 no filling
-/// without a fault was found.". Requires alerts of the new run.
-std::string closedText(const HoleClosing& closing, const RunAlerts& alerts);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this position.
 void showBeside(CommandContext& context, const Remedy& remedy);
-
-/// Called when the alerts of an input are known. A newly opened input without any user action
-/// yet opens on its finished mesh if that has faults. True if it does.
-bool openOnVerdict(CommandContext& context);
 
 // Shows the alert of the command line, that of the session, or the finished mesh with its faults,
 // once the alerts of a run are known. Independent of window and OpenGL.

@@ -222,14 +222,8 @@ constexpr std::array kPresets = {
     BreakPreset{"An alert is raised", "", [](auto&) { return QueryLine("alert"); }},
 };
 
-}  // namespace
-
-Index BreakSubject::point() const {
-    return selected.kind == SelectionKind::Point ? selected.points[0] : pivot;
-}
-
-std::span<const BreakPreset> breakPresets() { return kPresets; }
-
+/// The line for "break here": the selection, otherwise this kind of decision. Empty at the start of
+/// the run.
 std::optional<std::string> lineHere(const BreakSubject& subject) {
     const auto corners = subject.selected.corners();
     if (corners.size() == 1) return "point=" + std::to_string(corners[0]);
@@ -241,6 +235,14 @@ std::optional<std::string> lineHere(const BreakSubject& subject) {
     }
     return thisKind(subject);
 }
+
+}  // namespace
+
+Index BreakSubject::point() const {
+    return selected.kind == SelectionKind::Point ? selected.points[0] : pivot;
+}
+
+std::span<const BreakPreset> breakPresets() { return kPresets; }
 
 std::string amongLine(std::span<const Index> points) {
     return "among=" + rangesText(rangesOf(points));

@@ -67,10 +67,6 @@ struct BreakPreset {
 };
 std::span<const BreakPreset> breakPresets();
 
-/// The line for "break here": the selection, otherwise this kind of decision. Empty at the start of
-/// the run.
-std::optional<std::string> lineHere(const BreakSubject& subject);
-
 /// "among=3..6,40"; `points` ascending.
 std::string amongLine(std::span<const Index> points);
 

@@ -29,14 +29,15 @@ constexpr std::array kFormats{
                  openMp4Writer},
 };
 
-}  // namespace
-
-std::span<const ExportFormat> exportFormats() { return kFormats; }
-
+/// Whether the path names a folder, to be filled with numbered files.
 bool namesFolder(const fs::path& path) {
     std::error_code error;
     return path.filename().empty() || fs::is_directory(path, error);
 }
+
+}  // namespace
+
+std::span<const ExportFormat> exportFormats() { return kFormats; }
 
 const ExportFormat* exportFormatOf(const fs::path& path) {
     const std::string extension = namesFolder(path) ? ".png" : lowerExtension(path);

@@ -120,9 +120,6 @@ const ExportFormat* exportFormatOf(const std::filesystem::path& path);
 /// ".png, .svg or .gif"
 std::string exportExtensions();
 
-/// Whether the path names a folder, to be filled with numbered files.
-bool namesFolder(const std::filesystem::path& path);
-
 /// Fails early, before any work: an unknown extension, a missing program, a place that cannot be
 /// written, or no background where there must be one.
 Status checkExport(const ExportOrder& order, bool cutOut);

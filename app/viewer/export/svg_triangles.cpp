@@ -139,7 +139,7 @@ class TriangleCollector {
 };
 
 /// Twice the area on the screen; above 0 if the front faces the eye.
-float areaOf(const SvgTriangle& t) {
+float screenArea(const SvgTriangle& t) {
     const glm::vec2 a(t.screen[1] - t.screen[0]);
     const glm::vec2 b(t.screen[2] - t.screen[0]);
     return -(a.x * b.y - a.y * b.x);
@@ -152,7 +152,7 @@ float heightOf(const SvgTriangle& t) {
         longest = std::max(longest,
                            glm::distance(glm::vec2(t.screen[i]), glm::vec2(t.screen[(i + 1) % 3])));
     }
-    return std::abs(areaOf(t)) / longest;
+    return std::abs(screenArea(t)) / longest;
 }
 
 /// The light of shaders/mesh.frag.
@@ -177,7 +177,7 @@ float shadeOf(const SvgTriangle& t, const ScreenSpace& screen) {
         std::pow(std::max(glm::dot(normal, glm::normalize(key + toEye)), 0.0F), 30.0F);
     const float shade = 0.30F + 0.14F * sky + 0.12F * std::max(glm::dot(normal, toEye), 0.0F) +
                         0.45F * lit + 0.07F * gloss;
-    return areaOf(t) > 0.0F ? shade : 0.6F * shade;
+    return screenArea(t) > 0.0F ? shade : 0.6F * shade;
 }
 
 std::string outlineOf(const SvgTriangle& t) {

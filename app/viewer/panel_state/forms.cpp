@@ -39,12 +39,12 @@ Result<SampleSpec> surfaceIn(const GrowthForm& form) {
     return spec;
 }
 
-}  // namespace
-
 BoxFields boxFields(const WallBox& box) {
     return {exact(box.low.x),  exact(box.low.y),  exact(box.low.z),
             exact(box.high.x), exact(box.high.y), exact(box.high.z)};
 }
+
+}  // namespace
 
 Result<WallBox> boxFromFields(const BoxFields& fields) {
     std::string text;

@@ -18,7 +18,6 @@ enum class GrowthSource : std::uint8_t { Shape, Volume };
 
 /// Six numbers as typed, the lower corner first.
 using BoxFields = std::array<std::string, 6>;
-BoxFields boxFields(const WallBox& box);
 /// Fails with a sentence if the fields are no box.
 Result<WallBox> boxFromFields(const BoxFields& fields);
 

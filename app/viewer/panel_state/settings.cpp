@@ -148,13 +148,23 @@ std::string wordIn(const json& object, const char* name) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
+bool flagIn(const json& object, const char* name, bool otherwise) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
+}
+
+/// An empty object if there is none.
+json objectIn(const json& object, const char* name) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_object() ? *found : json::object();
+}
+
 /// "keys": {"step.pivot.next": "F10 ."}
 KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
     KeyMap map;
     KeyMap::Changes wanted;
-    const auto found = object.find("keys");
-    if (found == object.end() || !found->is_object()) return map;
-    for (const auto& [id, keys] : found->items()) {
+    const json chosen = objectIn(object, "keys");
+    for (const auto& [id, keys] : chosen.items()) {
         if (keys.is_string()) wanted[id] = keys.get<std::string>();
     }
     complaints = map.load(wanted);
@@ -177,13 +187,8 @@ std::string fromAnywhere(const std::string& source) {
 }
 
 PanelSizes panelSizesIn(const json& object) {
-    PanelSizes sizes;
-    const auto found = object.find("panels");
-    if (found == object.end() || !found->is_object()) return sizes;
-    sizes.column = fieldIn(*found, "column", 1.0F, 1000.0F, 0.0F);
-    const auto folded = found->find("columnFolded");
-    sizes.folded = folded != found->end() && folded->is_boolean() && folded->get<bool>();
-    return sizes;
+    const json panels = objectIn(object, "panels");
+    return {fieldIn(panels, "column", 1.0F, 1000.0F, 0.0F), flagIn(panels, "columnFolded", false)};
 }
 
 /// Only what the user has changed.
@@ -196,11 +201,10 @@ json toJson(const PanelSizes& sizes) {
 
 FoldedParts foldedPartsIn(const json& object) {
     FoldedParts parts;
-    const auto found = object.find("parts");
-    if (found == object.end() || !found->is_object()) return parts;
+    const json all = objectIn(object, "parts");
     for (const PartRow& part : partRows()) {
-        const auto open = found->find(std::string(part.title));
-        if (open != found->end() && open->is_boolean()) setOpen(parts, part, open->get<bool>());
+        const auto open = all.find(std::string(part.title));
+        if (open != all.end() && open->is_boolean()) setOpen(parts, part, open->get<bool>());
     }
     return parts;
 }
@@ -213,12 +217,8 @@ ViewSettings settingsFrom(const json& object, Theme usualTheme) {
     s.width = fieldIn(object, "width", 320, 16384, s.width);
     s.height = fieldIn(object, "height", 240, 16384, s.height);
     s.playRate = fieldIn(object, "playRate", Playback::kSlowest, Playback::kFastest, s.playRate);
-    if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
-        s.legend = legend->get<bool>();
-    }
-    if (const auto names = object.find("names"); names != object.end() && names->is_boolean()) {
-        s.names = names->get<bool>();
-    }
+    s.legend = flagIn(object, "legend", s.legend);
+    s.names = flagIn(object, "names", s.names);
     s.panels = panelSizesIn(object);
     s.parts = foldedPartsIn(object);
     s.keys = keysIn(object, s.complaints);
@@ -255,10 +255,9 @@ json toJson(const ViewSettings& s) {
 KeptState keptStateFrom(const json& object) {
     KeptState state;
     state.layout = layoutPresetFromName(wordIn(object, "layout")).value_or(state.layout);
-    if (const auto lessons = object.find("lessons");
-        lessons != object.end() && lessons->is_object()) {
-        for (const auto& [source, step] : lessons->items())
-            if (step.is_number_unsigned()) state.lessons[source] = step.get<std::size_t>();
+    const json lessons = objectIn(object, "lessons");
+    for (const auto& [source, step] : lessons.items()) {
+        if (step.is_number_unsigned()) state.lessons[source] = step.get<std::size_t>();
     }
     const auto recent = object.find("recent");
     if (recent == object.end() || !recent->is_array()) return state;
@@ -278,8 +277,7 @@ json toJson(const KeptState& state) {
     return object;
 }
 
-}  // namespace
-
+/// The folder named by the variable, or `below` the home folder. Empty if there is no home.
 fs::path xdgFolder(const char* variable, const char* below) {
     // The XDG standard: relative paths are ignored.
     if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
@@ -289,6 +287,8 @@ fs::path xdgFolder(const char* variable, const char* below) {
     if (home == nullptr || home[0] != '/') return {};
     return fs::path(home) / below;
 }
+
+}  // namespace
 
 fs::path settingsPath() {
     const fs::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");

@@ -42,8 +42,6 @@ struct ViewSettings {
     std::optional<UpAxis> up;  ///< For files; empty: guessed for each.
 };
 
-/// The folder named by the variable, or `below` the home folder. Empty if there is no home.
-std::filesystem::path xdgFolder(const char* variable, const char* below);
 /// $XDG_CONFIG_HOME/spiraling-edge/settings.json, or below ~/.config. Empty if there is no home.
 std::filesystem::path settingsPath();
 

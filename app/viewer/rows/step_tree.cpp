@@ -46,6 +46,19 @@ bool hasNumber(std::string_view text, std::string_view number) {
     return false;
 }
 
+std::vector<StageRun> stageRuns(const std::vector<Event>& events) {
+    std::vector<StageRun> runs;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const Stage stage = events[i].address.stage;
+        if (runs.empty() || runs.back().stage != stage) runs.push_back({stage, i, i, 0, 0});
+        StageRun& run = runs.back();
+        run.end = i + 1;
+        if (verdictOf(events[i])) ++run.tests;
+        if (outcomeOf(events[i]) == Outcome::Refused) ++run.refused;
+    }
+    return runs;
+}
+
 }  // namespace
 
 StepFilter::StepFilter(std::string_view text) {
@@ -84,19 +97,6 @@ bool StepFilter::matches(const Event& event) const {
 }
 
 // ---- the tree -------------------------------------------------------------------------------
-
-std::vector<StageRun> stageRuns(const std::vector<Event>& events) {
-    std::vector<StageRun> runs;
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        const Stage stage = events[i].address.stage;
-        if (runs.empty() || runs.back().stage != stage) runs.push_back({stage, i, i, 0, 0});
-        StageRun& run = runs.back();
-        run.end = i + 1;
-        if (verdictOf(events[i])) ++run.tests;
-        if (outcomeOf(events[i]) == Outcome::Refused) ++run.refused;
-    }
-    return runs;
-}
 
 void StepTree::update(const RunOverview& run, std::uint32_t generation, const PivotRecord& record,
                       std::size_t cursor) {

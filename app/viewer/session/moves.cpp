@@ -236,8 +236,8 @@ constexpr std::chrono::milliseconds kAnswerTimeout{2};
 constexpr std::size_t kMaxMoves = 64;
 
 /// Moves the nearest position of `from` out, and `here` onto `to`.
-std::optional<std::string> step(std::vector<std::string>& from, std::vector<std::string>& to,
-                                std::string here) {
+std::optional<std::string> stepThrough(std::vector<std::string>& from, std::vector<std::string>& to,
+                                       std::string here) {
     if (from.empty()) return std::nullopt;
     std::string place = std::move(from.back());
     from.pop_back();
@@ -255,11 +255,11 @@ void History::leave(std::string place) {
 }
 
 std::optional<std::string> History::back(std::string here) {
-    return step(before_, after_, std::move(here));
+    return stepThrough(before_, after_, std::move(here));
 }
 
 std::optional<std::string> History::forward(std::string here) {
-    return step(after_, before_, std::move(here));
+    return stepThrough(after_, before_, std::move(here));
 }
 
 std::uint32_t Moves::runnerPosition() const {

@@ -1,4 +1,4 @@
-#include "layout/step_columns.h"
+#include "rows/step_tree.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,8 @@
-#include "session/point_drag.h"
+#include "session/session.h"
 
 #include <doctest/doctest.h>
 
 #include "open_session.h"
-#include "session/session.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/timeline.h"
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "input/key_routing.h"
-#include "layout/step_columns.h"
 #include "paint/shapes.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
