@@ -14,7 +14,7 @@
 #include "panel_state/settings.h"
 #include "panel_state/side_panels.h"
 #include "panels/panel.h"
-#include "panels/widgets/widgets.h"
+#include "panels/widgets/screen_painter.h"
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
