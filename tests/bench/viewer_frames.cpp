@@ -138,7 +138,7 @@ int open(Offscreen& target, Application& application, test::OpeningTimes& times)
     if (const auto status = application.start(1.0F); !status)
         return fail(kExitNoDisplay, status.error().message);
     // Nothing else runs beside the frames.
-    application.session().alerts().search().setFollows(false);
+    application.session().alerts().setFollows(false);
     const auto draw = [&] {
         target.beginFrame();
         application.frame(target.size(), 1.0 / 60.0);

@@ -69,7 +69,7 @@ TEST_CASE("Doctor: a finding marks its place in the rail, a click on it shows it
     }
     DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice())}, {1600, 980});
     CHECK(app["findings"] == R"(["duplicates","zero_normals","open_border"])");
-    CHECK(app["aside"] == R"({"copy":1})");
+    CHECK(app["aside"] == R"({"duplicates":1})");
     CHECK(app["task"] != "Input");
     CHECK(app.shows("news Input"));
     app.part("Doctor");
