@@ -225,7 +225,7 @@ std::string leftOverSentence(const RunOutcome& outcome) {
     const auto add = [&](std::size_t count, const char* what) {
         if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
     };
-    // Points that were set aside have no neighbors, and are said above.
+    // Points that were set aside have no neighbors, and are listed above.
     const auto besides = [&](std::size_t count) { return count - std::min(count, aside); };
     add(besides(outcome.state.counters.isolated), "isolated");
     add(outcome.state.counters.stranded, "stranded");

@@ -93,19 +93,14 @@ std::string normalsSentence(const InputFacts& facts, bool given) {
             fmt::format(", but {} zero or not finite: a run derives these", facts.completedNormals);
     if (!facts.normalsFit)
         text += fmt::format(
-            "; they do not fit: {:.0f} degrees off the planes of the points in the "
-            "median",
-            facts.normalDegrees);
+            "; they do not fit: {:.1f} degrees off the planes of the points in the median, {} of "
+            "{} "
+            "within 30",
+            facts.normalDegrees, facts.nearNormals, facts.measuredNormals);
     if (facts.flippedNormals > 0)
         text += fmt::format("; {} against those about them", facts.flippedNormals);
     if (facts.unscaledNormals > 0)
         text += fmt::format("; {} not of unit length", facts.unscaledNormals);
-    return text;
-}
-
-std::string piecesSentence(const InputFacts& facts) {
-    std::string text = facts.pieces > 0 ? counted(facts.pieces, "piece") : "";
-    if (facts.openings > 0) appendPart(text, counted(facts.openings, "opening"));
     return text;
 }
 
@@ -116,39 +111,41 @@ void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer) {
     answer.line("spacing", spacingSentence(facts));
     answer.line("normals", normalsSentence(facts, givenNormals));
     answer.line("", averagedText(facts.averagedNormals));
-    answer.line("set aside", setAsideSentence(facts.aside));
+    answer.line("set aside", setAsideSentence(facts.asideAlways()));
+    answer.line("by robust", setAsideSentence(facts.asideByRobust()));
     if (facts.twins > 0)
         answer.line("twins", fmt::format("{} much nearer to another than to the rest",
                                          counted(facts.twins, "point")));
-    answer.line("pieces", piecesSentence(facts));
+    answer.line("shape", piecesText(facts));
 }
 
 Json inputFactsJson(const InputFacts& facts) {
-    return {{"points", facts.points},
-            {"in_run", facts.count(Aside::No)},
-            {"set_aside", setAsideJson(facts.aside)},
-            {"twins", facts.twins},
-            {"box",
-             {{"low", {facts.low.x, facts.low.y, facts.low.z}},
-              {"high", {facts.high.x, facts.high.y, facts.high.z}}}},
-            {"nearest_distance",
-             {{"least", facts.nearestLeast},
-              {"mean", facts.nearestMean},
-              {"median", facts.nearestMedian},
-              {"most", facts.nearestMost}}},
-            {"lines", facts.across > 0.0 ? Json({{"along", facts.along}, {"across", facts.across}})
-                                         : Json()},
-            {"normals",
-             {{"given", facts.hasNormals},
-              {"fit", facts.normalsFit},
-              {"degrees_off", facts.normalDegrees},
-              {"flipped", facts.flippedNormals},
-              {"completed_normals", facts.completedNormals},
-              {"unscaled_normals", facts.unscaledNormals},
-              {"averaged_normals", facts.averagedNormals},
-              {"parts_of_unknown_side", facts.unknownSides}}},
-            {"pieces", facts.pieces},
-            {"openings", facts.openings}};
+    return {
+        {"points", facts.points},
+        {"in_run", facts.count(Aside::No)},
+        {"set_aside", setAsideJson(facts.aside)},
+        {"twins", facts.twins},
+        {"box", facts.measured == 0 ? Json()
+                                    : Json({{"low", {facts.low.x, facts.low.y, facts.low.z}},
+                                            {"high", {facts.high.x, facts.high.y, facts.high.z}}})},
+        {"nearest_distance",
+         {{"least", facts.nearestLeast},
+          {"mean", facts.nearestMean},
+          {"median", facts.nearestMedian},
+          {"most", facts.nearestMost}}},
+        {"lines",
+         facts.across > 0.0 ? Json({{"along", facts.along}, {"across", facts.across}}) : Json()},
+        {"normals",
+         {{"given", facts.hasNormals},
+          {"fit", facts.normalsFit},
+          {"degrees_off", facts.normalDegrees},
+          {"flipped", facts.flippedNormals},
+          {"completed_normals", facts.completedNormals},
+          {"unscaled_normals", facts.unscaledNormals},
+          {"averaged_normals", facts.averagedNormals},
+          {"parts_of_unknown_side", facts.unknownSides}}},
+        {"pieces", facts.pieces},
+        {"openings", facts.openings}};
 }
 
 std::string keptSentence(const KeptPoints& points) {

@@ -30,7 +30,7 @@ std::span<const MeshDefect> meshDefects();
 std::string defectSentence(const MeshReport& mesh);
 /// "15 not finite, 50 copies of another point": numbers of points by Aside; empty if all are 0.
 std::string setAsideSentence(const std::array<std::size_t, kAsides>& aside);
-/// The same as an object by reason.
+/// An object with those numbers by reason.
 Json setAsideJson(const std::array<std::size_t, kAsides>& aside);
 /// The record of the input as lines: spacing, normals, points set aside, twins, pieces; in JSON as
 /// `facts`. `givenNormals`: the file has a column of normals.

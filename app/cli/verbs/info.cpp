@@ -89,9 +89,12 @@ void addPoints(const Contents& contents, Answer& answer) {
     answer.line("kept", keptSentence(contents.points));
     answer.line("columns", columnsSentence(file.columns));
     addNotes(file.notes, answer);
-    answer.line("box",
-                fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}", low.x,
-                            low.y, low.z, high.x, high.y, high.z, boxDigits(contents.facts)));
+    if (contents.facts.measured > 0) {
+        answer.line("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} "
+                                       "{5:.{6}g}",
+                                       low.x, low.y, low.z, high.x, high.y, high.z,
+                                       boxDigits(contents.facts)));
+    }
     addInputFacts(contents.facts, file.hasNormals(), answer);
 }
 

@@ -30,13 +30,14 @@ void DoctorJob::start() {
 void DoctorJob::tryFixes() {
     assert(done());
     // Without threads the window would wait for the runs.
-    if (!usesThreads() || examined_->position.size() > kManyForFixes) return;
-    fixes_.start([file = examined_,
-                  diagnosis = *answer()](const Progress& progress) mutable -> Result<Diagnosis> {
-        const Status tried = se::tryFixes(*file, diagnosis, progress);
-        // An input that cannot be run was not opened; without effects the findings stay.
-        return tried ? Result<Diagnosis>(std::move(diagnosis)) : tried.error();
-    });
+    if constexpr (kHasThreads) {
+        if (!usesThreads() || examined_->position.size() > kManyForFixes) return;
+        fixes_.start([file = examined_, diagnosis = *answer()](
+                         const Progress& progress) mutable -> Result<Diagnosis> {
+            const Status tried = se::tryFixes(*file, diagnosis, progress);
+            return tried ? Result<Diagnosis>(std::move(diagnosis)) : tried.error();
+        });
+    }
 }
 
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std::size_t limit) {

@@ -31,8 +31,8 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
         return fixes_.answer() != nullptr ? fixes_.answer()->findings : answer()->findings;
     }
 
-    /// InputFacts in words; empty before the examination is done.
-    std::string sizeText() const { return done() ? se::sizeText(answer()->facts) : std::string{}; }
+    /// The record of the input. Requires done().
+    const InputFacts& facts() const { return answer()->facts; }
 
   private:
     std::shared_ptr<const PointFile> file_;      ///< Null once it is examined.

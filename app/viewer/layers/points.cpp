@@ -255,7 +255,7 @@ void addSelection(const LayerInput& in, DrawList& out) {
 
 /// Highlighted points, such as those of a finding: a ring around each, over everything else.
 void addMarked(const LayerInput& in, DrawList& out) {
-    constexpr float kLineWidth = 1.5F;
+    constexpr float kLineWidth = 0.08F;
     for (const EvidenceLine& each : in.markedLines) {
         out.line(in.model.toView(each.from), in.model.toView(each.to),
                  each.asItShouldBe ? in.palette.used : in.palette.rejected, kLineWidth);

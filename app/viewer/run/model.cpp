@@ -232,8 +232,10 @@ void frameModel(Model& model) {
     for (const AsidePoints& each : model.aside) {
         if (each.isLeftOut() || std::all_of(each.position.begin(), each.position.end(), isNear))
             shown.emplace_back(each.position);
+        // Where missing values lie, nothing is to be seen.
         for (const Index p : each.points) {
-            if (isNear(model.points.position[p])) nearAside.push_back(model.points.position[p]);
+            if (each.reason != Aside::Sentinel && isNear(model.points.position[p]))
+                nearAside.push_back(model.points.position[p]);
         }
     }
     shown.emplace_back(nearAside);

@@ -102,7 +102,7 @@ std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
 template <typename At>
 std::vector<EvidenceLine> evidenceAt(const ExaminedFile& examined, At&& at) {
     constexpr std::size_t kPlaces = 400;
-    const std::size_t step = std::max<std::size_t>(1, examined.presentCount / kPlaces);
+    const std::size_t step = examined.presentCount / kPlaces + 1;
     std::vector<EvidenceLine> lines;
     std::size_t next = 0;
     for (Index p = 0; p < examined.size(); ++p) {

@@ -223,9 +223,10 @@ std::optional<Finding> findUnfitNormals(const ExaminedFile& examined) {
     Finding finding{nullptr, severity, fit.normals, {}, std::move(text)};
     const double length = 1.5 * examined.middleSpacing;
     const auto normalAt = [&](const std::vector<Vec3>& normal, bool asItShouldBe) {
-        return evidenceAt(examined, [&](Index p) {
+        return evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
             const Vec3& x = examined.file.position[p];
-            return std::optional(EvidenceLine{x, x + length * normal[p], asItShouldBe});
+            if (normal[p] == Vec3(0.0)) return std::nullopt;
+            return EvidenceLine{x, x + length * normal[p], asItShouldBe};
         });
     };
     finding.lines = normalAt(examined.normal(), false);

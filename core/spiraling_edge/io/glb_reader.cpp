@@ -82,6 +82,8 @@ class GlbReader : GlbData {
         const JsonValue& chosen = document("scene");
         std::size_t scene = 0;
         if (chosen.isThere() && !readNumber(chosen, "scenes", "scene", scene)) return false;
+        if (!document("scenes").isThere() && document("nodes").isThere())
+            return fail(document("nodes").at, "the file has nodes, but no scene that places them");
         if (!openNodes(document("scenes").item(scene).member("nodes"), glm::dmat4(1.0)))
             return false;
         std::vector<bool> seen(document("nodes").items.size(), false);

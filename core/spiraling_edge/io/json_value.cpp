@@ -67,6 +67,10 @@ class JsonParser {
         do {
             skipBlanks();
             if (named && !readText(value.names.emplace_back())) return false;
+            // Members are looked up one by one.
+            constexpr std::size_t kMostNames = 1000;
+            if (value.names.size() > kMostNames)
+                return fail("an object of the JSON text has more than 1,000 names");
             skipBlanks();
             if (named && !take(':')) return failExpected("\":\"");
             if (!readValue(value.items.emplace_back(), level + 1)) return false;

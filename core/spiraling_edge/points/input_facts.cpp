@@ -5,11 +5,38 @@
 
 namespace se {
 
+namespace {
+
+bool isByRobust(std::size_t reason) {
+    return reason == static_cast<std::size_t>(Aside::Stray) ||
+           reason == static_cast<std::size_t>(Aside::Noise);
+}
+
+}  // namespace
+
+std::array<std::size_t, kAsides> InputFacts::asideAlways() const {
+    std::array<std::size_t, kAsides> some{};
+    for (std::size_t i = 0; i < kAsides; ++i) some[i] = isByRobust(i) ? 0 : aside[i];
+    return some;
+}
+
+std::array<std::size_t, kAsides> InputFacts::asideByRobust() const {
+    std::array<std::size_t, kAsides> some{};
+    for (std::size_t i = 0; i < kAsides; ++i) some[i] = isByRobust(i) ? aside[i] : 0;
+    return some;
+}
+
 std::string spacingText(const InputFacts& facts) {
     if (facts.nearestMost == 0.0) return {};
     if (facts.across > 0.0)
         return shortNumber(facts.along) + " along lines, " + shortNumber(facts.across) + " across";
     return shortNumber(facts.nearestMedian) + " between points";
+}
+
+std::string piecesText(const InputFacts& facts) {
+    std::string text = facts.pieces > 0 ? counted(facts.pieces, "piece") : "";
+    if (facts.openings > 0) text += (text.empty() ? "" : ", ") + counted(facts.openings, "opening");
+    return text;
 }
 
 std::string sizeText(const InputFacts& facts) {

@@ -16,10 +16,14 @@ struct ValueRange {
     double span = 0.0;
 };
 
-/// The range of nine in ten of the values, without named sentinels. Changes their order.
+/// The range of nine in ten of the values, without named sentinels, unless most are. Changes their
+/// order.
 ValueRange valueRangeOf(std::vector<double>& values) {
     constexpr double kOutside = 0.05;
-    std::erase_if(values, isNamedSentinel);
+    const auto named = std::partition(values.begin(), values.end(),
+                                      [](double value) { return !isNamedSentinel(value); });
+    if (2 * (named - values.begin()) >= static_cast<std::ptrdiff_t>(values.size()))
+        values.erase(named, values.end());
     if (values.empty()) return {};
     const auto at = [&](double share) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(
@@ -48,15 +52,21 @@ void markFarValues(std::span<const Vec3> position, std::vector<Aside>& aside) {
         span = std::max(span, range.span);
     }
     if (!(span > 0.0)) return;
-    for (std::size_t p = 0; p < position.size(); ++p) {
-        for (Vec3::length_type axis = 0; axis < 3 && aside[p] != Aside::NotFinite; ++axis) {
+    std::vector<Index> unnamed;
+    for (Index p = 0; p < position.size(); ++p) {
+        if (aside[p] == Aside::NotFinite) continue;
+        bool isFar = false;
+        for (Vec3::length_type axis = 0; axis < 3; ++axis) {
             const double value = position[p][axis];
-            const double far =
-                isNamedSentinel(value) ? kSentinelLimits.farNamed : kSentinelLimits.far;
             const double off = std::abs(value - ranges[static_cast<std::size_t>(axis)].middle);
-            if (off > far * span) aside[p] = Aside::Sentinel;
+            if (isNamedSentinel(value) && off > kSentinelLimits.farNamed * span)
+                aside[p] = Aside::Sentinel;
+            isFar = isFar || off > kSentinelLimits.far * span;
         }
+        if (isFar && aside[p] != Aside::Sentinel) unnamed.push_back(p);
     }
+    if (unnamed.size() > kSentinelLimits.mostUnnamed) return;
+    for (const Index p : unnamed) aside[p] = Aside::Sentinel;
 }
 
 /// The squares of the distances from p to the nearest points at other places, ascending, and the
@@ -88,7 +98,7 @@ bool isFarPlace(std::span<const Vec3> position, const std::vector<Aside>& aside,
            kSentinelLimits.farPlace * std::sqrt(there.squares.back());
 }
 
-/// The points to look at: the origin, and those with the most copies.
+/// The points to examine: those with the most copies.
 std::vector<Index> sharedPlaces(std::span<const Vec3> position, const std::vector<Aside>& aside,
                                 std::span<const Index> original) {
     constexpr std::size_t kMost = 8;
@@ -97,16 +107,18 @@ std::vector<Index> sharedPlaces(std::span<const Vec3> position, const std::vecto
         if (aside[p] == Aside::Copy) ++copies[original[p]];
     }
     std::vector<Index> places;
+    std::size_t single = 0;
+    std::size_t shared = 0;
     for (Index p = 0; p < position.size(); ++p) {
-        const bool shared = copies[p] + 1 >= kSentinelLimits.copies;
-        if (aside[p] == Aside::No && (shared || position[p] == Vec3(0.0))) places.push_back(p);
+        if (aside[p] != Aside::No) continue;
+        ++(copies[p] == 0 ? single : shared);
+        if (copies[p] + 1 >= kSentinelLimits.copies) places.push_back(p);
     }
-    // The origin is where missing values are most often.
-    const auto rank = [&](Index p) {
-        return position[p] == Vec3(0.0) ? std::numeric_limits<Index>::max() : copies[p];
-    };
+    if (static_cast<double>(shared) >
+        kSentinelLimits.mostShared * static_cast<double>(single + shared))
+        return {};
     std::stable_sort(places.begin(), places.end(),
-                     [&](Index a, Index b) { return rank(a) > rank(b); });
+                     [&](Index a, Index b) { return copies[a] > copies[b]; });
     if (places.size() > kMost) places.resize(kMost);
     return places;
 }
@@ -117,6 +129,8 @@ bool isNamedSentinel(double value) {
     constexpr double kLeastOfTen = 1e4;
     constexpr double kLeastOfTwo = 32768.0;
     const double size = std::abs(value);
+    constexpr double kHuge = 1e30;
+    if (size >= kHuge) return true;
     if (!(size >= kLeastOfTen - 1.0)) return false;
     for (const double power : {size, size + 1.0}) {
         int exponent = 0;

@@ -16,22 +16,24 @@ struct SentinelLimits {
     /// A value is far off if it is more than this times the span of the points away from their
     /// middle,
     double far = 1000.0;
-    double farNamed = 3.0;  ///< or, if such values are written where there is none, than this.
+    double farNamed = 6.0;  ///< or, if such values are written where there is none, than this.
+    std::size_t mostUnnamed = 16;  ///< More with values of the first kind are a part of the scan.
     /// A place is far off if its nearest other place is more than this times as far away as the
     /// third nearest of that is.
     double farPlace = 8.0;
-    std::size_t copies = 3;  ///< At so many points a place is looked at, and the origin at one.
+    std::size_t copies = 3;   ///< Least number of points at a place that is examined.
+    double mostShared = 0.1;  ///< Where more of the places have copies, triangles share points.
 };
 inline constexpr SentinelLimits kSentinelLimits{};
 
 /// True if files have this value where there is none: 9999, 99999 and so on, a power of ten from
-/// 10,000, a power of two from 32,768, or one less than that; with either sign.
+/// 10,000, a power of two from 32,768, or one less than that, or any from 1e30; with either sign.
 bool isNamedSentinel(double value);
 
 /// Marks as Aside::Sentinel the points, of those marked No and their copies, with a coordinate far
-/// off the others, and all at a place far off the others that several share, or that is the origin:
-/// kSentinelLimits. `original` has the first point at the place of each, kNone if it is not finite.
-/// Requires a mark for each position. Deterministic. O(points).
+/// off the others, and all at a place far off the others that several share: kSentinelLimits.
+/// `original` has the first point at the place of each, kNone if it is not finite. Requires a mark
+/// for each position. Deterministic. O(points).
 void markSentinels(std::span<const Vec3> position, std::span<const Index> original,
                    std::vector<Aside>& aside);
 

@@ -63,13 +63,16 @@ class PositionTable {
 
 std::span<const AsideWords> asideReasons() {
     static constexpr AsideWords kReasons[] = {
-        {Aside::NotFinite, "non_finite", "not finite"},
-        {Aside::Copy, "duplicates", "copies of another point"},
-        {Aside::Sentinel, "sentinels", "where a missing value was written"},
-        {Aside::LeftOut, "left_out", "left out as chosen"},
-        {Aside::Stray, "strays", "far from all others"},
-        {Aside::NoNormal, "zero_normals", "without a plane to derive a normal from"},
-        {Aside::Noise, "noise", "above or below others, where noise is as wide as the spacing"},
+        {Aside::NotFinite, "non_finite", "not finite", "it is not finite"},
+        {Aside::Copy, "duplicates", "at the place of another", "it is a copy of point "},
+        {Aside::Sentinel, "sentinels", "where a missing value was written",
+         "a missing value was written there"},
+        {Aside::LeftOut, "left_out", "left out as chosen", "it was left out as chosen"},
+        {Aside::Stray, "strays", "far from all others", "it is far from all others"},
+        {Aside::NoNormal, "zero_normals", "without a plane to derive a normal from",
+         "no plane fits the points about it"},
+        {Aside::Noise, "noise", "above or below others, where noise is as wide as the spacing",
+         "it is above or below others, where noise is as wide as the spacing"},
     };
     static_assert(std::size(kReasons) + 1 == kAsides);
     return kReasons;
@@ -78,39 +81,48 @@ std::span<const AsideWords> asideReasons() {
 std::string asideText(const PointSet& points, Index p) {
     assert(points.isAside(p));
     const Aside reason = points.aside[p];
-    const std::string text = "Point " + std::to_string(p) + " was set aside before the run: ";
-    if (reason == Aside::Copy) {
-        const auto same =
-            std::find(points.position.begin(), points.position.end(), points.position[p]);
-        return text + "it is a copy of point " + std::to_string(same - points.position.begin()) +
-               ".";
-    }
-    // The words follow a number of points.
     const auto reasons = asideReasons();
     const auto row = std::find_if(reasons.begin(), reasons.end(),
                                   [&](const AsideWords& each) { return each.reason == reason; });
-    return text + std::string(row->words) + ".";
+    std::string text =
+        "Point " + std::to_string(p) + " was set aside before the run: " + std::string(row->clause);
+    if (reason == Aside::Copy) {
+        const auto same =
+            std::find(points.position.begin(), points.position.end(), points.position[p]);
+        text += std::to_string(same - points.position.begin());
+    }
+    return text + ".";
 }
+
+namespace {
+
+/// The first point at the place of each; kNone where that is not finite.
+std::vector<Index> firstAt(std::span<const Vec3> position) {
+    std::vector<Index> first(position.size(), kNone);
+    PositionTable seen(position);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (isFinite(position[p])) first[p] = seen.add(p);
+    }
+    return first;
+}
+
+}  // namespace
 
 std::vector<Aside> unusablePoints(std::span<const Vec3> position) {
     std::vector<Aside> aside(position.size(), Aside::No);
-    std::vector<Index> original(position.size(), kNone);
-    PositionTable seen(position);
+    const std::vector<Index> first = firstAt(position);
     for (Index p = 0; p < position.size(); ++p) {
-        if (!isFinite(position[p])) {
-            aside[p] = Aside::NotFinite;
-            continue;
-        }
-        original[p] = seen.add(p);
-        if (original[p] != p) aside[p] = Aside::Copy;
+        if (first[p] != p) aside[p] = first[p] == kNone ? Aside::NotFinite : Aside::Copy;
     }
-    markSentinels(position, original, aside);
+    markSentinels(position, first, aside);
     return aside;
 }
 
 std::size_t countPlaces(std::span<const Vec3> position) {
-    const std::vector<Aside> aside = unusablePoints(position);
-    return static_cast<std::size_t>(std::count(aside.begin(), aside.end(), Aside::No));
+    const std::vector<Index> first = firstAt(position);
+    std::size_t places = 0;
+    for (Index p = 0; p < position.size(); ++p) places += first[p] == p ? 1 : 0;
+    return places;
 }
 
 std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Aside> aside) {

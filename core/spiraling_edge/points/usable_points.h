@@ -11,17 +11,19 @@
 
 namespace se {
 
-/// A reason to set points aside: its name, as in JSON, and its words after a number of points.
+/// A reason to set points aside: its name, as in JSON, its words after a number of points, and as a
+/// clause about one; that of a copy ends before the number of the other point.
 struct AsideWords {
     Aside reason;
     std::string_view name;
     std::string_view words;
+    std::string_view clause;
 };
 /// All but Aside::No, in the order of Aside.
 std::span<const AsideWords> asideReasons();
 
-/// The reason why a point was set aside, as a sentence: "Point 5 was set aside: a copy of point
-/// 2." Requires one that was.
+/// The reason why a point was set aside, as a sentence: "Point 5 was set aside before the run:
+/// it is a copy of point 2." Requires one that was.
 std::string asideText(const PointSet& points, Index p);
 
 /// The points that no run can use, by positions alone: not finite, copies, sentinels

@@ -62,14 +62,18 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
                                InputFacts& facts) {
     if (!file.hasNormals()) return {};
     facts.hasNormals = !lacksNormals(file.normal, intake.present);
+    for (Index p = 0; p < file.normal.size() && facts.hasNormals; ++p) {
+        if (intake.present[p] && !hasDirection(file.normal[p])) ++facts.completedNormals;
+    }
     intake.normal = unitNormals(file.normal);
     std::vector<Vec3> normal = intake.normal;
     averageOverCopies(file.position, normal);
     const GivenNormals given{file.position, normal, intake.present, intake.nearest};
     intake.fit = fitOf(given, threads);
     facts.normalsFit = normalsFit(intake.fit);
-    facts.normalDegrees =
-        std::acos(std::min(intake.fit.medianCosine, 1.0)) * 180.0 / std::numbers::pi;
+    facts.nearNormals = intake.fit.near;
+    facts.measuredNormals = intake.fit.places;
+    facts.normalDegrees = std::acos(intake.fit.medianCosine) * 180.0 / std::numbers::pi;
     if (!facts.normalsFit) return {};
     const Sides sides = sidesOf(given);
     if (sidesAgree(sides)) return normal;
@@ -131,15 +135,18 @@ double distanceTo(const PointFile& file, const Surroundings& around, Index p, st
     return list.empty() ? 0.0 : distanceBetween(file, p, list[std::min(n, list.size()) - 1]);
 }
 
-/// Parts of at least three points, connected by mutual neighbors within kJoined spacings.
-std::size_t countPieces(const PointFile& file, const Surroundings& around, const MeshJudge& judge) {
+/// Parts of at least three points that are no strays, connected by mutual neighbors within kJoined
+/// spacings.
+std::size_t countPieces(const PointFile& file, const Surroundings& around,
+                        const std::vector<bool>& stray, const MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
     DisjointSets sets(n);
     for (Index p = 0; p < n; ++p) {
         for (const Index q : around.nearest[p]) {
             const std::span<const Index> back = around.nearest[q];
             const double reach = kJoined * std::min(judge.spacing[p], judge.spacing[q]);
-            if (q > p && std::find(back.begin(), back.end(), p) != back.end() &&
+            if (q > p && !stray[p] && !stray[q] &&
+                std::find(back.begin(), back.end(), p) != back.end() &&
                 distanceBetween(file, p, q) <= reach)
                 sets.unite(p, q);
         }
@@ -151,10 +158,12 @@ std::size_t countPieces(const PointFile& file, const Surroundings& around, const
 }
 
 /// Measures the distances of the points.
-void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge) {
+void measure(const PointFile& file, const Surroundings& around, const std::vector<bool>& stray,
+             MeshJudge& judge) {
     const auto n = static_cast<Index>(around.present.size());
     InputFacts& facts = judge.facts;
-    if (const auto lines = scanLinesOf(file.position, around.present, around.nearest)) {
+    const auto lines = scanLinesOf(file.position, around.present, around.nearest);
+    if (lines && lines->across > lines->along) {
         facts.along = lines->along;
         facts.across = lines->across;
     }
@@ -168,7 +177,7 @@ void measure(const PointFile& file, const Surroundings& around, MeshJudge& judge
         judge.twin[p] = twinOf(file.position, p, around.nearest[p]);
         if (judge.twin[p] != kNone) ++facts.twins;
     }
-    if (facts.across == 0.0) facts.pieces = countPieces(file, around, judge);
+    if (facts.across == 0.0) facts.pieces = countPieces(file, around, stray, judge);
 }
 
 /// Measures the box and the nearest distances of the points that are no strays.
@@ -180,6 +189,7 @@ void measureExtent(const PointFile& file, const Surroundings& around,
         if (!around.present[p] || stray[p]) continue;
         if (!box) box.emplace(file.position[p]);
         box->add(file.position[p]);
+        ++facts.measured;
         if (around.nearest[p].empty()) continue;
         const bool twin = twinOf(file.position, p, around.nearest[p]) != kNone;
         nearest.push_back(distanceTo(file, around, p, twin ? 2 : 1));
@@ -222,7 +232,6 @@ void takeReport(const PrepareReport& report, InputFacts& facts) {
     std::swap(facts.aside[static_cast<std::size_t>(Aside::Stray)],
               facts.aside[static_cast<std::size_t>(Aside::LeftOut)]);
     facts.aside[static_cast<std::size_t>(Aside::No)] = facts.points - report.countAside();
-    facts.completedNormals = report.derived.completedNormals;
     facts.unscaledNormals = report.unscaledNormals;
     facts.averagedNormals = report.averagedNormals;
     if (facts.hasNormals) return;
@@ -265,13 +274,13 @@ Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, cons
         noise[p] = points.aside[p] == Aside::Noise;
     }
     if (facts.count(Aside::Noise) == 0) {
-        measure(file, {intake.present, intake.nearest}, *judge);
+        measure(file, {intake.present, intake.nearest}, stray, *judge);
     } else {
         Intake kept;
         kept.unusable = intake.unusable;
         if (const Status found = findSurroundings(file, noise, threads, {}, kept); !found)
             return found.error();
-        measure(file, {kept.present, kept.nearest}, *judge);
+        measure(file, {kept.present, kept.nearest}, stray, *judge);
     }
     // Where the file has no normal, the one that prepare() completed stays.
     for (Index p = 0; p < given.size(); ++p) {

@@ -105,10 +105,11 @@ class FixTrials {
         return tried;
     }
 
-    /// What every run does as well.
+    /// Repairs without a guess: every run makes them.
     Result<TriedFix> triedRepair() const {
         const std::size_t left = applyFixes(file_).file.position.size();
-        return TriedFix{left > 0, "writes the " + counted(left, "point") + " that a run uses"};
+        return TriedFix{left > 0, "writes " + counted(left, "point") +
+                                      ", without those that every run sets aside"};
     }
 
     Result<TriedFix> triedBest() {
@@ -144,18 +145,18 @@ Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& pro
     };
     trials.expect(2 + static_cast<std::size_t>(std::count_if(diagnosis.findings.begin(),
                                                              diagnosis.findings.end(), hasRemedy)));
-    std::map<std::string_view, TriedFix> known;
-    for (Finding& finding : diagnosis.findings) {
-        if (!hasRemedy(finding)) continue;
+    std::map<std::string_view, TriedFix> effects;  // by command
+    for (const Finding& finding : diagnosis.findings) {
         const std::string_view command = finding.check->remedy;
-        if (!known.contains(command)) {
-            Result<TriedFix> tried = trials.tried(finding);
-            if (!tried) return tried.error();
-            known[command] = std::move(tried.value());
-        }
-        finding.tried = known[command];
+        if (!hasRemedy(finding) || effects.contains(command)) continue;
+        Result<TriedFix> tried = trials.tried(finding);
+        if (!tried) return tried.error();
+        effects[command] = std::move(tried.value());
     }
-    if (progress) progress(1.0);
+    if (progress && !progress(1.0)) return Error{"Cancelled."};
+    for (Finding& finding : diagnosis.findings) {
+        if (hasRemedy(finding)) finding.tried = effects[finding.check->remedy];
+    }
     return success();
 }
 

@@ -1,5 +1,5 @@
 /// The doctor's advice, tried: the command that helps with a finding is carried out on the file in
-/// memory, and what it does is said, before anybody is told to use it.
+/// memory, and its effect is reported beside it.
 #pragma once
 
 #include "spiraling_edge/base/progress.h"

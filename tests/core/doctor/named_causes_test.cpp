@@ -525,12 +525,6 @@ void plantZeros(PointFile& file, std::size_t strength, Random& /*random*/) {
     replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x = Vec3(0.0); });
 }
 
-/// One zero, which has no copy.
-void plantOneZero(PointFile& file, std::size_t strength, Random& /*random*/) {
-    for (Vec3& x : file.position) x += std::array{Vec3(3, 0, 0), Vec3(0, 9, 9), Vec3(99)}[strength];
-    file.position[7] = Vec3(0.0);
-}
-
 /// Heights where a raster has none.
 void plantHeights(PointFile& file, std::size_t strength, Random& /*random*/) {
     for (Vec3& x : file.position) x = 300.0 * x + Vec3(4e5, 5e6, 500.0);
@@ -543,6 +537,11 @@ void plantGreatest(PointFile& file, std::size_t strength, Random& /*random*/) {
     replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x.z = 65535.0; });
 }
 
+/// The least float, as rasters have it.
+void plantFloat(PointFile& file, std::size_t strength, Random& /*random*/) {
+    replaceEvery(everyOf(file, strength), file, [](Vec3& x) { x.z = -3.4028234663852886e38; });
+}
+
 /// Huge values, each point another one.
 void plantHuge(PointFile& file, std::size_t strength, Random& random) {
     const double size = std::array{1e7, 1e10, 3.4e38}[strength];
@@ -553,7 +552,7 @@ void plantHuge(PointFile& file, std::size_t strength, Random& random) {
 
 TEST_CASE("doctor: missing values are found in 95 of 100 files, and the rest is as without them") {
     CHECK(shareFound("sentinels", {{"zeros", plantZeros, "(0, 0, 0)"},
-                                   {"one zero", plantOneZero, "(0, 0, 0)"},
+                                   {"float", plantFloat, "3.4e+38"},
                                    {"heights", plantHeights, "-1e+04"},
                                    {"greatest", plantGreatest, "6.55e+04"},
                                    {"huge", plantHuge, "far off"}}) >= 95.0);
@@ -577,6 +576,40 @@ TEST_CASE("doctor: missing values are set aside, and the rest is measured withou
         const FixedFile fixed = applyFixes(file);
         CHECK(fixed.file.position == without.position);
     }
+}
+
+TEST_CASE("doctor: parts of a scan are no missing values, wherever they lie") {
+    // A level plane at a round height, alone and as most of the points; a wall at a round value.
+    PointFile plane = flatLattice(20, 0.0);
+    for (Vec3& x : plane.position) x.z = 10000.0;
+    CHECK(examined(plane).facts.count(Aside::Sentinel) == 0);
+    PointFile beside = plane;
+    append(beside, moved(ball(), Vec3(10.0, 10.0, 50.0)));
+    CHECK(examined(beside).facts.count(Aside::Sentinel) == 0);
+    PointFile millimeters = moved(fibonacciSphere(4000), Vec3(8000.0, 8000.0, 8000.0), 1500.0);
+    for (std::size_t p = 0; p < 200; ++p)
+        millimeters.position[p] = Vec3(8000.0 + 100.0 * static_cast<double>(p % 20),
+                                       8000.0 + 100.0 * static_cast<double>(p / 20), 10000.0);
+    CHECK(examined(millimeters).facts.count(Aside::Sentinel) == 0);
+    // A second scan, 3,000 radii away.
+    PointFile far = fibonacciSphere(4700);
+    append(far, moved(fibonacciSphere(240), Vec3(3000.0, 0.0, 0.0)));
+    CHECK(examined(far).facts.count(Aside::Sentinel) == 0);
+    // The apex of a cone whose triangles do not share their corners.
+    PointFile cone;
+    for (int i = 0; i < 300; ++i) {
+        for (const double turn : {i / 300.0, (i + 1) / 300.0}) {
+            const double angle = 2.0 * std::numbers::pi * turn;
+            cone.position.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+        }
+        cone.position.emplace_back(0.0, 0.0, 1.0);
+    }
+    CHECK(examined(cone).facts.count(Aside::Sentinel) == 0);
+    // A single point in a hollow one.
+    PointFile hollow = fibonacciSphere(600);
+    hollow.position.emplace_back(0.0, 0.0, 0.0);
+    hollow.normal.emplace_back(0.0, 0.0, 1.0);
+    CHECK(examined(hollow).facts.count(Aside::Sentinel) == 0);
 }
 
 TEST_CASE("doctor: a point at the origin, or at a place of several, is none where others are") {

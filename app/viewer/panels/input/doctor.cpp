@@ -19,6 +19,13 @@ namespace se::view {
 
 namespace {
 
+/// A text that begins a line, with its capital and its period.
+std::string sentenceOf(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text + ".";
+}
+
 Color severityColor(const PanelContext& context, Severity severity) {
     if (severity == Severity::Error) return context.palette.rejected;
     return severity == Severity::Warning ? context.palette.test : context.palette.textDim;
@@ -135,6 +142,16 @@ void drawFixAll(const PanelContext& context) {
         follow(context, fixes);
 }
 
+/// The record of the input.
+void drawFacts(const InputFacts& facts) {
+    for (const std::string& text : {sizeText(facts), piecesText(facts)}) {
+        if (!text.empty()) dimText(text + ".");
+    }
+    if (facts.twins > 0)
+        dimText(withS(facts.twins, "point") + " much nearer to another than to the rest.");
+    if (facts.averagedNormals > 0) dimText(sentenceOf(averagedText(facts.averagedNormals)));
+}
+
 void drawFinding(const PanelContext& context, const Finding& finding) {
     const Session& session = context.session();
     const std::string name(finding.check->name);
@@ -157,7 +174,7 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
              : !finding.points.empty() ? "Mark these points in the view, and frame them"
              : !finding.lines.empty()  ? "Show it in the view, by lines at some of the points"
                                        : "About the file as a whole");
-    wrappedText(finding.text + ".");
+    wrappedText(sentenceOf(finding.text));
     if (shown) {
         const std::string marked = markedText(session, finding);
         if (!marked.empty()) dimText(marked);
@@ -188,7 +205,7 @@ void drawDoctor(const PanelContext& context) {
             ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
-    if (const std::string size = doctorJob.sizeText(); !size.empty()) dimText(size + ".");
+    drawFacts(doctorJob.facts());
     if (count == 0)
         return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
                        " checks passed.");

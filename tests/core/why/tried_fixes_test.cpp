@@ -1,0 +1,137 @@
+/// The doctor's advice, tried on files with planted faults: what is said of a command is what
+/// another run of it comes to.
+#include "spiraling_edge/why/tried_fixes.h"
+
+#include <limits>
+
+#include "core/doctor/doctor_support.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
+#include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/run/reconstruct.h"
+#include "support/clouds.h"
+#include "support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// The verdict on the mesh of a file, by plain calls.
+std::string endOfRun(const PointFile& file, const char* rules, NormalSource normals) {
+    const Params params = *paramsByName(rules);
+    PrepareOptions options;
+    options.normals = normals;
+    options.setNoiseAside = params.setNoiseAside;
+    options.setStraysAside = params.setStraysAside;
+    Prepared prepared = prepare(file, options).value();
+    prepared.points.judge = judgeFor(file, options, prepared.points).value();
+    const State state = reconstruct(prepared.points, params).state;
+    const MeshVerdict verdict = judgeMesh(prepared.points, state.mesh()).verdict;
+    if (verdict.triangles == 0) return "no triangle";
+    if (verdict.isSound()) return "sound";
+    return "faults at " + std::to_string(verdict.places) +
+           (verdict.places == 1 ? " place" : " places");
+}
+
+std::string effectOf(const PointFile& before, const PointFile& after, NormalSource normals) {
+    std::string text;
+    for (const char* rules : {"paper", "robust"}) {
+        text += (text.empty() ? "by " : ", by ") + std::string(rules) + " " +
+                endOfRun(after, rules, normals) + " (before " +
+                endOfRun(before, rules, NormalSource::AsGiven) + ")";
+    }
+    return text;
+}
+
+Diagnosis triedOn(const PointFile& file) {
+    Diagnosis diagnosis = examined(file);
+    REQUIRE(tryFixes(file, diagnosis).ok());
+    return diagnosis;
+}
+
+/// Each point a second time, a little to the side.
+PointFile inPairs(PointFile file, double apart) {
+    const PointFile first = file;
+    append(file, moved(first, Vec3(apart, 0.5 * apart, 0.0)));
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("tried fixes: the effect of a command is that of another run of it") {
+    for (const Family& family : closedFamilies(kTubesApart)) {
+        PointFile alike = family.sample(1);
+        for (Vec3& n : alike.normal) n = Vec3(0.0, 0.0, 1.0);
+        const Diagnosis unfit = triedOn(alike);
+        const Finding* derive = findingOf(unfit, "unfit_normals");
+        REQUIRE(derive != nullptr);
+        REQUIRE(derive->tried);
+        CHECK(derive->tried->text == effectOf(alike, alike, NormalSource::Derived));
+
+        const PointFile pairs = inPairs(family.sample(2), 0.002);
+        const Diagnosis twins = triedOn(pairs);
+        const Finding* thin = findingOf(twins, "twins");
+        REQUIRE(thin != nullptr);
+        REQUIRE(thin->tried);
+        const PointFile left = applyFixes(pairs, thin->toDrop(), thin->dropReason).file;
+        CHECK(thin->tried->text == effectOf(pairs, left, NormalSource::AsGiven));
+        CHECK(thin->tried->helps == !remedyFor(*thin, "a.ply").empty());
+    }
+}
+
+TEST_CASE("tried fixes: a command without gain is not named as a remedy") {
+    PointFile file = fibonacciSphere(600);
+    file.position.emplace_back(0.0, 0.0, 3.0);
+    file.normal.emplace_back(0.0, 0.0, 1.0);
+    Diagnosis diagnosis = examined(file);
+    const Finding* stray = findingOf(diagnosis, "isolated_points");
+    REQUIRE(stray != nullptr);
+    CHECK_FALSE(stray->tried);
+    CHECK_FALSE(remedyFor(*stray, "a.ply").empty());
+    REQUIRE(tryFixes(file, diagnosis).ok());
+    CHECK(stray->tried->text == "by paper sound (before sound), by robust sound (before sound)");
+    CHECK_FALSE(stray->tried->helps);
+    CHECK(remedyFor(*stray, "a.ply").empty());
+}
+
+TEST_CASE("tried fixes: a repair says how many points a run uses") {
+    PointFile file = fibonacciSphere(600);
+    append(file, moved(fibonacciSphere(600), Vec3(0.0)));
+    file.position[3].x = std::numeric_limits<double>::quiet_NaN();
+    const Diagnosis diagnosis = triedOn(file);
+    for (const char* name : {"non_finite", "duplicates"}) {
+        const Finding* finding = findingOf(diagnosis, name);
+        REQUIRE(finding != nullptr);
+        CHECK(finding->tried->helps);
+        CHECK(finding->tried->text == "writes 600 points, without those that every run sets aside");
+    }
+}
+
+TEST_CASE("tried fixes: a sound file needs no change, and advice without a command is not tried") {
+    PointFile bare = fibonacciSphere(600);
+    bare.normal.clear();
+    const Diagnosis diagnosis = triedOn(bare);
+    const Finding* none = findingOf(diagnosis, "no_normals");
+    REQUIRE(none != nullptr);
+    CHECK(none->tried->text == "sound as given");
+    PointFile two = fibonacciSphere(600);
+    two.position.resize(2);
+    two.normal.resize(2);
+    const Diagnosis few = triedOn(two);
+    const Finding* tooFew = findingOf(few, "too_few_points");
+    REQUIRE(tooFew != nullptr);
+    CHECK_FALSE(tooFew->tried);
+}
+
+TEST_CASE("tried fixes: cancelled at any share, and the findings stay as they were") {
+    const PointFile pairs = inPairs(fibonacciSphere(300), 0.002);
+    for (const double limit : {0.0, 0.3, 0.7}) {
+        Diagnosis diagnosis = examined(pairs);
+        const Status tried =
+            tryFixes(pairs, diagnosis, [limit](double share) { return share <= limit; });
+        CHECK_FALSE(tried.ok());
+        const Finding* thin = findingOf(diagnosis, "twins");
+        REQUIRE(thin != nullptr);
+        CHECK_FALSE(thin->tried);
+    }
+}
