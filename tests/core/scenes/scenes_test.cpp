@@ -68,7 +68,9 @@ TEST_CASE("scenes need no repair") {
         const auto result = prepare(file, {});
         REQUIRE(result.ok());
         const PrepareReport& report = result.value().report;
-        CHECK(report.count(Aside::NotFinite) + report.count(Aside::NoNormal) + report.count(Aside::Copy) == 0);
+        CHECK(report.count(Aside::NotFinite) + report.count(Aside::NoNormal) +
+                  report.count(Aside::Copy) ==
+              0);
         CHECK(report.unscaledNormals + report.droppedListEntries == 0);
     }
 }

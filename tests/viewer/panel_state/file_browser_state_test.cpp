@@ -27,8 +27,9 @@ TEST_CASE("A typed path is relative to the shown folder") {
 }
 
 TEST_CASE("Every format that can be read is offered") {
-    for (const char* name : {"a.ply", "a.XYZ", "a.obj", "a.off", "a.pcd", "a.PCD", "a.txt",
-                             "a.nrrd", "a.nhdr", "a.sesession", "a.las", "a.csv", "a.ply.gz", "a.glb"}) {
+    for (const char* name :
+         {"a.ply", "a.XYZ", "a.obj", "a.off", "a.pcd", "a.PCD", "a.txt", "a.nrrd", "a.nhdr",
+          "a.sesession", "a.las", "a.csv", "a.ply.gz", "a.glb"}) {
         CAPTURE(name);
         CHECK(canBeOpened(name));
     }
