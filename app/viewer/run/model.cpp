@@ -265,7 +265,8 @@ void placeModel(Model& model) {
     model.spacing = medianSpacing(model);
     const std::size_t stride = std::max<std::size_t>(1, position.size() / kSampleSize);
     for (std::size_t p = 0; p < position.size(); p += stride) {
-        if (model.drawable[p]) model.sample.push_back(model.place[p]);
+        const bool missing = model.points.asideOf(static_cast<Index>(p)) == Aside::Sentinel;
+        if (model.drawable[p] && !missing) model.sample.push_back(model.place[p]);
     }
 }
 

@@ -71,6 +71,28 @@ TEST_CASE("Points that the preparation sets aside are listed by reason, with the
     CHECK(loadPoints(plainSphere()).value().model->aside.empty());
 }
 
+TEST_CASE("Missing values, near or far, change nothing in the scale and in what is framed") {
+    PointFile file = plainSphere();
+    for (Vec3& x : file.position) x += Vec3(0.0, 0.0, 4.0);
+    const std::size_t count = file.position.size();
+    const Result<Loaded> without = loadPoints(file);
+    REQUIRE(without);
+    for (int i = 0; i < 20; ++i) {
+        file.position.emplace_back(0.0, 0.0, 0.0);
+        file.normal.emplace_back(0.0, 0.0, 1.0);
+        file.type.resize(file.position.size(), kInterior);
+    }
+    file.position.back() = Vec3(1e7, 0.0, 0.0);
+    const Result<Loaded> loaded = loadPoints(file);
+    REQUIRE(loaded);
+    const Model& model = *loaded.value().model;
+    CHECK(groupOf(model, "sentinels").count == 20);
+    CHECK(model.scale == without.value().model->scale);
+    CHECK(model.center == without.value().model->center);
+    REQUIRE(model.sample.size() == count);
+    CHECK(model.sample == without.value().model->sample);
+}
+
 TEST_CASE("Points set aside for noise are as many as the report counts") {
     SplitMix random(3);
     PointFile file;
