@@ -23,7 +23,6 @@ class DoctorJob : public BackgroundQuery<Diagnosis> {
     void tryFixes();
     /// Takes their effects. True if there was anything new.
     bool pollFixes() { return fixes_.poll(); }
-    void waitUntilTried() { fixes_.waitUntilDone(); }
     bool done() const { return answer() != nullptr; }
     /// Empty before the examination is done; with Finding::tried once all were tried.
     std::span<const Finding> findings() const {

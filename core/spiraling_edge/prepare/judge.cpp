@@ -67,7 +67,9 @@ std::vector<Vec3> rightNormals(const PointFile& file, unsigned threads, Intake& 
     }
     intake.normal = unitNormals(file.normal);
     std::vector<Vec3> normal = intake.normal;
-    averageOverCopies(file.position, normal);
+    const std::vector<Aside>& unusable = intake.unusable;
+    if (std::find(unusable.begin(), unusable.end(), Aside::Copy) != unusable.end())
+        averageOverCopies(file.position, normal);
     const GivenNormals given{file.position, normal, intake.present, intake.nearest};
     intake.fit = fitOf(given, threads);
     facts.normalsFit = normalsFit(intake.fit);
