@@ -116,9 +116,35 @@ meshlab_reads_what_is_written() {
     done
 }
 
+meshio_reads_and_writes_meshes() {
+    /usr/bin/python3 -c 'import meshio' 2>/dev/null || {
+        echo "skipped: no meshio here; on Debian it is in the package python3-meshio"
+        exit 77
+    }
+    local kind
+    for kind in ply obj off stl; do make "sphere.$kind"; done
+    /usr/bin/python3 - >said 2>&1 <<'PYTHON' || fail "meshio: $(tail -3 said)"
+import meshio
+for kind in ("ply", "obj", "off", "stl"):
+    mesh = meshio.read(f"sphere.{kind}")
+    assert [len(mesh.points), len(mesh.cells_dict["triangle"])] == [600, 1196], (kind, mesh)
+    meshio.write(f"back.{kind}", meshio.Mesh(mesh.points, mesh.cells))
+meshio.write("text.ply", meshio.Mesh(mesh.points, mesh.cells), binary=False)
+meshio.write("bytes.stl", meshio.Mesh(mesh.points, mesh.cells), binary=True)
+PYTHON
+    local file
+    for file in back.* text.ply bytes.stl; do
+        "$program" info "$file" >out 2>&1 || fail "$file is refused: $(cat out)"
+        grep -qF ": $points points" out || fail "points of $file: $(head -1 out)"
+        grep -qF "$triangles triangles in 1 component, no boundary" out ||
+            fail "triangles of $file: $(cat out)"
+    done
+}
+
 case $2 in
     assimp_reads_what_is_written | assimp_writes_what_is_read | admesh_finds_no_fault) "$2" ;;
     pcl_reads_points_and_writes_them | meshlab_reads_what_is_written) "$2" ;;
+    meshio_reads_and_writes_meshes) "$2" ;;
     *) fail "no case '$2'" ;;
 esac
 exit $failed
