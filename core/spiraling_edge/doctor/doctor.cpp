@@ -128,6 +128,33 @@ constexpr std::array kChecks{
                 "spiraling-edge run IN --derive-rim -o OUT.ply", Fix::Rim, findOpenBorder},
 };
 
+/// Checks whose findings follow from a greater cause: where that is found, they would say the same
+/// in other words, with remedies that do not help.
+struct Consequences {
+    std::string_view cause;
+    std::array<std::string_view, 9> checks;
+};
+constexpr std::array kConsequences{
+    Consequences{"mixed_units",
+                 {"near_duplicates", "isolated_points", "in_line", "twins", "lines",
+                  "uneven_spacing", "noise", "two_layers", "ties"}},
+    Consequences{"lost_digits", {"near_duplicates", "twins", "lines", "noise", "two_layers"}},
+};
+
+void leaveOutConsequences(std::vector<Finding>& findings) {
+    const auto isFound = [&](std::string_view name) {
+        return std::any_of(findings.begin(), findings.end(),
+                           [&](const Finding& finding) { return finding.check->name == name; });
+    };
+    for (const Consequences& row : kConsequences) {
+        if (!isFound(row.cause)) continue;
+        std::erase_if(findings, [&](const Finding& finding) {
+            return std::find(row.checks.begin(), row.checks.end(), finding.check->name) !=
+                   row.checks.end();
+        });
+    }
+}
+
 /// Share of the search for the nearest points in the whole work.
 constexpr double kSearchShare = 0.5;
 
@@ -252,6 +279,7 @@ Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
         finding->present = examined.value().presentCount;
         diagnosis.findings.push_back(std::move(*finding));
     }
+    leaveOutConsequences(diagnosis.findings);
     std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
     if (progress) progress(1.0);

@@ -108,7 +108,6 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
 }
 
 std::optional<Finding> findTwins(const ExaminedFile& examined) {
-    if (examined.units) return std::nullopt;
     auto points = pointsWhere(examined.size(),
                               [&](Index p) { return examined.intake.judge->twinOf(p) != kNone; });
     if (2 * points.size() <= examined.presentCount) return std::nullopt;
@@ -141,7 +140,7 @@ std::optional<Finding> findTwins(const ExaminedFile& examined) {
 
 std::optional<Finding> findLines(const ExaminedFile& examined) {
     const InputFacts& facts = examined.intake.judge->facts;
-    if (facts.across == 0.0 || examined.units) return std::nullopt;
+    if (facts.across == 0.0) return std::nullopt;
     // Nearer lines have others in their lists. Farther ones are no surface that thinning would
     // show.
     constexpr double kLeast = 2.0;

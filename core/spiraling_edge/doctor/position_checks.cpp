@@ -59,7 +59,6 @@ std::optional<Finding> findNearDuplicates(const ExaminedFile& examined) {
     // A thousandth of the spacing: a triangle on such a pair has an angle of 0.06 degrees, and no
     // surface sampled at that spacing has a detail of that size. Strong noise stays above 0.01.
     constexpr double kSamePointTolerance = 1e-3;
-    if (examined.units) return std::nullopt;
     std::vector<Index> points;
     for (Index p = 0; p < examined.size(); ++p) {
         for (const Index q : examined.nearest()[p]) {

@@ -11,9 +11,16 @@
 namespace se {
 namespace {
 
-/// Points lie in lines if the median of the spread along a place by that across is above this.
-constexpr double kInLines = 5.0;
+/// Points lie in lines if the median of the spread along a place by that across is above this. Of
+/// eight nearest none is in another line from a ratio of five on, where meshes begin to suffer.
+constexpr double kInLines = 4.0;
+constexpr std::size_t kOfLine = 8;
 constexpr std::size_t kMeasured = 256;
+
+std::span<const Index> someNearest(const NeighborLists& nearest, Index p) {
+    const std::span<const Index> list = nearest[p];
+    return list.first(std::min(list.size(), kOfLine));
+}
 
 /// The axis of the points around a place, and how much longer they reach along it than across.
 struct LineAt {
@@ -52,13 +59,14 @@ std::optional<ScanLines> scanLinesOf(std::span<const Vec3> position,
     for (std::size_t p = 0; p < present.size(); p += step) {
         if (!present[p]) continue;
         measured.push_back(static_cast<Index>(p));
-        ratios.push_back(lineAt(position, measured.back(), nearest[measured.back()]).ratio);
+        ratios.push_back(
+            lineAt(position, measured.back(), someNearest(nearest, measured.back())).ratio);
     }
     if (ratios.empty() || !(medianOf(ratios) > kInLines)) return std::nullopt;
     std::vector<double> along;
     std::vector<double> across;
     for (const Index p : measured) {
-        const std::span<const Index> list = nearest[p];
+        const std::span<const Index> list = someNearest(nearest, p);
         const double each = distanceAcross(position, present, p, lineAt(position, p, list).axis);
         if (each == std::numeric_limits<double>::max() || list.size() < 2) continue;
         across.push_back(each);

@@ -15,9 +15,9 @@ struct ScanLines {
     double across = 0.0;  ///< To the nearest that is more across than along its line.
 };
 
-/// Lines of points; nothing where the points do not lie in lines: these reach over five times as
-/// far along one axis as across, in the median over places. `nearest`: the 12 nearest of each
-/// point; `present` is false for points to leave out. O(points).
+/// Lines of points; nothing where the points do not lie in lines: the eight nearest reach
+/// over four times as far along one axis as across, in the median over places. `nearest`: the 12
+/// nearest of each point; `present` is false for points to leave out. O(points).
 std::optional<ScanLines> scanLinesOf(std::span<const Vec3> position,
                                      const std::vector<bool>& present,
                                      const NeighborLists& nearest);

@@ -322,7 +322,7 @@ TEST_CASE("doctor: lines are found in 95 of 100 files, with their distances") {
     Random random(6);
     for (std::size_t shape = 0; shape < 5; ++shape) {
         for (const int lines : {20, 40}) {
-            for (const double ratio : {8.0, 12.0, 20.0}) {
+            for (const double ratio : {5.5, 8.0, 12.0, 20.0}) {
                 const PointFile file = scanned(shape, lines, ratio, random);
                 const Diagnosis diagnosis = examined(file);
                 const bool found = problemNames(diagnosis) == "lines no_normals ";
