@@ -91,7 +91,8 @@ struct Finding {
     /// The points that Fix::Drop leaves out.
     const std::vector<Index>& toDrop() const { return surplus ? *surplus : points; }
     /// Lines that show it, at some of the places: given normals beside those of the planes, pairs,
-    /// the way along lines of points, steps of rounded coordinates. At most 1,000.
+    /// the way to the farthest of a list in lines and in mixed units, steps of rounded coordinates.
+    /// At most 1,000.
     std::vector<EvidenceLine> lines{};
     std::optional<TriedFix> tried{};  ///< Nothing: not tried, or no command.
     std::size_t present = 0;          ///< Points with a place of their own, in the whole file.

@@ -72,6 +72,16 @@ bool isOneAxisLong(const Vec3& extent) {
     return sorted[0] > 0.0 && sorted[2] > kLong * sorted[1];
 }
 
+/// From points to the farthest of their lists: of lines it lies along the line, and of mixed units
+/// across the surface.
+std::vector<EvidenceLine> alongLists(const ExaminedFile& examined) {
+    return evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
+        const auto list = examined.nearest()[p];
+        if (list.empty()) return std::nullopt;
+        return EvidenceLine{examined.file.position[p], examined.file.position[list.back()]};
+    });
+}
+
 }  // namespace
 
 std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
@@ -96,15 +106,17 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
     if (!examined.units) return std::nullopt;
     const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
     const Vec3& extent = examined.units->extent;
-    return Finding{nullptr,
-                   Severity::Error,
-                   examined.presentCount,
-                   {},
-                   "x, y and z have different units, as degrees beside meters: they span " +
-                       shortNumber(extent.x) + ", " + shortNumber(extent.y) + " and " +
-                       shortNumber(extent.z) + "; " + percent(examined.units->planar) +
-                       " of the places are planar, and " + percent(examined.units->planarScaled) +
-                       " with equal spans"};
+    Finding finding{nullptr,
+                    Severity::Error,
+                    examined.presentCount,
+                    {},
+                    "x, y and z have different units, as degrees beside meters: they span " +
+                        shortNumber(extent.x) + ", " + shortNumber(extent.y) + " and " +
+                        shortNumber(extent.z) + "; " + percent(examined.units->planar) +
+                        " of the places are planar, and " + percent(examined.units->planarScaled) +
+                        " with equal spans"};
+    finding.lines = alongLists(examined);
+    return finding;
 }
 
 std::optional<Finding> findTwins(const ExaminedFile& examined) {
@@ -156,12 +168,7 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
                     "the points lie in lines: " + shortNumber(facts.along) +
                         " apart along them, and " + shortNumber(facts.across) + " across"};
     thin(examined, rounded(kThinned * facts.across), finding);
-    finding.lines = evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
-        const auto list = examined.nearest()[p];
-        if (list.empty()) return std::nullopt;
-        // All of the list lies along the line.
-        return EvidenceLine{examined.file.position[p], examined.file.position[list.back()]};
-    });
+    finding.lines = alongLists(examined);
     return finding;
 }
 

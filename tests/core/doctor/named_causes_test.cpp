@@ -390,6 +390,15 @@ TEST_CASE("doctor: axes with different units are found, and taken for nothing el
             ++count;
             right += found ? 1 : 0;
             if (!found) MESSAGE("degrees ", degrees, ": ", problemNames(diagnosis));
+            if (finding == nullptr) continue;
+            // Points of one height are neighbors, across the whole shape.
+            CHECK(finding->lines.size() >= 300);
+            const auto across = std::count_if(
+                finding->lines.begin(), finding->lines.end(), [&](const EvidenceLine& line) {
+                    const Vec3 way = glm::abs(line.to - line.from) / diagnosis.facts.extent();
+                    return std::max(way.x, way.y) > 3.0 * way.z;
+                });
+            CHECK(10 * static_cast<std::size_t>(across) > 9 * finding->lines.size());
         }
     }
     MESSAGE("mixed_units: ", right, " of ", count, " planted files judged right");
