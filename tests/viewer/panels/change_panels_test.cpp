@@ -91,6 +91,20 @@ TEST_CASE("Doctor: a finding marks its place in the rail, a click on it shows it
     CHECK(app["part"] == "Doctor");
 }
 
+TEST_CASE("Doctor: the record of the input has what its reader noted, and the viewpoint") {
+    const OwnFolder folder;
+    std::ofstream file(folder / "scan.pcd");
+    file << "VERSION .7\nFIELDS x y z rings\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 3\n"
+            "WIDTH 30\nHEIGHT 1\nVIEWPOINT 0.5 -2 9 1 0 0 0\nPOINTS 30\nDATA ascii\n";
+    for (int i = 0; i < 30; ++i) file << i % 6 + 0.1 * std::sin(i) << ' ' << i / 6 << " 0 1 2 3\n";
+    file.close();
+    DrivenApp app({(folder / "scan.pcd").string()}, {1600, 980});
+    if (!app) return;
+    app.part("Doctor");
+    CHECK(app.shows("fact viewpoint 0.5 -2 9, the place of the sensor"));
+    CHECK(app.shows("fact left out: field rings"));
+}
+
 TEST_CASE(
     "Doctor: one finding is fixed by a click, undone and done again, the file used as it is") {
     const OwnFolder folder;

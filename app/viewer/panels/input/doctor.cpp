@@ -142,14 +142,25 @@ void drawFixAll(const PanelContext& context) {
         follow(context, fixes);
 }
 
-/// The record of the input.
-void drawFacts(const InputFacts& facts) {
-    for (const std::string& text : {sizeText(facts), piecesText(facts)}) {
-        if (!text.empty()) dimText(text + ".");
-    }
+/// The record of the input, and what its reader noted.
+void drawFacts(const PanelContext& context) {
+    const InputFacts& facts = context.session().doctorJob().facts();
+    const PointFile& file = *context.session().input().file();
+    std::vector<std::string> rows{sizeText(facts), piecesText(facts),
+                                  averagedText(facts.averagedNormals)};
     if (facts.twins > 0)
-        dimText(withS(facts.twins, "point") + " much nearer to another than to the rest.");
-    if (facts.averagedNormals > 0) dimText(sentenceOf(averagedText(facts.averagedNormals)));
+        rows.push_back(withS(facts.twins, "point") + " much nearer to another than to the rest");
+    if (!file.columns.reason.empty())
+        rows.push_back("columns " + file.columns.names + ", " + file.columns.reason);
+    if (const auto& at = file.viewpoint)
+        rows.push_back(
+            formatted("viewpoint %g %g %g, the place of the sensor", at->x, at->y, at->z));
+    rows.insert(rows.end(), file.notes.begin(), file.notes.end());
+    for (const std::string& row : rows) {
+        if (row.empty()) continue;
+        dimText(sentenceOf(row));
+        nameItem(context, "fact " + row);
+    }
 }
 
 void drawFinding(const PanelContext& context, const Finding& finding) {
@@ -205,7 +216,7 @@ void drawDoctor(const PanelContext& context) {
             ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
-    drawFacts(doctorJob.facts());
+    drawFacts(context);
     if (count == 0)
         return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
                        " checks passed.");
