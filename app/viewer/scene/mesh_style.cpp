@@ -16,6 +16,17 @@ constexpr std::array<MeshStyleRow, 6> kStyles = {{
     {MeshStyle::CreationOrder, "birth", "By creation order"},
     {MeshStyle::Component, "component", "By component"},
 }};
+constexpr std::array<PointTintRow, 2> kTints = {{
+    {PointTint::Status, "status", "By status"},
+    {PointTint::Margin, "margin", "By least margin"},
+}};
+
+template <typename Id, std::size_t N>
+std::optional<Id> idOf(const std::array<StyleRow<Id>, N>& rows, std::string_view name) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+    return found == rows.end() ? std::nullopt : std::optional(found->id);
+}
 
 }  // namespace
 
@@ -23,12 +34,7 @@ std::span<const MeshStyleRow> meshStyles() { return kStyles; }
 
 const MeshStyleRow& rowOf(MeshStyle style) { return kStyles[static_cast<std::size_t>(style)]; }
 
-std::optional<MeshStyle> meshStyleFromName(std::string_view name) {
-    for (const MeshStyleRow& row : kStyles) {
-        if (row.name == name) return row.id;
-    }
-    return std::nullopt;
-}
+std::optional<MeshStyle> meshStyleFromName(std::string_view name) { return idOf(kStyles, name); }
 
 MeshStyle following(MeshStyle style) {
     return static_cast<MeshStyle>((static_cast<std::size_t>(style) + 1) % kStyles.size());
@@ -65,27 +71,11 @@ Color componentColor(std::size_t component) {
     return viridis(0.12F + 0.86F * share);
 }
 
-namespace {
+std::span<const PointTintRow> pointTints() { return kTints; }
 
-constexpr std::array<PointTintRow, 2> kRows = {{
-    {PointTint::Status, "status", "By status"},
-    {PointTint::Margin, "margin", "By least margin"},
-}};
+const PointTintRow& rowOf(PointTint tint) { return kTints[static_cast<std::size_t>(tint)]; }
 
-/// Size of the first step but one.
-constexpr int kFirstDecade = -6;
-
-}  // namespace
-
-std::span<const PointTintRow> pointTints() { return kRows; }
-
-const PointTintRow& rowOf(PointTint tint) { return kRows[static_cast<std::size_t>(tint)]; }
-
-std::optional<PointTint> pointTintFromName(std::string_view name) {
-    const auto found = std::find_if(kRows.begin(), kRows.end(),
-                                    [&](const PointTintRow& row) { return row.name == name; });
-    return found == kRows.end() ? std::nullopt : std::optional(found->id);
-}
+std::optional<PointTint> pointTintFromName(std::string_view name) { return idOf(kTints, name); }
 
 std::optional<std::size_t> marginStep(double margin) {
     if (!std::isfinite(margin)) return std::nullopt;
@@ -107,6 +97,7 @@ Color marginColor(std::size_t step, Theme theme) {
 
 std::string marginStepText(std::size_t step) {
     if (step == 0) return "< 1e-6";
+    constexpr int kFirstDecade = -6;  // Of the first step but one.
     const int decade = kFirstDecade + static_cast<int>(step) - 1;
     return decade >= -1 ? "0.1" : "1e" + std::to_string(decade);
 }

@@ -23,12 +23,14 @@ enum class MeshStyle : std::uint8_t {
     Component,      ///< A color for each component.
 };
 
-/// One row of the table of styles.
-struct MeshStyleRow {
-    MeshStyle id;
-    std::string_view name;   ///< In settings, actions and --mesh-style.
+/// One row of the table of styles, or of tints.
+template <typename Id>
+struct StyleRow {
+    Id id;
+    std::string_view name;   ///< In settings, actions, --mesh-style and --point-tint.
     std::string_view title;  ///< Name for the user.
 };
+using MeshStyleRow = StyleRow<MeshStyle>;
 std::span<const MeshStyleRow> meshStyles();
 const MeshStyleRow& rowOf(MeshStyle style);
 std::optional<MeshStyle> meshStyleFromName(std::string_view name);
@@ -57,12 +59,7 @@ enum class PointTint : std::uint8_t {
     Margin,  ///< How close any test of it came to going the other way.
 };
 
-/// One row of the table of tints.
-struct PointTintRow {
-    PointTint id;
-    std::string_view name;   ///< In settings, actions and --point-tint.
-    std::string_view title;  ///< Name for the user.
-};
+using PointTintRow = StyleRow<PointTint>;
 std::span<const PointTintRow> pointTints();
 const PointTintRow& rowOf(PointTint tint);
 std::optional<PointTint> pointTintFromName(std::string_view name);

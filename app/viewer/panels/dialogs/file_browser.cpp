@@ -168,18 +168,23 @@ std::string captionsTip(const ExportFormat& format) {
     return "The sentences, in a text file beside the pictures";
 }
 
+/// A field of the export, by the name of its item, with a hint while it is empty.
+void drawField(const PanelContext& context, const std::string& name, const std::string& tip,
+               const char* hint, std::string& text, float ems = kAddressEms) {
+    ImGui::SetNextItemWidth(ems * context.em);
+    textField(("##" + name).c_str(), hint, text);
+    nameItem(context, name, tip);
+}
+
 void drawRange(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
     drawName(context, "From");
-    ImGui::SetNextItemWidth(kAddressEms * context.em);
-    textField("##from", "9.sphere.1", form.from);
-    nameItem(context, "export from", "First frame: 9, 9.sphere.1 or 50%");
+    drawField(context, "export from", "First frame: 9, 9.sphere.1 or 50%", "9.sphere.1", form.from);
     ImGui::SameLine();
     ImGui::TextDisabled("to");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(kAddressEms * context.em);
-    textField("##to", "9.emit.4", form.to);
-    nameItem(context, "export to", "Last frame; of a pivot, its last decision");
+    drawField(context, "export to", "Last frame; of a pivot, its last decision", "9.emit.4",
+              form.to);
     drawName(context, "Each");
     const std::vector<std::string> units = frameUnitNames();
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -188,14 +193,6 @@ void drawRange(const PanelContext& context) {
                        unit == FrameUnit::Event ? "Seed, split, join or alert" : "", i == 0))
             form.unit = unit;
     }
-}
-
-void drawStepNumbers(const PanelContext& context) {
-    ExportForm& form = context.state<ExportForm>();
-    drawName(context, "Steps");
-    ImGui::SetNextItemWidth(kAddressEms * context.em);
-    textField("##steps", "all", form.steps);
-    nameItem(context, "export steps", "Numbers of steps, such as 2,4-6; none: all");
 }
 
 void drawFrameOptions(const PanelContext& context) {
@@ -213,20 +210,19 @@ void drawFrameOptions(const PanelContext& context) {
     offer(ExportFrames::Range, "A range", "export range");
     if (lesson) offer(ExportFrames::Lesson, "The lesson", "export lesson");
     if (form.frames == ExportFrames::Range) drawRange(context);
-    if (form.frames == ExportFrames::Lesson) drawStepNumbers(context);
+    if (form.frames != ExportFrames::Lesson) return;
+    drawName(context, "Steps");
+    drawField(context, "export steps", "Numbers of steps, such as 2,4-6; none: all", "all",
+              form.steps);
 }
 
 void drawLookOptions(const PanelContext& context) {
     ExportForm& form = context.state<ExportForm>();
     drawName(context, "Size");
-    ImGui::SetNextItemWidth(kAddressEms * context.em);
-    textField("##size", "1280x800", form.size);
-    nameItem(context, "export size", "Width and height in pixels");
+    drawField(context, "export size", "Width and height in pixels", "1280x800", form.size);
     if (form.hasSpeed()) {
         ImGui::SameLine(0.0F, context.em);
-        ImGui::SetNextItemWidth(kSpeedEms * context.em);
-        textField("##speed", "2", form.perSecond);
-        nameItem(context, "export speed", "Frames per second");
+        drawField(context, "export speed", "Frames per second", "2", form.perSecond, kSpeedEms);
         ImGui::SameLine();
         ImGui::TextDisabled("per second");
     }
