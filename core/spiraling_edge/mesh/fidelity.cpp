@@ -131,7 +131,8 @@ std::vector<double> distancesFromMesh(const PointSet& points, std::span<const Tr
     std::optional<TriangleTree> tree;
     const std::vector<bool> used = usedPoints(points.size(), triangles);
     for (std::size_t p = 0; p < points.size(); ++p) {
-        if (!isFinite(points.position[p])) continue;
+        const bool missing = points.asideOf(static_cast<Index>(p)) == Aside::Sentinel;
+        if (missing || !isFinite(points.position[p])) continue;
         if (!used[p] && !tree) tree.emplace(size.points(), triangles);
         distances[p] = used[p] ? 0.0 : size.length(tree->distance(size.points().position[p]));
     }

@@ -116,6 +116,17 @@ TEST_CASE("fidelity: distances agree with plain loops on scenes with points left
     }
 }
 
+TEST_CASE("fidelity: a place where a missing value was written is no point to be near to") {
+    PointSet points = withPoints({{1, 1, 2}, {900, 0, 0}});
+    points.aside.assign(points.size(), Aside::No);
+    points.aside.back() = Aside::Sentinel;
+    const Triangles triangles{{0, 1, 2}};
+    CHECK(std::isnan(distancesFromMesh(points, triangles).back()));
+    const Fidelity fidelity = fidelityOf(points, triangles);
+    CHECK(fidelity.greatestDistance == doctest::Approx(2.0));
+    CHECK(fidelity.meanDistance == doctest::Approx(0.5));
+}
+
 TEST_CASE("fidelity: points in triangles have no distance") {
     const Fidelity fidelity = fidelityOf(withPoints({}), Triangles{{0, 1, 2}});
     CHECK(fidelity.greatestDistance == 0.0);
