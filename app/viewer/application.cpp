@@ -339,7 +339,7 @@ bool Application::frame(glm::ivec2 size, double seconds) {
     return drawn;
 }
 
-/// Takes what threads have done, plays, and chooses the state that is shown.
+/// Sets what is searched for, plays, and chooses the state that is shown.
 void Application::update(double seconds) {
     ui_.clock += seconds;
     // Ignore breakpoints and watches while a text field is active.
@@ -347,7 +347,6 @@ void Application::update(double seconds) {
         session_.hits().want(ui_.breakpoints);
         session_.watches().want(ui_.watch.expressions);
     }
-    poll();
     play(seconds);
     session_.showNames(ui_.settings.names);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));

@@ -58,7 +58,8 @@ class Application {
     /// The window is to be closed: at once, or after a question.
     const Document& document() const { return document_; }
     void requestQuit() { document_.quit(); }
-    /// Takes the results of the threads. True if there is something new to draw.
+    /// Takes the results of the threads, or without threads does some of their work. To be called
+    /// once before each frame. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
     /// False if it equals the frame before: nothing was drawn, so do not swap.

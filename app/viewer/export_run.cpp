@@ -49,6 +49,7 @@ Picture drawTile(Application& application, Target& target, glm::ivec2 size, glm:
         target.begin(drawn);
         for (int i = 0; i < frames; ++i) {
             application.redraw();
+            application.poll();
             application.frame(size, 1.0 / 60.0);
         }
         Picture picture = readPicture(drawn);

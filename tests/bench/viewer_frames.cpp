@@ -61,6 +61,7 @@ void benchMoves(int frames, Offscreen& offscreen, Application& application, cons
         const std::clock_t before = std::clock();
         const double threadBefore = threadSeconds();
         move(application);
+        application.poll();
         const std::chrono::duration<double> moved = std::chrono::steady_clock::now() - began;
         offscreen.beginFrame();
         application.frame(offscreen.size(), 1.0 / 60.0);
@@ -141,6 +142,7 @@ int open(Offscreen& target, Application& application, test::OpeningTimes& times)
     application.session().alerts().setFollows(false);
     const auto draw = [&] {
         target.beginFrame();
+        application.poll();
         application.frame(target.size(), 1.0 / 60.0);
         times.noteFrame(application);
     };

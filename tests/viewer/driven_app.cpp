@@ -109,6 +109,7 @@ DrivenApp::~DrivenApp() = default;
 void DrivenApp::frames(int count) {
     for (int i = 0; i < count; ++i) {
         target_->begin(size_);
+        app.poll();
         app.frame(size_, 1.0 / 60.0);
         target_->end();
     }
@@ -120,6 +121,7 @@ void DrivenApp::settle() {
         session.waitUntilDone();
         if (Session* other = app.otherSession(); other != nullptr) other->waitUntilDone();
         target_->begin(size_);
+        app.poll();
         const bool drawn = app.frame(size_, kLongFrame);
         target_->end();
         if (!drawn && app.animating()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -270,6 +272,7 @@ void DrivenApp::resize(glm::ivec2 size) {
 Picture DrivenApp::picture() {
     target_->begin(size_);
     app.redraw();
+    app.poll();
     app.frame(size_, 1.0 / 60.0);
     Picture read = readPicture(size_);
     target_->end();

@@ -44,6 +44,7 @@ class Frames {
     /// The next frame; true if it drew anything.
     bool next() {
         target_.begin(size_);
+        app_.poll();
         const bool drawn = app_.frame(size_, 1.0 / 60.0);
         content_ = readPicture(size_);
         target_.end();
