@@ -91,6 +91,23 @@ TEST_CASE("Doctor: a finding marks its place in the rail, a click on it shows it
     CHECK(app["part"] == "Doctor");
 }
 
+TEST_CASE(
+    "Verdict: a line about points set aside leads to the panel Input, on flawed inputs alone") {
+    const OwnFolder folder;
+    {
+        DrivenApp sound({"scene:torus", "--goto", "100%"});
+        if (!sound) return;
+        sound.part("Verdict");
+        CHECK(sound.shows("verdict title"));
+        CHECK_FALSE(sound.shows("verdict input"));
+    }
+    DrivenApp app({writePoints(folder / "flawed.xyz", flawedLattice())}, {1600, 980});
+    app.part("Verdict");
+    app.clickOn("verdict input");
+    CHECK(app["task"] == "Input");
+    CHECK(app["part"] == "Doctor");
+}
+
 TEST_CASE("Doctor: the record of the input has what its reader noted, and the viewpoint") {
     const OwnFolder folder;
     std::ofstream file(folder / "scan.pcd");

@@ -19,7 +19,7 @@ namespace {
 std::string meshText(const RunFailureSearch& found, const Model& model) {
     std::string text = withS(found.verdict.triangles, "triangle");
     const double farthest = found.verdict.fidelity.greatestDistance * model.scale / model.spacing;
-    if (farthest > 0.0)
+    if (farthest >= 0.05)
         text += " \xC2\xB7 farthest point " + formatted("%.1f", farthest) + " spacings away";
     return text;
 }
@@ -164,6 +164,36 @@ void drawActions(const PanelContext& context, const RunAlerts& alerts) {
         askWhyShown(context);
 }
 
+/// The record of an input in which points were set aside, or problems found: "1 350 points; set
+/// aside: 450 where a missing value was written; 0.02 between points". Empty for others.
+std::string inputText(const Model& model, const DoctorJob& doctor) {
+    const auto problems = static_cast<std::size_t>(
+        std::count_if(doctor.findings().begin(), doctor.findings().end(),
+                      [](const Finding& finding) { return finding.isProblem(); }));
+    if (!doctor.done() || (model.aside.empty() && problems == 0)) return {};
+    std::string text = withS(model.pointsInPiece, "point");
+    const char* before = "; set aside: ";
+    for (const AsidePoints& each : model.aside)
+        text += std::exchange(before, ", ") + grouped(each.count) + " " + reasonText(each);
+    if (const std::string spacing = spacingText(doctor.facts()); !spacing.empty())
+        text += "; " + spacing;
+    return problems == 0 ? text : text + "; " + withS(problems, "problem") + " of the input";
+}
+
+/// A line that leads to the panel with all of that.
+void drawInputLine(const PanelContext& context) {
+    const Session& session = context.session();
+    std::string lines;
+    for (const std::string& line :
+         wrapped(inputText(session.model(), session.doctorJob()), ImGui::GetContentRegionAvail().x))
+        lines += (lines.empty() ? "" : "\n") + line;
+    if (lines.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
+    if (selectable(context, lines, false, "verdict input", "About the input, in the panel Doctor"))
+        context.run("view.doctor");
+    ImGui::PopStyleColor();
+}
+
 void drawFound(const PanelContext& context, const RunAlerts& alerts) {
     const bool faulty = !alerts.sound();
     const MeshVerdict& verdict = alerts.found()->verdict;
@@ -179,6 +209,7 @@ void drawFound(const PanelContext& context, const RunAlerts& alerts) {
     dimText(meshText(*alerts.found(), context.session().model()));
     if (const std::string& by = context.session().model().judged; !by.empty())
         dimText("Judged " + by + ".");
+    drawInputLine(context);
     // Above the table, which grows while results arrive: buttons do not move under the pointer.
     drawActions(context, alerts);
     ImGui::Spacing();

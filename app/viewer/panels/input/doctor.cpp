@@ -221,7 +221,7 @@ void drawDoctor(const PanelContext& context) {
         return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
                        " checks passed.");
     drawFixAll(context);
-    dimText("Click a finding to mark its points and frame them.");
+    dimText("Click a finding to see it in the view.");
     for (const Finding& finding : doctorJob.findings()) drawFinding(context, finding);
 }
 
