@@ -41,6 +41,7 @@ struct MixedUnits {
     Vec3 extent{0.0};           ///< Of the points, along each axis.
     double planar = 0.0;        ///< Share of planar places (given_normals.h),
     double planarScaled = 0.0;  ///< and that with equal extents.
+    NeighborLists scaled{};     ///< The lists of the nearest with equal extents.
 };
 
 /// A file under examination. Everything except `file` is derived from it.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
@@ -72,13 +73,11 @@ bool isOneAxisLong(const Vec3& extent) {
     return sorted[0] > 0.0 && sorted[2] > kLong * sorted[1];
 }
 
-/// From points to the farthest of their lists: of lines it lies along the line, and of mixed units
-/// across the surface.
-std::vector<EvidenceLine> alongLists(const ExaminedFile& examined) {
+/// From points to the farthest of their lists.
+std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists) {
     return evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
-        const auto list = examined.nearest()[p];
-        if (list.empty()) return std::nullopt;
-        return EvidenceLine{examined.file.position[p], examined.file.position[list.back()]};
+        if (lists[p].empty()) return std::nullopt;
+        return EvidenceLine{examined.file.position[p], examined.file.position[lists[p].back()]};
     });
 }
 
@@ -95,10 +94,11 @@ std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
     if (units.planar > kNoSurface) return std::nullopt;
     std::vector<Vec3> position = examined.file.position;
     for (Vec3& x : position) x = (x - facts.low) / units.extent;
-    const auto nearest = nearestPoints(position, examined.present(), KNearest{}.k);
+    auto nearest = nearestPoints(position, examined.present(), KNearest{}.k);
     if (!nearest) return std::nullopt;
     units.planarScaled = planarShare(position, examined.present(), nearest.value());
     if (units.planarScaled < kSurface) return std::nullopt;
+    units.scaled = std::move(nearest.value());
     return units;
 }
 
@@ -115,7 +115,12 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
                         shortNumber(extent.z) + "; " + percent(examined.units->planar) +
                         " of the places are planar, and " + percent(examined.units->planarScaled) +
                         " with equal spans"};
-    finding.lines = alongLists(examined);
+    finding.lines = alongLists(examined, examined.nearest());
+    // Those are short: points of one height, of all of the surface.
+    for (EvidenceLine line : alongLists(examined, examined.units->scaled)) {
+        line.asItShouldBe = true;
+        finding.lines.push_back(line);
+    }
     return finding;
 }
 
@@ -168,7 +173,8 @@ std::optional<Finding> findLines(const ExaminedFile& examined) {
                     "the points lie in lines: " + shortNumber(facts.along) +
                         " apart along them, and " + shortNumber(facts.across) + " across"};
     thin(examined, rounded(kThinned * facts.across), finding);
-    finding.lines = alongLists(examined);
+    // All of a list lies along the line.
+    finding.lines = alongLists(examined, examined.nearest());
     return finding;
 }
 
