@@ -150,23 +150,26 @@ Json inputFactsJson(const InputFacts& facts) {
 
 std::string keptSentence(const KeptPoints& points) {
     const Piece& piece = points.piece;
-    if (piece.isWhole()) return {};
+    if (piece.isWhole() && !piece.isScaled()) return {};
+    const Vec3& scale = piece.scale;
     std::string how;
     if (piece.crop) appendPart(how, "crop");
     if (piece.thin > 0.0) appendPart(how, fmt::format("thin {}", piece.thin));
+    if (piece.isScaled()) appendPart(how, fmt::format("scale {},{},{}", scale.x, scale.y, scale.z));
     return fmt::format("{} of {}: {}", points.kept, counted(points.inFile, "point"), how);
 }
 
 Json keptJson(const KeptPoints& points) {
     const Piece& piece = points.piece;
-    if (piece.isWhole()) return {};
-    Json json = {{"crop", Json()}, {"thin", Json()}};
+    if (piece.isWhole() && !piece.isScaled()) return {};
+    Json json = {{"crop", Json()}, {"thin", Json()}, {"scale", Json()}};
     if (piece.crop) {
         const Vec3& low = piece.crop->low;
         const Vec3& high = piece.crop->high;
         json["crop"] = {low.x, low.y, low.z, high.x, high.y, high.z};
     }
     if (piece.thin > 0.0) json["thin"] = piece.thin;
+    if (piece.isScaled()) json["scale"] = {piece.scale.x, piece.scale.y, piece.scale.z};
     json["kept"] = points.kept;
     json["points_in_file"] = points.inFile;
     return json;

@@ -36,7 +36,7 @@ Json setAsideJson(const std::array<std::size_t, kAsides>& aside);
 /// `facts`. `givenNormals`: the file has a column of normals.
 void addInputFacts(const InputFacts& facts, bool givenNormals, Answer& answer);
 Json inputFactsJson(const InputFacts& facts);
-/// "12345 of 1000000 points: crop, thin 0.5"; empty for a whole file.
+/// "12345 of 1000000 points: crop, thin 0.5, scale 1,1,0.001"; empty for a whole file as it is.
 std::string keptSentence(const KeptPoints& points);
 /// The same with the box; null for a whole file.
 Json keptJson(const KeptPoints& points);

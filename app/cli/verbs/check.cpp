@@ -43,7 +43,7 @@ struct CheckArguments {
                "lost points are listed; with the options of the run, they are prepared as it "
                "prepared them, so that those it set aside are not listed")
             ->type_name("CLOUD");
-        for (const char* key : {"crop", "thin", "rules", "switches"})
+        for (const char* key : {"crop", "thin", "scale", "rules", "switches"})
             run.addTo(app, *findSpecField(key));
         run.addTo(app, {SpecGroup::Lists, SpecGroup::Derived});
         app.final_callback([this] {

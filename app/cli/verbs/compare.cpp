@@ -208,10 +208,11 @@ ComparedWords splitAtWith(const Arguments& words) {
 /// not understood, or changes the points.
 RunSpec specOfB(const RunSpec& a, const Arguments& with) {
     const SpecChange change = require(changeFromWords(with), ExitCode::Usage, "--with ");
-    for (const char* key : {"crop", "thin"}) {
+    for (const char* key : {"crop", "thin", "scale"}) {
         if (textOf(change, key).empty()) continue;
         throw Failure(ExitCode::Usage,
-                      "--{}: two runs are compared on the same points; give it before --with", key);
+                      "{}: two runs are compared on the same points; give it before --with",
+                      findSpecField(key)->option);
     }
     return otherRun(a, change);
 }

@@ -194,9 +194,28 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
 }
 
 PointFile pieceOf(PointFile file, const Piece& piece) {
-    if (piece.isWhole()) return file;
-    const std::vector<bool> keep = pointsIn(file.position, piece);
-    return keptPoints(std::move(file), keep);
+    if (!piece.isWhole()) {
+        const std::vector<bool> keep = pointsIn(file.position, piece);
+        file = keptPoints(std::move(file), keep);
+    }
+    return piece.isScaled() ? scaled(std::move(file), piece.scale) : file;
+}
+
+PointFile scaled(PointFile file, const Vec3& factors) {
+    assert(isFinite(factors) && factors.x > 0.0 && factors.y > 0.0 && factors.z > 0.0);
+    for (Vec3& x : file.position) x *= factors;
+    if (file.viewpoint) *file.viewpoint *= factors;
+    // At most 1, so that no normal gets infinitely long.
+    const Vec3 shares = std::min({factors.x, factors.y, factors.z}) / factors;
+    for (Vec3& normal : file.normal) {
+        if (!hasDirection(normal)) continue;
+        scaleToUnit(normal);
+        normal *= shares;
+        scaleToUnit(normal);
+    }
+    file.positionType = ScalarType::Double;
+    file.normalType = ScalarType::Double;
+    return file;
 }
 
 PointFile keptPoints(PointFile file, const std::vector<bool>& keep) {
@@ -216,7 +235,7 @@ PointFile keptPoints(PointFile file, const std::vector<bool>& keep) {
 Result<PointFile> cutPiece(PointFile file, const Piece& piece, const std::string& name) {
     if (piece.crop && !file.position.empty()) {
         // Not after the cut, since the message has the bounds of the file.
-        const std::vector<bool> keep = pointsIn(file.position, {piece.crop, 0.0});
+        const std::vector<bool> keep = pointsIn(file.position, {piece.crop});
         if (std::find(keep.begin(), keep.end(), true) == keep.end())
             return Error{emptyBoxText(file, name)};
     }

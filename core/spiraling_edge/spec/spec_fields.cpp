@@ -81,6 +81,14 @@ Status setThin(RunSpec& spec, std::string_view text) {
     return validIf(spec.piece.thin > 0.0);
 }
 
+Status setScale(RunSpec& spec, std::string_view text) {
+    const auto n = numbersIn(text, 3);
+    if (!n || !std::all_of(n->begin(), n->end(), [](double each) { return each > 0.0; }))
+        return kNotExpected;
+    spec.piece.scale = Vec3((*n)[0], (*n)[1], (*n)[2]);
+    return success();
+}
+
 Status setLeftOut(RunSpec& spec, std::string_view text) {
     const auto ranges = rangesFromText(text);
     if (ranges) spec.leftOut = *ranges;
@@ -234,6 +242,13 @@ const std::array kFields{
         "a number > 0", "thinned to {}", "not thinned", SpecGroup::Reading, SpecType::Number, false,
         "", setThin,
         [](const RunSpec& s) { return listIf(s.piece.thin > 0.0, plainNumber(s.piece.thin)); }},
+    SpecField{
+        "scale", "--scale-by", "FACTORS", "",
+        "Then multiply the coordinates by X,Y,Z, such as degrees by meters per degree; all "
+        "other options but the two before mean scaled coordinates",
+        "three numbers > 0 separated by commas: X,Y,Z", "scaled by {}", "not scaled",
+        SpecGroup::Reading, SpecType::Numbers, false, "", setScale,
+        [](const RunSpec& s) { return listIf(s.piece.isScaled(), plainNumbers({s.piece.scale})); }},
     SpecField{"left_out", "", "", "", "", "ascending indices, such as \"3..9,40\"",
               "points left out", "no points left out", SpecGroup::Reading, SpecType::Word, false,
               "", setLeftOut,

@@ -119,6 +119,37 @@ TEST_CASE("piece: marked points are kept like those of a box") {
     CHECK(marked.attributes[1].values == std::vector<double>{2, 3, 4});
 }
 
+TEST_CASE("piece: coordinates are scaled, and normals stay perpendicular to the surface") {
+    const Vec3 factors(74310.0, 111132.0, 0.5);
+    PointFile file = rowOfSix();
+    file.normal[0] = Vec3(0.0);
+    file.viewpoint = Vec3(1.0, 2.0, 4.0);
+    const PointFile made = pieceOf(file, {{}, 0.0, factors});
+    CHECK(made.position[2] == Vec3(148620.0, 0.0, 0.0));
+    CHECK(made.viewpoint == Vec3(74310.0, 222264.0, 2.0));
+    CHECK(made.normal[0] == Vec3(0.0));
+    for (std::size_t p = 1; p < 6; ++p) {
+        CHECK(std::abs(glm::length(made.normal[p]) - 1.0) < 1e-12);
+        // In the plane of the file.
+        const Vec3 along(0.0, 1.0, -static_cast<double>(p));
+        CHECK(std::abs(glm::dot(file.normal[p], along)) < 1e-12);
+        CHECK(std::abs(glm::dot(made.normal[p], glm::normalize(along * factors))) < 1e-12);
+    }
+    CHECK(made.positionType == ScalarType::Double);
+    CHECK(made.faces == file.faces);
+    CHECK(made.type == file.type);
+    CHECK(made.attributes.size() == 1);
+    CHECK(scaled(file, Vec3(1e-300, 1.0, 1e300)).normal[3] == Vec3(0.0, 1.0, 0.0));
+}
+
+TEST_CASE("piece: box and spacing mean the coordinates of the file, before they are scaled") {
+    Piece piece = inBox({2, 0, 0}, {5, 0, 0});
+    piece.thin = 1.5;
+    piece.scale = Vec3(10.0, 1.0, 1.0);
+    CHECK(pieceOf(rowOfSix(), piece).position ==
+          std::vector<Vec3>{{20.0, 0.0, 0.0}, {40.0, 0.0, 0.0}});
+}
+
 TEST_CASE("piece: the whole file is as it was") {
     const PointFile whole = pieceOf(rowOfSix(), {});
     CHECK(whole.position == rowOfSix().position);

@@ -17,6 +17,7 @@ using Options = std::vector<std::string>;
 RunSpec full() {
     return changed({}, specChange({{"crop", "-1,0,0.5,1000,2,3"},
                                    {"thin", "0.1"},
+                                   {"scale", "74310,111132,0.001"},
                                    {"left_out", "3..9,40"},
                                    {"doctor", "duplicates"},
                                    {"rules", "robust"},
@@ -85,6 +86,10 @@ TEST_CASE("spec fields: a value that is not valid is an error that says what was
               "X0,Y0,Z0,X1,Y1,Z1");
     }
     CHECK(faultOf("crop", " -1, 0,0.5 ,1e3,2,3") == "none");
+    for (const char* bad : {"", "2", "1,2", "1,1,0", "1,-1,1", "1,1,inf", "1,1,1,1"}) {
+        CAPTURE(bad);
+        CHECK(faultOf("scale", bad) == "expected three numbers > 0 separated by commas: X,Y,Z");
+    }
     CHECK(faultOf("doctor", "sturdy") != "none");
     RunSpec spec;
     CHECK(applyChange({{findSpecField("thin"), "0"}}, spec).error().message ==
@@ -100,7 +105,8 @@ TEST_CASE("spec fields: a change in words and as options of run") {
     CHECK(
         optionsOf(specChange({{"switches", "fill=off"}, {"normals", "derived"}, {"rim", "on"}})) ==
         Options{"--rule fill=off", "--derive-normals", "--derive-rim"});
-    CHECK(optionsText(full(), {SpecGroup::Reading}) == " --crop=-1,0,0.5,1000,2,3 --thin 0.1");
+    CHECK(optionsText(full(), {SpecGroup::Reading}) ==
+          " --crop=-1,0,0.5,1000,2,3 --thin 0.1 --scale-by 74310,111132,0.001");
     CHECK(optionsText(full(), {SpecGroup::Derived}) ==
           " --derive-normals --scanner=-1,2,0.25 --box auto --derive-rim");
 }
@@ -157,6 +163,7 @@ TEST_CASE("spec fields: options are written in JSON by type") {
     spec.start.triangles = {{0, 2, 3}};
     CHECK(optionsJson(spec) ==
           "{\"rules\": \"robust\", \"crop\": [-1.0, 0.0, 0.5, 1000.0, 2.0, 3.0], \"thin\": 0.1, "
+          "\"scale\": [74310.0, 111132.0, 0.001], "
           "\"left_out\": \"3..9,40\", \"doctor\": [\"duplicates\"], "
           "\"switches\": {\"fill\": false, \"maxgap\": 100}, "
           "\"what_if\": [\"137.sphere keep 812\"], \"reach\": 2.5, \"symmetric\": true, "

@@ -69,14 +69,23 @@ TEST_CASE("Every name of a link is read and written again") {
 }
 
 TEST_CASE("Every field of a run stands in a link by its key") {
-    const std::vector<std::string> fields = {"crop=0,0,0,1,1,1", "thin=0.5",
-                                             "left_out=3..9,40", "doctor=duplicates",
-                                             "rules=robust",     "switches=fill=on",
-                                             "neighbors=16",     "radius=0.5",
-                                             "reach=2.5",        "symmetric=on",
-                                             "normals=derived",  "normals=oriented",
-                                             "scanner=1,2,3",    "box=auto",
-                                             "rim=on",           "what_if=137.sphere%20keep%20812"};
+    const std::vector<std::string> fields = {"crop=0,0,0,1,1,1",
+                                             "thin=0.5",
+                                             "scale=2,2,0.001",
+                                             "left_out=3..9,40",
+                                             "doctor=duplicates",
+                                             "rules=robust",
+                                             "switches=fill=on",
+                                             "neighbors=16",
+                                             "radius=0.5",
+                                             "reach=2.5",
+                                             "symmetric=on",
+                                             "normals=derived",
+                                             "normals=oriented",
+                                             "scanner=1,2,3",
+                                             "box=auto",
+                                             "rim=on",
+                                             "what_if=137.sphere%20keep%20812"};
     std::string all;
     for (const std::string& field : fields) {
         const std::string link = "scene=torus&" + field;
