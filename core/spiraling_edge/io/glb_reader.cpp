@@ -265,8 +265,7 @@ class GlbReader : GlbData {
         std::size_t averaged = 0;
         for (const std::vector<Vec3>& each : points_.directions()) {
             if (withoutNormals_ > 0) break;
-            file_.normal.push_back(each.empty() ? Vec3(0.0) : meanOfDirections(each));
-            averaged += each.size() > 1 && file_.normal.back() != each.front() ? 1 : 0;
+            file_.normal.push_back(each.empty() ? Vec3(0.0) : meanOfDirections(each, averaged));
         }
         file_.position = points_.takePositions();
         if (merged_ > 0) {

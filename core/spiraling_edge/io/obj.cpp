@@ -178,9 +178,8 @@ class ObjReader : LineByLine {
             std::size_t averaged = 0;
             for (Index p = 0; p < only.size(); ++p) {
                 const bool several = directions[p].size() > 1;
-                file_.normal.push_back(several ? meanOfDirections(directions[p])
+                file_.normal.push_back(several ? meanOfDirections(directions[p], averaged)
                                                : normals_[only[p]]);
-                averaged += several && file_.normal.back() != directions[p].front() ? 1 : 0;
             }
             if (averaged > 0) file_.notes.push_back(averagedText(averaged));
         } else if (normals_.size() == file_.position.size()) {

@@ -161,6 +161,12 @@ Vec3 meanOfDirections(const std::vector<Vec3>& directions) {
     return glm::length(sum) > kCancelled ? glm::normalize(sum) : directions.front();
 }
 
+Vec3 meanOfDirections(const std::vector<Vec3>& directions, std::size_t& averaged) {
+    const Vec3 mean = meanOfDirections(directions);
+    if (directions.size() > 1 && mean != directions.front()) ++averaged;
+    return mean;
+}
+
 std::string averagedText(std::size_t places) {
     return places == 0
                ? std::string{}

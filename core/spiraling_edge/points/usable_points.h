@@ -47,6 +47,8 @@ bool scaleToUnit(Vec3& normal);
 void addDirection(std::vector<Vec3>& directions, Vec3 normal);
 /// The unit vector in the mean of several; the first where they cancel out. Requires one.
 Vec3 meanOfDirections(const std::vector<Vec3>& directions);
+/// The same; adds 1 to `averaged` if there are several, and the mean is not the first of them.
+Vec3 meanOfDirections(const std::vector<Vec3>& directions, std::size_t& averaged);
 /// "12 places with several normals: the mean of them is used"; empty for none.
 std::string averagedText(std::size_t places);
 

@@ -83,10 +83,7 @@ std::size_t averageOverCopies(std::span<const Vec3> position, std::vector<Vec3>&
     }
     std::size_t averaged = 0;
     for (const auto& [p, list] : directions) {
-        if (list.size() < 2) continue;
-        const Vec3 mean = meanOfDirections(list);
-        averaged += mean != list.front() ? 1 : 0;
-        normal[p] = mean;
+        if (list.size() > 1) normal[p] = meanOfDirections(list, averaged);
     }
     return averaged;
 }
