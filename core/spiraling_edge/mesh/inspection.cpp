@@ -86,20 +86,19 @@ std::optional<PointSet> withNormalsAndTypes(const PointSet& input) {
 }
 
 /// InspectedMesh::lostPoints. Copies of points are looked for only where some point is in no
-/// triangle.
+/// triangle, and no preparation has found them.
 std::vector<Index> findLostPoints(const InspectedMesh& mesh, const PointSet& input) {
     std::vector<Index> lost;
     for (Index p = 0; p < input.size(); ++p) {
         if (!mesh.topology.used[p]) lost.push_back(p);
     }
     if (lost.empty()) return lost;
-    const std::vector<Aside> unusable = unusablePoints(input.position);
+    const std::vector<Aside> unusable =
+        input.aside.empty() ? unusablePoints(input.position) : input.aside;
     const auto isPlaneless = [&](Index p) {
         return !input.normal.empty() && !hasDirection(input.normal[p]);
     };
-    std::erase_if(lost, [&](Index p) {
-        return input.isAside(p) || isPlaneless(p) || unusable[p] != Aside::No;
-    });
+    std::erase_if(lost, [&](Index p) { return isPlaneless(p) || unusable[p] != Aside::No; });
     return lost;
 }
 

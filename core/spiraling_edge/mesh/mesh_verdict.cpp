@@ -63,10 +63,9 @@ std::size_t closedOpenings(const MeshJudge& judge, const std::vector<bool>& onLo
 void countPoints(const MeshJudge& judge, const std::vector<bool>& besideHole,
                  std::span<const double> distance, const std::vector<bool>& used,
                  MeshVerdict& verdict) {
-    const std::vector<Aside> unusable = unusablePoints(judge.points.position);
     for (Index p = 0; p < used.size(); ++p) {
-        if (unusable[p] != Aside::No) continue;
         const Aside aside = judge.points.asideOf(p);
+        if (isUnusable(aside)) continue;
         const bool stray = aside == Aside::Stray;
         const bool noise = aside == Aside::Noise;
         if (stray && !used[p]) ++verdict.strays;

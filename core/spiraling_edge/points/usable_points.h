@@ -29,6 +29,10 @@ std::string asideText(const PointSet& points, Index p);
 /// The points that no run can use, by positions alone: not finite, copies, sentinels
 /// (markSentinels()). O(points).
 std::vector<Aside> unusablePoints(std::span<const Vec3> position);
+/// True for the reasons of unusablePoints().
+inline bool isUnusable(Aside aside) {
+    return aside == Aside::NotFinite || aside == Aside::Copy || aside == Aside::Sentinel;
+}
 /// Number of distinct finite positions. O(points).
 std::size_t countPlaces(std::span<const Vec3> position);
 
