@@ -241,6 +241,61 @@ void takeReport(const PrepareReport& report, InputFacts& facts) {
     facts.unknownSides = report.derived.unknownSides;
 }
 
+/// The points as a judge has them: prepared with their given normals, where these fit, the flipped
+/// ones turned (`right`). Adds the numbers that preparing has found to the facts.
+Result<PointSet> pointsFor(const PointFile& file, const PrepareOptions& options,
+                           const std::vector<Vec3>& right, const std::vector<bool>& stray,
+                           InputFacts& facts, const Progress& progress) {
+    // Lists by normals that contradict each other would end at the borders of patches.
+    PointFile agreeing;
+    if (facts.flippedNormals > 0) {
+        agreeing = file;
+        agreeing.normal = right;
+    }
+    Result<Prepared> prepared =
+        preparedFor(facts.flippedNormals > 0 ? agreeing : file, options, stray, facts, progress);
+    if (!prepared) return prepared.error();
+    takeReport(prepared.value().report, facts);
+    PointSet points = std::move(prepared.value().points);
+    for (Aside& aside : points.aside) {
+        if (aside == Aside::LeftOut) aside = Aside::Stray;
+    }
+    // Where the file has no normal, the one that prepare() completed stays.
+    for (Index p = 0; p < right.size(); ++p) {
+        if (right[p] != Vec3(0.0)) points.normal[p] = right[p];
+    }
+    return points;
+}
+
+/// Measures the distances of the points that are no noise.
+Status measureWithoutNoise(const PointFile& file, const std::vector<bool>& stray, unsigned threads,
+                           const Intake& intake, MeshJudge& judge) {
+    if (judge.facts.count(Aside::Noise) == 0) {
+        measure(file, {intake.present, intake.nearest}, stray, judge);
+        return success();
+    }
+    std::vector<bool> noise(judge.points.size(), false);
+    for (Index p = 0; p < noise.size(); ++p) noise[p] = judge.points.aside[p] == Aside::Noise;
+    Intake kept;
+    kept.unusable = intake.unusable;
+    if (Status found = findSurroundings(file, noise, threads, {}, kept); !found) return found;
+    measure(file, {kept.present, kept.nearest}, stray, judge);
+    return success();
+}
+
+/// Finds where the surface of the points ends. Their lists are not needed any more then.
+Status findOpenings(unsigned threads, const Progress& progress, MeshJudge& judge) {
+    PointSet& points = judge.points;
+    Result<Rim> rim =
+        findRim(points.position, points.normal, points.neighbors, points.type, threads, progress);
+    if (!rim) return rim.error();
+    judge.openings = std::move(rim.value().chains);
+    judge.facts.openings = judge.openings.size();
+    points.neighbors = {};
+    points.rim = {};
+    return success();
+}
+
 Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, const PointSet* run,
                       const Progress& progress) {
     if (const Status status = checkColumns(file); !status) return status.error();
@@ -252,52 +307,23 @@ Result<Intake> takeIn(const PointFile& file, const PrepareOptions& options, cons
         !found)
         return found.error();
     auto judge = std::make_shared<MeshJudge>();
-    InputFacts& facts = judge->facts;
-    facts.points = file.position.size();
-    const std::vector<Vec3> given = rightNormals(file, threads, intake, facts);
+    judge->facts.points = file.position.size();
+    const std::vector<Vec3> right = rightNormals(file, threads, intake, judge->facts);
     const std::vector<bool> stray =
         strayPoints(file.position, intake.present, intake.nearest, threads);
-    measureExtent(file, {intake.present, intake.nearest}, stray, facts);
-    // Lists by normals that contradict each other would end at the borders of patches.
-    PointFile agreeing;
-    if (facts.flippedNormals > 0) {
-        agreeing = file;
-        agreeing.normal = given;
-    }
-    Result<Prepared> prepared =
-        preparedFor(facts.flippedNormals > 0 ? agreeing : file, options, stray, facts,
-                    partOf(progress, kMeasuredDone, kPreparedDone));
-    if (!prepared) return prepared.error();
-    PointSet& points = prepared.value().points;
-    takeReport(prepared.value().report, facts);
-    std::vector<bool> noise(points.size(), false);
-    for (Index p = 0; p < points.size(); ++p) {
-        if (points.aside[p] == Aside::LeftOut) points.aside[p] = Aside::Stray;
-        noise[p] = points.aside[p] == Aside::Noise;
-    }
-    if (facts.count(Aside::Noise) == 0) {
-        measure(file, {intake.present, intake.nearest}, stray, *judge);
-    } else {
-        Intake kept;
-        kept.unusable = intake.unusable;
-        if (const Status found = findSurroundings(file, noise, threads, {}, kept); !found)
-            return found.error();
-        measure(file, {kept.present, kept.nearest}, stray, *judge);
-    }
-    // Where the file has no normal, the one that prepare() completed stays.
-    for (Index p = 0; p < given.size(); ++p) {
-        if (given[p] != Vec3(0.0)) points.normal[p] = given[p];
-    }
+    measureExtent(file, {intake.present, intake.nearest}, stray, judge->facts);
+    Result<PointSet> points = pointsFor(file, options, right, stray, judge->facts,
+                                        partOf(progress, kMeasuredDone, kPreparedDone));
+    if (!points) return points.error();
+    judge->points = std::move(points.value());
+    if (const Status measured = measureWithoutNoise(file, stray, threads, intake, *judge);
+        !measured)
+        return measured.error();
     const bool named = options.normals != NormalSource::AsGiven || options.scanner;
-    if (run != nullptr && named) turnAsInRun({intake.present, intake.nearest}, *run, points);
-    Result<Rim> rim = findRim(points.position, points.normal, points.neighbors, points.type,
-                              threads, partOf(progress, kPreparedDone, 1.0));
-    if (!rim) return rim.error();
-    judge->openings = std::move(rim.value().chains);
-    facts.openings = judge->openings.size();
-    points.neighbors = {};
-    points.rim = {};
-    judge->points = std::move(points);
+    if (run != nullptr && named) turnAsInRun({intake.present, intake.nearest}, *run, judge->points);
+    if (const Status found = findOpenings(threads, partOf(progress, kPreparedDone, 1.0), *judge);
+        !found)
+        return found.error();
     intake.judge = std::move(judge);
     return intake;
 }
