@@ -54,21 +54,31 @@ class Preparation {
     }
 
   private:
-    /// Fails if most points lie where squares of distances are beyond the range of double. A few
-    /// are far from all others, and left over.
+    /// Fails if most points lie where squares of distances are beyond the range of double, or are
+    /// zero in it. A few are far from all others, and left over.
     Status checkSize() const {
         std::size_t present = 0;
         std::size_t tooFar = 0;
+        std::size_t tooNear = 0;
         for (std::size_t p = 0; p < usable_.size(); ++p) {
             if (!usable_[p]) continue;
             const Vec3 x = glm::abs(set_.position[p]);
             ++present;
-            tooFar += std::max({x.x, x.y, x.z}) > kGreatestCoordinate ? 1U : 0U;
+            const double greatest = std::max({x.x, x.y, x.z});
+            tooFar += greatest > kGreatestCoordinate ? 1U : 0U;
+            tooNear += greatest > 0.0 && greatest < kLeastCoordinate ? 1U : 0U;
         }
-        if (2 * tooFar <= present) return success();
-        return Error{
-            "coordinates are too large: beyond 1e152, squares of distances are no numbers of "
-            "double precision; scale the points"};
+        if (2 * tooFar > present) {
+            return Error{
+                "coordinates are too large: beyond 1e152, squares of distances are no numbers of "
+                "double precision; scale the points"};
+        }
+        if (2 * tooNear > present) {
+            return Error{
+                "coordinates are too small: below 1e-162, squares of distances are zero in double "
+                "precision; scale the points (--scale-by 1e200,1e200,1e200)"};
+        }
+        return success();
     }
 
     void takeTypes() {

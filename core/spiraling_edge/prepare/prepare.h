@@ -138,11 +138,13 @@ struct Prepared {
 
 /// Coordinates of most points must not be greater, in magnitude.
 inline constexpr double kGreatestCoordinate = 1e152;
+/// Most points must have one that is not smaller, in magnitude; the origin may be among them.
+inline constexpr double kLeastCoordinate = 1e-162;
 
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
 /// are put in order and cleaned. Fails if k is 0, if the radius is not positive or the scanner not
 /// finite, if a list names a point that does not exist, if most points are beyond
-/// kGreatestCoordinate, or if cancelled. Neighbor lists are ordered
+/// kGreatestCoordinate or within kLeastCoordinate, or if cancelled. Neighbor lists are ordered
 /// by distance, ties by index: the result does not depend on the search method. Requires `leaveOut`
 /// to name existing points.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,

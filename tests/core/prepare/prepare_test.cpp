@@ -497,7 +497,8 @@ TEST_CASE("prepare: points to leave out are set aside, and the rest is as in a f
     }
 }
 
-TEST_CASE("prepare: points whose squared distances are no numbers are refused as too large") {
+TEST_CASE(
+    "prepare: points whose squared distances are no numbers, or zero, are refused by their size") {
     PointFile file = findScene("sphere")->build();
     file.neighbors = {};
     file.type.clear();
@@ -510,6 +511,12 @@ TEST_CASE("prepare: points whose squared distances are no numbers are refused as
     const Result<Prepared> large = scaledBy(1e300);
     REQUIRE_FALSE(large.ok());
     CHECK(large.error().message.find("coordinates are too large") != std::string::npos);
+    CHECK(scaledBy(1e-161).ok());
+    for (const double factor : {1e-163, 1e-300, 1e-310}) {
+        const Result<Prepared> small = scaledBy(factor);
+        REQUIRE_FALSE(small.ok());
+        CHECK(small.error().message.starts_with("coordinates are too small: below 1e-162"));
+    }
     // One place that stands for no value does not make the others too large.
     file.position[0] = Vec3(1e300);
     CHECK(scaledBy(1.0).ok());
