@@ -985,6 +985,48 @@ thin_keeps_a_spacing() {
     cmp -s out first || fail "another piece of the same file"
 }
 
+scale_multiplies_coordinates() {
+    square >square.xyz
+    expect 0 info square.xyz --scale-by 10,2,0.5
+    says out "kept       25 of 25 points: scale 10,2,0.5"
+    expect 0 run square.xyz --crop 0,0,0,2,2,0 --scale-by 10,2,0.5 -q -o mesh.ply --report report.json
+    is "$(number kept report.json)" 9 "points in the box"
+    expect 0 info mesh.ply --json
+    python3 - <<'EOF' || fail "not scaled"
+import json
+assert json.load(open("out"))["facts"]["box"]["high"] == [20.0, 4.0, 0.0]
+piece = json.load(open("report.json"))["piece"]
+assert piece["scale"] == [10.0, 2.0, 0.5], piece
+EOF
+    "$program" check mesh.ply --points square.xyz --crop 0,0,0,2,2,0 --scale-by 10,2,0.5 --json >out
+    is "$(number lost_points out)" 0 "lost points of the scaled ones"
+    expect 2 run square.xyz --scale-by 1,0,1
+    says err "--scale-by 1,0,1: expected three numbers > 0 separated by commas: X,Y,Z"
+    expect 2 compare square.xyz --with --scale-by 2,2,2
+    says err "give it before --with"
+}
+
+doctor_converts_units() {
+    # A wave in meters, x and y as degrees.
+    awk 'BEGIN { for (i = 0; i < 30; i++) for (j = 0; j < 30; j++) {
+        x = 0.3 * i + 0.02 * sin(7 * j + i); y = 0.3 * j + 0.02 * sin(5 * i + 3 * j)
+        printf "%.10f %.10f %.4f\n", 11.57 + x / 74300, 48.13 + y / 111132, 520 + 3 * sin(0.35 * x) * cos(0.4 * y)
+    } }' >"in degrees.xyz"
+    expect 1 doctor "in degrees.xyz"
+    says out "; with x and y as degrees of longitude and latitude, in meters, "
+    says out "try: spiraling-edge run 'in degrees.xyz' --scale-by 74300,111132,1 -o OUT.ply"
+    says out ", by robust sound (before no triangle)"
+    expect 0 run "in degrees.xyz" --scale-by 74300,111132,1 --rules robust -q -o mesh.ply
+    expect 0 check mesh.ply
+    # Factors that are given already are not multiplied again.
+    expect 1 doctor "in degrees.xyz" --scale-by 2,2,2 --json
+    python3 - <<'EOF' || fail "a command for points that are scaled"
+import json
+found = [f for f in json.load(open("out"))["findings"] if f["name"] == "mixed_units"]
+assert len(found) == 1 and found[0]["remedy"] is None and found[0]["tried"] is None, found
+EOF
+}
+
 pieces_go_through_all_verbs() {
     expect 0 run scene:sphere --crop -9,-9,-9,9,9,0 --thin 0.05 -q -o mesh.ply
     expect 3 check mesh.ply --points scene:torus --crop -9,-9,-9,9,9,0

@@ -80,6 +80,11 @@ struct Visit {
     Diagnosis left;  ///< Findings that the written file still has.
 };
 
+/// Leaves out commands that would scale the points once more: one option has one value.
+void dropFactors(Diagnosis& diagnosis) {
+    for (Finding& finding : diagnosis.findings) finding.scale.reset();
+}
+
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
     return runWithProgress("examining", name, line,
                            [&](const Progress& progress) { return examine(file, progress); });
@@ -127,7 +132,7 @@ Answer findingAnswer(const Finding& finding, const std::string& input) {
     addLine(finding.tried || remedy.empty() ? "try:" : "try (not tried here):", remedy);
     if (finding.tried && finding.tried->helps) addLine("tried:", finding.tried->text);
     if (finding.tried && !finding.tried->helps)
-        addLine("without gain:", remedyFor(check, input) + ": " + finding.tried->text);
+        addLine("without gain:", commandOf(finding, input) + ": " + finding.tried->text);
     return answer;
 }
 
@@ -217,6 +222,7 @@ ExitCode doctorVerb(const Arguments& words) {
                 arguments.fixed,
                 {},
                 {}};
+    if (spec.piece.isScaled()) dropFactors(visit.findings);
     if (arguments.fixed.empty()) tryCommands(arguments, file, line, visit.findings);
     if (!arguments.fixed.empty()) {
         const ProposedDrop drop = proposedDrop(visit.findings, arguments.drop);

@@ -36,12 +36,29 @@ struct Layers {
     double height() const { return std::sqrt(0.25 * apart * apart + noise * noise); }
 };
 
-/// Axes with different units (pattern_checks.cpp).
+/// Points with other units, judged as a surface (unit_checks.cpp).
+struct ScaledSurface {
+    double planar = 0.0;  ///< Share of planar places (given_normals.h).
+    double even = 0.0;    ///< Mean ratio of the distances to the nearest and to the twelfth.
+    NeighborLists nearest{};
+};
+
+/// A conversion of the coordinates to one unit.
+struct UnitScale {
+    Vec3 factors{1.0};
+    std::string_view words;  ///< "x and y as degrees of longitude and latitude, in meters".
+    ScaledSurface surface{};
+    /// Factors if x and y are degrees in the other order, where the points do not tell.
+    std::optional<Vec3> otherOrder{};
+};
+
+/// Axes with different units (unit_checks.cpp).
 struct MixedUnits {
-    Vec3 extent{0.0};           ///< Of the points, along each axis.
-    double planar = 0.0;        ///< Share of planar places (given_normals.h),
-    double planarScaled = 0.0;  ///< and that with equal extents.
-    NeighborLists scaled{};     ///< The lists of the nearest with equal extents.
+    Vec3 extent{0.0};                  ///< Of the points, along each axis.
+    double planar = 0.0;               ///< Share of planar places (given_normals.h),
+    double planarScaled = 0.0;         ///< and that with equal extents.
+    std::optional<UnitScale> scale{};  ///< Nothing: none of a few that makes a surface.
+    NeighborLists scaled{};            ///< The lists of the nearest by `scale`, or equal extents.
 };
 
 /// A file under examination. Everything except `file` is derived from it.
@@ -85,6 +102,8 @@ std::optional<Layers> layersOf(const ExaminedFile& examined);
 
 /// The units of a file whose lists are filled in.
 std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined);
+/// "74310,111132,1", as --scale-by takes them.
+std::string factorsText(const Vec3& factors);
 
 /// Fails as examine() does.
 Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
@@ -114,6 +133,9 @@ std::vector<EvidenceLine> evidenceAt(const ExaminedFile& examined, At&& at) {
     return lines;
 }
 
+/// From points to the farthest of their lists.
+std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists);
+
 /// A finding at these points (ascending), or nothing if there are none. Its text is their number,
 /// as "3 points", and `what`.
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
@@ -131,8 +153,9 @@ std::optional<Finding> findInLine(const ExaminedFile& examined);
 std::optional<Finding> findUnevenSpacing(const ExaminedFile& examined);
 std::optional<Finding> findTies(const ExaminedFile& examined);
 
-// pattern_checks.cpp
+// unit_checks.cpp
 std::optional<Finding> findMixedUnits(const ExaminedFile& examined);
+// pattern_checks.cpp
 std::optional<Finding> findTwins(const ExaminedFile& examined);
 std::optional<Finding> findLines(const ExaminedFile& examined);
 

@@ -17,6 +17,9 @@
 namespace se {
 namespace {
 
+/// Placeholder of the factors in a command.
+constexpr std::string_view kFactors = "X,Y,Z";
+
 constexpr std::string_view kFix = "spiraling-edge doctor IN --fix OUT.ply";
 constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply";
 constexpr std::string_view kDerive = "spiraling-edge run IN --derive-normals -o OUT.ply";
@@ -50,7 +53,7 @@ constexpr std::array kChecks{
     DoctorCheck{"mixed_units", "3",
                 "The nearest points are not those about a point: convert the coordinates to one "
                 "unit first.",
-                "", Fix::None, findMixedUnits},
+                "spiraling-edge run IN --scale-by X,Y,Z -o OUT.ply", Fix::None, findMixedUnits},
     DoctorCheck{"lost_digits", "3",
                 "Points were moved by up to half a step: write the file again with more digits, or "
                 "subtract an offset first.",
@@ -189,21 +192,40 @@ const DoctorCheck* findDoctorCheck(std::string_view name) {
     return found == kChecks.end() ? nullptr : &*found;
 }
 
-std::string remedyFor(const DoctorCheck& check, std::string_view input, std::string_view output) {
-    constexpr std::string_view kIn = "IN";
-    constexpr std::string_view kOut = "OUT.ply";
-    std::string command(check.remedy);
-    // From the end, since the name of the input may contain the placeholder.
-    const std::size_t out = command.find(kOut);
-    if (out != std::string::npos) command.replace(out, kOut.size(), output);
-    const std::size_t in = command.find(kIn);
-    if (in != std::string::npos) command.replace(in, kIn.size(), input);
+namespace {
+
+void replaceOnce(std::string& text, std::string_view placeholder, std::string_view word) {
+    const std::size_t at = text.find(placeholder);
+    if (at != std::string::npos) text.replace(at, placeholder.size(), word);
+}
+
+/// From the end, since the name of the input may contain the placeholder.
+std::string withFiles(std::string command, std::string_view input, std::string_view output) {
+    replaceOnce(command, "OUT.ply", output);
+    replaceOnce(command, "IN", input);
     return command;
 }
 
+}  // namespace
+
+std::string remedyFor(const DoctorCheck& check, std::string_view input, std::string_view output) {
+    return withFiles(std::string(check.remedy), input, output);
+}
+
+bool Finding::hasRemedy() const {
+    const bool lacksFactors = check->remedy.find(kFactors) != std::string_view::npos && !scale;
+    return !check->remedy.empty() && !dropsAll() && !lacksFactors;
+}
+
+std::string commandOf(const Finding& finding, std::string_view input, std::string_view output) {
+    std::string command(finding.check->remedy);
+    if (finding.scale) replaceOnce(command, kFactors, factorsText(*finding.scale));
+    return withFiles(std::move(command), input, output);
+}
+
 std::string remedyFor(const Finding& finding, std::string_view input, std::string_view output) {
-    if (finding.dropsAll() || (finding.tried && !finding.tried->helps)) return {};
-    std::string command = remedyFor(*finding.check, input, output);
+    if (!finding.hasRemedy() || (finding.tried && !finding.tried->helps)) return {};
+    std::string command = commandOf(finding, input, output);
     if (finding.dropsMost()) command.append(" ").append(kForceOption);
     return command;
 }

@@ -46,7 +46,8 @@ struct DoctorCheck {
     std::string_view name;     ///< As in JSON: `flipped_normals`.
     std::string_view section;  ///< Of the paper, with the rule that is upset: "6.1".
     std::string_view upsets;   ///< The consequence there, as a sentence.
-    /// The command that helps, IN in place of the input; empty if there is none.
+    /// The command that helps, IN in place of the input, X,Y,Z of Finding::scale; empty if there
+    /// is none.
     std::string_view remedy;
     Fix fix;
     /// Nothing if the file does not have the problem.
@@ -100,6 +101,11 @@ struct Finding {
     bool dropsMost() const { return check->fix == Fix::Drop && 2 * toDrop().size() > present; }
     /// True if Fix::Drop would leave none: no remedy.
     bool dropsAll() const { return check->fix == Fix::Drop && toDrop().size() >= present; }
+    /// Factors by which the axes get one unit (Piece::scale). Nothing: a command with --scale-by has
+    /// none.
+    std::optional<Vec3> scale{};
+    /// True if there is a command, whether or not it was tried.
+    bool hasRemedy() const;
     bool isProblem() const { return severity != Severity::Note; }
 };
 
@@ -108,8 +114,12 @@ struct Finding {
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 
+/// The command of a finding's check, with the factors of the finding; also one without gain.
+std::string commandOf(const Finding& finding, std::string_view input,
+                      std::string_view output = "OUT.ply");
+
 /// The command that helps with a finding, with kForceOption where it drops most of the points;
-/// empty also if it would drop all, or was tried and does not help.
+/// empty also if it would drop all, has no factors, or was tried and does not help.
 std::string remedyFor(const Finding& finding, std::string_view input,
                       std::string_view output = "OUT.ply");
 

@@ -1,11 +1,8 @@
 /// Checks of how points are spread over the surface as a whole: pairs, as of two stations, and
-/// lines, as of a scanner, which are thinned (piece.h); and axes with different units. O(points),
-/// but for a second search for the nearest where one axis is much longer than both others.
+/// lines, as of a scanner, which are thinned (piece.h). O(points).
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
@@ -50,78 +47,13 @@ double quantile(std::vector<double>& values, double share) {
     return *at;
 }
 
-/// Share of places that are planar, of about two thousand; 0 without points.
-double planarShare(std::span<const Vec3> position, const std::vector<bool>& present,
-                   const NeighborLists& nearest) {
-    constexpr std::size_t kPlaces = 2000;
-    const auto count = static_cast<std::size_t>(std::count(present.begin(), present.end(), true));
-    const std::size_t step = std::max<std::size_t>(1, count / kPlaces);
-    std::vector<bool> tried(present.size(), false);
-    std::size_t next = 0;
-    for (std::size_t p = 0; p < present.size(); ++p) tried[p] = present[p] && next++ % step == 0;
-    const std::vector<Vec3> any(position.size(), Vec3(0.0, 0.0, 1.0));
-    const NormalFit fit = fitOf({position, any, tried, nearest});
-    if (fit.normals == 0) return 0.0;
-    return static_cast<double>(fit.places) / static_cast<double>(fit.normals);
-}
+}  // namespace
 
-/// True if the three extents differ so much that units may: the middle one is the second longest.
-bool isOneAxisLong(const Vec3& extent) {
-    constexpr double kLong = 100.0;
-    std::array<double, 3> sorted{extent.x, extent.y, extent.z};
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[0] > 0.0 && sorted[2] > kLong * sorted[1];
-}
-
-/// From points to the farthest of their lists.
 std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const NeighborLists& lists) {
     return evidenceAt(examined, [&](Index p) -> std::optional<EvidenceLine> {
         if (lists[p].empty()) return std::nullopt;
         return EvidenceLine{examined.file.position[p], examined.file.position[lists[p].back()]};
     });
-}
-
-}  // namespace
-
-std::optional<MixedUnits> mixedUnitsOf(const ExaminedFile& examined) {
-    // Surfaces have 60 % and more, points in other units than the lists expect nearly none.
-    constexpr double kSurface = 0.5;
-    constexpr double kNoSurface = 0.1;
-    const InputFacts& facts = examined.intake.judge->facts;
-    MixedUnits units{facts.extent()};
-    if (!isOneAxisLong(units.extent)) return std::nullopt;
-    units.planar = planarShare(examined.file.position, examined.present(), examined.nearest());
-    if (units.planar > kNoSurface) return std::nullopt;
-    std::vector<Vec3> position = examined.file.position;
-    for (Vec3& x : position) x = (x - facts.low) / units.extent;
-    auto nearest = nearestPoints(position, examined.present(), KNearest{}.k);
-    if (!nearest) return std::nullopt;
-    units.planarScaled = planarShare(position, examined.present(), nearest.value());
-    if (units.planarScaled < kSurface) return std::nullopt;
-    units.scaled = std::move(nearest.value());
-    return units;
-}
-
-std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
-    if (!examined.units) return std::nullopt;
-    const auto percent = [](double share) { return shortNumber(100.0 * share) + " %"; };
-    const Vec3& extent = examined.units->extent;
-    Finding finding{nullptr,
-                    Severity::Error,
-                    examined.presentCount,
-                    {},
-                    "x, y and z have different units, as degrees beside meters: they span " +
-                        shortNumber(extent.x) + ", " + shortNumber(extent.y) + " and " +
-                        shortNumber(extent.z) + "; " + percent(examined.units->planar) +
-                        " of the places are planar, and " + percent(examined.units->planarScaled) +
-                        " with equal spans"};
-    finding.lines = alongLists(examined, examined.nearest());
-    // Those are short: points of one height, of all of the surface.
-    for (EvidenceLine line : alongLists(examined, examined.units->scaled)) {
-        line.asItShouldBe = true;
-        finding.lines.push_back(line);
-    }
-    return finding;
 }
 
 std::optional<Finding> findTwins(const ExaminedFile& examined) {

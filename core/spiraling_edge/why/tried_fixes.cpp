@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/why/trial.h"
 
 namespace se {
@@ -32,6 +33,7 @@ class FixTrials {
     void expect(std::size_t steps) { steps_ = std::max<std::size_t>(steps, 1); }
 
     Result<TriedFix> tried(const Finding& finding) {
+        if (finding.scale) return triedOn(scaled(file_, *finding.scale), {});
         switch (finding.check->fix) {
             case Fix::None:
                 return triedBest();
@@ -140,22 +142,20 @@ class FixTrials {
 
 Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress) {
     FixTrials trials(file, progress);
-    const auto hasRemedy = [](const Finding& finding) {
-        return !finding.check->remedy.empty() && !finding.dropsAll();
-    };
+    const auto hasRemedy = [](const Finding& finding) { return finding.hasRemedy(); };
     trials.expect(2 + static_cast<std::size_t>(std::count_if(diagnosis.findings.begin(),
                                                              diagnosis.findings.end(), hasRemedy)));
     std::map<std::string_view, TriedFix> effects;  // by command
     for (const Finding& finding : diagnosis.findings) {
         const std::string_view command = finding.check->remedy;
-        if (!hasRemedy(finding) || effects.contains(command)) continue;
+        if (!finding.hasRemedy() || effects.contains(command)) continue;
         Result<TriedFix> tried = trials.tried(finding);
         if (!tried) return tried.error();
         effects[command] = std::move(tried.value());
     }
     if (progress && !progress(1.0)) return Error{"Cancelled."};
     for (Finding& finding : diagnosis.findings) {
-        if (hasRemedy(finding)) finding.tried = effects[finding.check->remedy];
+        if (finding.hasRemedy()) finding.tried = effects[finding.check->remedy];
     }
     return success();
 }

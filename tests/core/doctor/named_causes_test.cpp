@@ -6,6 +6,7 @@
 
 #include "doctor_support.h"
 #include "spiraling_edge/base/median.h"
+#include "spiraling_edge/prepare/piece.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 
@@ -425,6 +426,100 @@ TEST_CASE("doctor: long thin parts and flat ones have one unit") {
         }
         CHECK(findingOf(examined(file), "mixed_units") == nullptr);
     }
+}
+
+namespace {
+
+constexpr double kLatitude = 48.13;
+
+/// The meters of a shape as degrees around a place, longitude first.
+PointFile inDegrees(PointFile file) {
+    const double east = 111320.0 * std::cos(kLatitude * std::numbers::pi / 180.0);
+    file.positionType = ScalarType::Double;
+    file.normal.clear();
+    for (Vec3& x : file.position)
+        x = Vec3(11.57 + x.x / east, kLatitude + x.y / 111132.0, 520.0 + x.z);
+    return file;
+}
+
+void swapXY(PointFile& file) {
+    for (Vec3& x : file.position) std::swap(x.x, x.y);
+}
+
+std::string unitRemedy(const PointFile& file) {
+    const Diagnosis diagnosis = examined(file);
+    const Finding* finding = findingOf(diagnosis, "mixed_units");
+    return finding == nullptr ? "no finding" : remedyFor(*finding, "a.xyz");
+}
+
+}  // namespace
+
+TEST_CASE("doctor: degrees beside meters are converted, in the order that spreads points evenly") {
+    for (const PointFile& shape : shapes(3)) {
+        PointFile file = inDegrees(shape);
+        CHECK(unitRemedy(file) == "spiraling-edge run a.xyz --scale-by 74300,111132,1 -o OUT.ply");
+        const PointFile converted = scaled(file, Vec3(74300.0, 111132.0, 1.0));
+        CHECK(problemNames(converted) == "no_normals ");
+        swapXY(file);
+        CHECK(unitRemedy(file) == "spiraling-edge run a.xyz --scale-by 111132,74300,1 -o OUT.ply");
+    }
+}
+
+TEST_CASE("doctor: the sentence on mixed units says what they are converted to") {
+    PointFile file = inDegrees(shapes(3).front());
+    const auto text = [](const PointFile& points) {
+        return findingOf(examined(points), "mixed_units")->text;
+    };
+    CHECK(text(file).find("; with x and y as degrees of longitude and latitude, in meters, ") !=
+          std::string::npos);
+    CHECK(text(file).find("if x is") == std::string::npos);
+    swapXY(file);
+    CHECK(text(file).find("as degrees of latitude and longitude, in meters, ") !=
+          std::string::npos);
+    // On a grid of degrees the points do not tell the order.
+    PointFile grid;
+    grid.positionType = ScalarType::Double;
+    for (int i = 0; i < 30; ++i) {
+        for (int j = 0; j < 30; ++j)
+            grid.position.emplace_back(11.5 + 1e-5 * i, 48.1 + 1e-5 * j,
+                                       500.0 + 2.0 * std::sin(0.2 * i) + 2.0 * std::cos(0.2 * j));
+    }
+    CHECK(text(grid).ends_with(" are (if x is the latitude: --scale-by 111132,109085,1)"));
+}
+
+TEST_CASE("doctor: millimeters beside meters are converted, on each axis") {
+    const std::array factors{"0.001,1,1", "1,0.001,1", "1,1,0.001"};
+    int found = 0;
+    for (const PointFile& shape : shapes(2)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            PointFile file = shape;
+            file.positionType = ScalarType::Double;
+            file.normal.clear();
+            for (Vec3& x : file.position) {
+                x += 1000.0;
+                x[axis] *= 1000.0;
+            }
+            const std::string remedy = unitRemedy(file);
+            // Not every shape is found on every axis: see the planted files above.
+            if (remedy == "no finding") continue;
+            ++found;
+            CHECK(remedy == "spiraling-edge run a.xyz --scale-by " +
+                                std::string(factors[static_cast<std::size_t>(axis)]) +
+                                " -o OUT.ply");
+        }
+    }
+    CHECK(found >= 14);
+}
+
+TEST_CASE("doctor: units without a conversion that makes a surface have advice alone") {
+    PointFile file = inDegrees(fibonacciSphere(600));
+    for (Vec3& x : file.position) x.x += 300.0;
+    const Diagnosis diagnosis = examined(file);
+    const Finding* finding = findingOf(diagnosis, "mixed_units");
+    REQUIRE(finding != nullptr);
+    CHECK_FALSE(finding->hasRemedy());
+    CHECK(remedyFor(*finding, "a.xyz").empty());
+    CHECK(finding->text.ends_with(" with equal spans"));
 }
 
 // ---- digits -------------------------------------------------------------------------------------

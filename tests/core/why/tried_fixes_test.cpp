@@ -7,6 +7,7 @@
 #include "core/doctor/doctor_support.h"
 #include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/prepare/judge.h"
+#include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/run/reconstruct.h"
 #include "support/clouds.h"
 #include "support/rig.h"
@@ -77,6 +78,23 @@ TEST_CASE("tried fixes: the effect of a command is that of another run of it") {
         CHECK(thin->tried->text == effectOf(pairs, left, NormalSource::AsGiven));
         CHECK(thin->tried->helps == !remedyFor(*thin, "a.ply").empty());
     }
+}
+
+TEST_CASE("tried fixes: the effect of --scale-by is that of a run of the scaled points") {
+    PointFile file = fibonacciSphere(600);
+    for (Vec3& x : file.position) x.z *= 1000.0;
+    file.normal.clear();
+    file.positionType = ScalarType::Double;
+    const Diagnosis units = triedOn(file);
+    const Finding* scale = findingOf(units, "mixed_units");
+    REQUIRE(scale != nullptr);
+    REQUIRE(scale->tried);
+    CHECK(scale->tried->helps);
+    CHECK(scale->tried->text ==
+          effectOf(file, scaled(file, Vec3(1.0, 1.0, 0.001)), NormalSource::AsGiven));
+    CHECK(scale->tried->text.starts_with("by paper sound"));
+    CHECK(remedyFor(*scale, "'a b.ply'") ==
+          "spiraling-edge run 'a b.ply' --scale-by 1,1,0.001 -o OUT.ply");
 }
 
 TEST_CASE("tried fixes: a command without gain is not named as a remedy") {

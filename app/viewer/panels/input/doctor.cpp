@@ -68,6 +68,8 @@ std::string commandForMade(const std::string& source, const Finding& finding) {
 std::string commandFor(const PanelContext& context, const Finding& finding) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().input().spec().source;
+    // One option has one value.
+    if (finding.scale && context.session().input().spec().piece.isScaled()) return {};
     // A command would examine all points of the file.
     if (!context.session().input().spec().leftOut.empty()) return {};
     if (isScene(source) || isStandardInput(source)) return remedyFor(finding, shellPath(source));
