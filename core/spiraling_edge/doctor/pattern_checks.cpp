@@ -59,7 +59,9 @@ std::vector<EvidenceLine> alongLists(const ExaminedFile& examined, const Neighbo
 std::optional<Finding> findTwins(const ExaminedFile& examined) {
     auto points = pointsWhere(examined.size(),
                               [&](Index p) { return examined.intake.judge->twinOf(p) != kNone; });
-    if (2 * points.size() <= examined.presentCount) return std::nullopt;
+    constexpr std::size_t kFewest = 20;  // Fewer, as the corners of a beam, are no cloud of pairs.
+    if (examined.presentCount < kFewest || 2 * points.size() <= examined.presentCount)
+        return std::nullopt;
     std::vector<double> pairs;
     std::vector<double> others;
     for (const Index p : points) {

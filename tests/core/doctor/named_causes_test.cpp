@@ -317,6 +317,14 @@ TEST_CASE("doctor: pairs are said if they are more than half of the points") {
     }
 }
 
+TEST_CASE("doctor: the corners of a beam are no pairs") {
+    PointFile beam;
+    for (const double x : {0.0, 0.4})
+        for (const double y : {0.0, 4.0})
+            for (const double z : {0.0, 4.0}) beam.position.emplace_back(x, y, z);
+    CHECK(findingOf(examined(beam), "twins") == nullptr);
+}
+
 TEST_CASE("doctor: lines are found in 95 of 100 files, with their distances") {
     int count = 0;
     int right = 0;
