@@ -79,6 +79,11 @@ Answer answerOf(const Ledger& ledger) {
     answer.json["subject"] = std::vector<Index>(points.begin(), points.end());
     answer.json["present"] = ledger.present;
     addHistory(ledger, answer);
+    if (ledger.inverse) {
+        answer.text += fmt::format("\nInverted: --what-if \"{}\"\n", lineOf(*ledger.inverse));
+        answer.json["what_if"] = lineOf(*ledger.inverse);
+    }
+    answer.json["proved_by"] = provedByName(ledger.provedBy);
     return answer;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/why/cause_inversion.h"
+#include "spiraling_edge/why/proof.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -134,6 +136,7 @@ struct WhyArguments {
     bool failures = false;
     bool remedy = false;
     bool prove = false;
+    bool more = false;
     std::size_t closest = 0;
     std::size_t limit = 100;
     bool json = false;
@@ -180,6 +183,9 @@ struct WhyArguments {
             "--prove", prove,
             "With --failures: inverts the decision that made each of them unavoidable, and "
             "shows which failures disappear");
+        app.add_flag("--more", more,
+                     "With --point, --edge and --triangle: look for the proof with up to 200 "
+                     "inverted decisions instead of 20");
         app.add_option("--most", limit,
                        "With --find and --failures: list N, of each class; with --prove "
                        "try N of each, spread over all")
@@ -191,6 +197,7 @@ struct WhyArguments {
                    "shows it.\nThe line marked > is the decisive one.");
     }
 
+    ProofLimits proofLimits() const { return more ? ProofLimits{200, 100.0} : ProofLimits{}; }
     bool asksSubject() const { return !(point.empty() && edge.empty() && triangle.empty()); }
     /// The subject. Throws Failure(Usage) if its points are no numbers. Requires asksSubject().
     Subject subject() const {
@@ -211,11 +218,36 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Answer about the failure of a choice: its three moments, and what would have prevented it.
+/// Adds to the answer about a failure what becomes of it with its decision inverted.
+void addProof(const CauseInversion& inversion, Answer& answer) {
+    answer.text += fmt::format("  {:<16} {}\n", "inverted", inversionName(inversion.outcome));
+    answer.json["proof"] = inversionName(inversion.outcome);
+    for (const WhatIf& inverse : inversion.inverses) {
+        answer.text += fmt::format("{:19}--what-if \"{}\"\n", "", lineOf(inverse));
+        answer.json["what_if"].push_back(lineOf(inverse));
+    }
+    if (inversion.reason.empty()) return;
+    answer.text += fmt::format("{:19}{}\n", "", inversion.reason);
+    answer.json["reason"] = inversion.reason;
+}
+
+/// Answer about the failure of a choice: its three moments, their proof, and what would have
+/// prevented it.
 Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                   const RunFailureSearch& found, const PreparedInput& run, ProgressLine& line) {
     const RunFailure failure = pickFailure(found, choice, arguments.input.input());
     Answer answer = answerOf(failure);
+    const auto chosen = static_cast<std::size_t>(
+        std::find_if(found.failures.begin(), found.failures.end(),
+                     [&](const RunFailure& each) { return each.position == failure.position; }) -
+        found.failures.begin());
+    addProof(searched(arguments, "proving", line,
+                      [&](const Progress& progress) {
+                          return invertCauses(run.points, run.params, found.failures,
+                                              std::span(&chosen, 1), progress);
+                      })
+                 .front(),
+             answer);
     if (!arguments.remedy) return answer;
     const Answer remedies =
         answerOf(searched(arguments, "trying", line, [&](const Progress& progress) {
@@ -265,7 +297,8 @@ Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& r
             return search(run.points, run.params, values..., progress);
         }));
     };
-    if (arguments.asksSubject()) return ask(why, arguments.subject());
+    if (arguments.asksSubject())
+        return ask(provedWhy, arguments.subject(), arguments.proofLimits());
     if (ring) return ask(whyRing, *ring);
     if (arguments.charts) return ask(runCharts);
     if (arguments.closest > 0) return ask(nearestDecisions, arguments.closest);

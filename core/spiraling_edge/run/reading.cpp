@@ -136,7 +136,8 @@ std::optional<Reading> readingOf(const Event& event, const ReadingContext& conte
 }
 
 std::string_view roleName(LineRole role) {
-    constexpr std::array<std::string_view, 5> kNames{"fact", "taken", "refused", "made", "undone"};
+    constexpr std::array<std::string_view, 6> kNames{"fact",     "taken", "refused",
+                                                     "indirect", "made",  "undone"};
     return kNames[static_cast<std::size_t>(role)];
 }
 

@@ -62,10 +62,13 @@ enum class LineRole : std::uint8_t {
     Fact,     ///< A change of one of its points: ring, pivot, DONE.
     Taken,    ///< A test that it passed.
     Refused,  ///< A test that it failed, or that ended a fan it would have been in.
-    Made,     ///< It was added to the mesh.
-    Undone,   ///< It was removed from the mesh.
+    /// A test of other points that decided about it: one that made way for it, or that put
+    /// something in its place.
+    Indirect,
+    Made,    ///< It was added to the mesh.
+    Undone,  ///< It was removed from the mesh.
 };
-/// "fact", "taken", "refused", "made", "undone".
+/// "fact", "taken", "refused", "indirect", "made", "undone".
 std::string_view roleName(LineRole role);
 
 /// One decision, its place and its reading.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/sweep.h"
 #include "spiraling_edge/stepper/event.h"
@@ -149,12 +150,35 @@ class CauseFinder {
             if (lists(static_cast<Index>(q), p)) ++listing;
         }
         const std::string words =
-            listing == 0 ? "No point lists " + std::to_string(p) +
-                               " among its neighbors, so no pivot ever tested it."
-                         : "Point " + std::to_string(p) + " is listed by " +
-                               std::to_string(listing) + (listing == 1 ? " point" : " points") +
-                               ", but none of them was a pivot that looked at it.";
+            listing == 0
+                ? "No point lists " + std::to_string(p) +
+                      " among its neighbors, so no pivot ever tested it" + oppositionTo(p) + "."
+                : "Point " + std::to_string(p) + " is listed by " + std::to_string(listing) +
+                      (listing == 1 ? " point" : " points") +
+                      ", but none of them was a pivot that looked at it.";
         return {lastAbout(ledger_.subject), words};
+    }
+
+    /// The reason for an empty list, as the end of a sentence; empty if there is none.
+    std::string oppositionTo(Index p) const {
+        constexpr std::size_t kNearby = 160;
+        if (!points_.neighbors[p].empty() || points_.normal.empty()) return {};
+        std::vector<std::pair<double, Index>> near;
+        for (Index q = 0; q < points_.size(); ++q) {
+            if (q == p || points_.isAside(q)) continue;
+            const Vec3 way = points_.position[q] - points_.position[p];
+            near.emplace_back(glm::dot(way, way), q);
+        }
+        const std::size_t count = std::min(near.size(), kNearby);
+        std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
+                          near.end());
+        const bool opposed = std::all_of(
+            near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [&](const auto& each) {
+                return normalsOppose(points_.normal[p], points_.normal[each.second]);
+            });
+        if (count == 0 || !opposed) return {};
+        return ": its normal opposes those of the " + std::to_string(count) +
+               " points nearest to it";
     }
 
     /// Neither end ever tested the other.
@@ -214,15 +238,95 @@ class CauseFinder {
     const State& end_;
 };
 
+/// True if the way from `at` to p leads into the triangle, between its two other points.
+bool isInSector(const PointSet& points, const Triangle& t, Index at, Index p) {
+    const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
+    const Index y = at == t.a ? t.c : at == t.b ? t.a : t.b;
+    const auto to = [&](Index q) { return points.position[q] - points.position[at]; };
+    const Vec3& n = points.normal[at];
+    return x != p && y != p && glm::dot(glm::cross(to(x), to(p)), n) > 0.0 &&
+           glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
+}
+
+/// See Ledger::rivals; the latest triangles. O(triangles).
+std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
+                               std::span<const Triangle> made) {
+    constexpr std::size_t kNearby = 6;
+    std::vector<std::pair<Index, Index>> ways;
+    for (const Index p : subject.points()) {
+        for (const Index q : subject.points()) {
+            if (p != q) ways.emplace_back(p, q);
+        }
+        const auto list = points.neighbors[p];
+        if (subject.size() > 1) continue;
+        for (const Index q : list.first(std::min(list.size(), kNearby))) ways.emplace_back(q, p);
+    }
+    std::vector<Triangle> rivals;
+    for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
+        const Triangle& t = made[i];
+        const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+            return hasCorner(t, way.first) && isInSector(points, t, way.first, way.second);
+        });
+        if (inTheWay) rivals.push_back(t);
+    }
+    return rivals;
+}
+
+/// The gap of a neighbor ring that one triangle fills, by the angles at the pivot: candidates in it
+/// were removed, or the triangle would be another.
+class FilledGap {
+  public:
+    /// `events`: of the pivot that made the triangle.
+    FilledGap(std::span<const Event> events, const Triangle& made) {
+        for (const Event& event : events) {
+            if (const auto* pivot = as<PivotEvidence>(event)) {
+                angles_.emplace_back(pivot->first, 0.0);
+                angles_.emplace_back(pivot->last, pivot->sectorDegrees);
+            } else if (const auto* sort = as<SortEvidence>(event);
+                       sort && !wasSettledBefore(event)) {
+                angles_.emplace_back(sort->point, sort->degrees);
+            }
+        }
+        for (const Index p : {made.a, made.b, made.c}) {
+            const auto angle = angleOf(p);
+            if (!angle) continue;
+            from_ = std::min(from_, *angle);
+            to_ = std::max(to_, *angle);
+        }
+    }
+
+    /// True for a test that removed a candidate in the gap, or let first and last make the
+    /// triangle alone (§6.4).
+    bool isClearedBy(const Event& event) const {
+        if (isA<TwoPointEvidence>(event)) return outcomeOf(event) == Outcome::Taken;
+        if (!isAgainst(outcomeOf(event)) || isA<LimitEvidence>(event)) return false;
+        const auto angle = angleOf(testedPoint(event));
+        return angle && from_ < *angle && *angle < to_;
+    }
+
+  private:
+    std::optional<double> angleOf(Index p) const {
+        const auto found = std::find_if(angles_.begin(), angles_.end(),
+                                        [&](const auto& each) { return each.first == p; });
+        return found == angles_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    std::vector<std::pair<Index, double>> angles_;
+    double from_ = 360.0;
+    double to_ = 0.0;
+};
+
 /// Collects, pivot by pivot, the lines of a ledger; then finds the deciding one.
 class LedgerBuilder {
   public:
     LedgerBuilder(const PointSet& points, const Params& params, const Subject& subject)
-        : points_(points), params_(params), subject_(subject), ledger_{subject, false, {}, 0, {}} {}
+        : points_(points), params_(params), subject_(subject), ledger_{subject} {}
 
     void add(const SweptPivot& pivot) {
         alive_.reset();
         reciprocal_ = kNone;
+        moves_.clear();
+        gap_ = gapOf(pivot);
         for (const Event& event : pivot.events) {
             follow(event);
             addEvent(pivot, event);
@@ -246,6 +350,10 @@ class LedgerBuilder {
         ledger_.present = isInMesh(end.mesh(), subject_);
         const Cause cause = CauseFinder(points_, ledger_, end).find();
         ledger_.cause = cause.line;
+        ledger_.words = cause.words;
+        ledger_.edited = !end.repair.empty();
+        ledger_.pivots = end.counters.pivots;
+        if (!ledger_.present) ledger_.rivals = rivalsOf(points_, subject_, end.triangles);
         ledger_.answer =
             nameOf(subject_) + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
             cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
@@ -286,15 +394,34 @@ class LedgerBuilder {
             if (now != *inMesh_) role = now ? LineRole::Made : LineRole::Undone;
             inMesh_ = now;
         }
+        const LedgerLine line{event, pivot.point, role.value_or(LineRole::Indirect),
+                              readingOf(event, {points_, params_, pivot.point})};
+        const auto* limit = as<LimitEvidence>(event);
+        if (limit != nullptr && limit->moves() && !role) moves_.push_back(line);
         if (!role) return;
-        ledger_.lines.push_back(
-            {event, pivot.point, *role, readingOf(event, {points_, params_, pivot.point})});
+        if (const LedgerLine* move = moveOver(event)) ledger_.lines.push_back(*move);
+        ledger_.lines.push_back(line);
+    }
+
+    /// The first move of start or end past a candidate that it left outside (§6.1, Fig. 4); null if
+    /// the event is none.
+    const LedgerLine* moveOver(const Event& event) const {
+        const auto* drop = as<DropEvidence>(event);
+        if (drop == nullptr || drop->verdict != Verdict::Outside) return nullptr;
+        const auto found = std::find_if(moves_.begin(), moves_.end(), [&](const LedgerLine& line) {
+            const auto& move = std::get<LimitEvidence>(line.event.evidence);
+            if (move.side != drop->side) return false;
+            return move.side == Side::Start ? move.toDegrees >= drop->degrees
+                                            : move.toDegrees <= drop->degrees;
+        });
+        return found == moves_.end() ? nullptr : &*found;
     }
 
     std::optional<LineRole> roleOf(Index pivot, const Event& event) const {
         const auto* emit = as<EmitEvidence>(event);
         if (emit != nullptr && holds(emit->corners, subject_)) return LineRole::Made;
         if (const auto role = roleOfTest(pivot, event)) return role;
+        if (gap_ && gap_->isClearedBy(event)) return LineRole::Indirect;
         return isFact(event) ? std::optional(LineRole::Fact) : std::nullopt;
     }
 
@@ -313,6 +440,18 @@ class LedgerBuilder {
             tested == kNone && rowOf(event.address.stage).tests == StageTests::OfFans;
         const bool concerned = alive_.any() && (single || subject_.has(pivot));
         return wholeFan && isAgainst(outcome) && concerned ? std::optional(role) : std::nullopt;
+    }
+
+    /// The gap that the subject fills in this pivot; nothing if it is not made here, or is a point.
+    std::optional<FilledGap> gapOf(const SweptPivot& pivot) const {
+        if (subject_.size() == 1) return {};
+        const auto made =
+            std::find_if(pivot.events.begin(), pivot.events.end(), [&](const Event& event) {
+                const auto* emit = as<EmitEvidence>(event);
+                return emit != nullptr && holds(emit->corners, subject_);
+            });
+        if (made == pivot.events.end()) return {};
+        return FilledGap(pivot.events, as<EmitEvidence>(*made)->corners);
     }
 
     bool isFact(const Event& event) const {
@@ -357,6 +496,8 @@ class LedgerBuilder {
     const Subject subject_;
     Ledger ledger_;
     std::bitset<3> alive_;  ///< Points of the subject that may become spokes of the current fan.
+    std::optional<FilledGap> gap_;   ///< Of this pivot.
+    std::vector<LedgerLine> moves_;  ///< Of start and end, in this pivot.
     Index reciprocal_ = kNone;    ///< The last point that passed the reciprocal test at this pivot.
     std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
 };

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/run/reading.h"
@@ -35,15 +37,35 @@ class Subject {
 /// "point 812", "edge 812-640", "triangle (1, 2, 3)".
 std::string nameOf(const Subject& subject);
 
+inline constexpr std::size_t kMostRivals = 8;
+
+/// The kinds of proof of an answer (proof.h).
+enum class ProvedBy : std::uint8_t {
+    Nothing,      ///< Not proved.
+    Inversion,    ///< With the decision inverted the answer is another.
+    Step,         ///< A step after the last pivot made or removed the subject.
+    Preparation,  ///< It was set aside before the run, or no list names it.
+};
+/// "nothing", "inversion", "step", "preparation".
+std::string_view provedByName(ProvedBy by);
+
 /// The answer to a query.
 struct Ledger {
     Subject subject;
-    bool present = false;           ///< In the mesh at the end of the run.
-    std::vector<LedgerLine> lines;  ///< In the order of the run.
+    bool present = false;                ///< In the mesh at the end of the run.
+    std::vector<LedgerLine> lines = {};  ///< In the order of the run.
     /// Position of the deciding line: the one that made the subject, or the last that prevented it.
     /// Always below lines.size().
     std::size_t cause = 0;
-    std::string answer;  ///< One or two sentences that end with the address of the cause.
+    std::string words = {};   ///< One sentence: the cause.
+    std::string answer = {};  ///< One or two sentences that end with the address of the cause.
+    ProvedBy provedBy = ProvedBy::Nothing;
+    std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
+    /// Triangles of the run in its place: at a point of it, between the two other points of such a
+    /// triangle lies the way to another point of it. At most kMostRivals.
+    std::vector<Triangle> rivals = {};
+    bool edited = false;       ///< Steps after the last pivot edited the mesh.
+    std::uint32_t pivots = 0;  ///< Of the run.
 };
 
 /// The question why the subject is in the mesh of a run, or why it is not. Fails if its points are

@@ -44,7 +44,7 @@ std::string effectOf(const PointFile& before, const PointFile& after, NormalSour
     return text;
 }
 
-Diagnosis triedOn(const PointFile& file) {
+Diagnosis diagnosisTriedOn(const PointFile& file) {
     Diagnosis diagnosis = examined(file);
     REQUIRE(tryFixes(file, diagnosis).ok());
     return diagnosis;
@@ -63,14 +63,14 @@ TEST_CASE("tried fixes: the effect of a command is that of another run of it") {
     for (const Family& family : closedFamilies(kTubesApart)) {
         PointFile alike = family.sample(1);
         for (Vec3& n : alike.normal) n = Vec3(0.0, 0.0, 1.0);
-        const Diagnosis unfit = triedOn(alike);
+        const Diagnosis unfit = diagnosisTriedOn(alike);
         const Finding* derive = findingOf(unfit, "unfit_normals");
         REQUIRE(derive != nullptr);
         REQUIRE(derive->tried);
         CHECK(derive->tried->text == effectOf(alike, alike, NormalSource::Derived));
 
         const PointFile pairs = inPairs(family.sample(2), 0.002);
-        const Diagnosis twins = triedOn(pairs);
+        const Diagnosis twins = diagnosisTriedOn(pairs);
         const Finding* thin = findingOf(twins, "twins");
         REQUIRE(thin != nullptr);
         REQUIRE(thin->tried);
@@ -85,7 +85,7 @@ TEST_CASE("tried fixes: the effect of --scale-by is that of a run of the scaled 
     for (Vec3& x : file.position) x.z *= 1000.0;
     file.normal.clear();
     file.positionType = ScalarType::Double;
-    const Diagnosis units = triedOn(file);
+    const Diagnosis units = diagnosisTriedOn(file);
     const Finding* scale = findingOf(units, "mixed_units");
     REQUIRE(scale != nullptr);
     REQUIRE(scale->tried);
@@ -116,7 +116,7 @@ TEST_CASE("tried fixes: a repair says how many points a run uses") {
     PointFile file = fibonacciSphere(600);
     append(file, moved(fibonacciSphere(600), Vec3(0.0)));
     file.position[3].x = std::numeric_limits<double>::quiet_NaN();
-    const Diagnosis diagnosis = triedOn(file);
+    const Diagnosis diagnosis = diagnosisTriedOn(file);
     for (const char* name : {"non_finite", "duplicates"}) {
         const Finding* finding = findingOf(diagnosis, name);
         REQUIRE(finding != nullptr);
@@ -128,14 +128,14 @@ TEST_CASE("tried fixes: a repair says how many points a run uses") {
 TEST_CASE("tried fixes: a sound file needs no change, and advice without a command is not tried") {
     PointFile bare = fibonacciSphere(600);
     bare.normal.clear();
-    const Diagnosis diagnosis = triedOn(bare);
+    const Diagnosis diagnosis = diagnosisTriedOn(bare);
     const Finding* none = findingOf(diagnosis, "no_normals");
     REQUIRE(none != nullptr);
     CHECK(none->tried->text == "sound as given");
     PointFile two = fibonacciSphere(600);
     two.position.resize(2);
     two.normal.resize(2);
-    const Diagnosis few = triedOn(two);
+    const Diagnosis few = diagnosisTriedOn(two);
     const Finding* tooFew = findingOf(few, "too_few_points");
     REQUIRE(tooFew != nullptr);
     CHECK_FALSE(tooFew->tried);

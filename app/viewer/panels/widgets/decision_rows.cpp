@@ -34,10 +34,11 @@ struct RoleLook {
 };
 
 /// By LineRole.
-constexpr std::array<RoleLook, 5> kRoleLooks = {{
+constexpr std::array<RoleLook, 6> kRoleLooks = {{
     {Shape::Dot, 0.3F, &Palette::textDim},
     {Shape::Disc, 0.56F, &Palette::used},
     {Shape::Cross, 0.6F, &Palette::rejected},
+    {Shape::Disc, 0.4F, &Palette::used},
     {Shape::Diamond, 0.74F, &Palette::test},
     {Shape::OpenDiamond, 0.74F, &Palette::rejected},
 }};

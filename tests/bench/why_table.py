@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Random questions to `why`, each answer's inversion run again: why_table.py PROGRAM COUNT FILE...
+
+For each FILE and for the rules paper, corrected and robust, COUNT questions of each kind are drawn by chance:
+unused points, missing edges (of near points that share no triangle), missing triangles, wrong triangles (at a fault) and triangles of
+the mesh. A proved answer names a what-if; the run is repeated with it by `run --what-if`, and its mesh must hold the
+subject where the first did not, and the other way around. Prints a Markdown table. PROGRAM: build/bin/spiraling-edge.
+Exit code 1 if a proof is false, or if under 90 % of the unused points, missing edges and wrong triangles are proved.
+"""
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+RULES = ("paper", "corrected", "robust")
+COUNTED = ("unused point", "missing edge", "wrong triangle")
+work = pathlib.Path(tempfile.mkdtemp())
+
+
+def mesh_of(program, file, options):
+    """Triangles by the numbers of the prepared points, and the report of a run."""
+    out, report = work / "mesh.obj", work / "report.json"
+    for path in (out, report):
+        path.unlink(missing_ok=True)
+    done = subprocess.run([program, "run", file, *options, "-q", "-o", out, "--report", report], capture_output=True, text=True)
+    if not out.exists():
+        sys.exit(f"{file} {options}: {done.stderr}")
+    lines = [line.split() for line in out.read_text().splitlines()]
+    points = [tuple(map(float, w[1:4])) for w in lines if w and w[0] == "v"]
+    faces = [tuple(int(x.split("/")[0]) - 1 for x in w[1:4]) for w in lines if w and w[0] == "f"]
+    return points, faces, json.loads(report.read_text())
+
+
+def holds(faces, subject):
+    return any(set(subject) <= set(face) for face in faces)
+
+
+def near(points, p, count):
+    order = sorted(range(len(points)), key=lambda q: sum((a - b) ** 2 for a, b in zip(points[p], points[q])))
+    return [q for q in order if q != p][:count]
+
+
+def questions(points, faces, report, count, chance):
+    """Kind and subject of each question."""
+    used = {p for face in faces for p in face}
+    edges = {frozenset(e) for f in faces for e in ((f[0], f[1]), (f[1], f[2]), (f[2], f[0]))}
+    whole = {frozenset(f) for f in faces}
+    lost = [p for p in range(len(points)) if p not in used]
+    asked = [("unused point", [p]) for p in chance.sample(lost, min(count, len(lost)))]
+    for _ in range(count):
+        p = chance.randrange(len(points))
+        others = [q for q in near(points, p, 6) if frozenset((p, q)) not in edges]
+        if others:
+            asked.append(("missing edge", [p, others[0]]))
+        three = [p] + near(points, p, 2)
+        if frozenset(three) not in whole:
+            asked.append(("missing triangle", three))
+        if faces:
+            asked.append(("triangle", list(faces[chance.randrange(len(faces))])))
+    wrong = [list(faces[fault[key]]) for fault in report.get("fault_list", []) for key in ("triangle", "other") if fault.get(key) is not None]
+    asked += [("wrong triangle", t) for t in chance.sample(wrong, min(count, len(wrong)))]
+    return asked
+
+
+def main():
+    program, count, *files = sys.argv[1:]
+    tally, false = {}, 0
+    for file in files:
+        for rules in RULES:
+            points, faces, report = mesh_of(program, file, ["--rules", rules])
+            for kind, subject in questions(points, faces, report, int(count), random.Random(1)):
+                option = {1: "--point", 2: "--edge", 3: "--triangle"}[len(subject)]
+                done = subprocess.run([program, "why", file, "--rules", rules, option, ",".join(map(str, subject)), "--json"],
+                                      capture_output=True, text=True)
+                if done.returncode:
+                    print(f"{file} {rules} {kind} {subject}: {done.stderr.strip()}", file=sys.stderr)
+                    continue
+                answer = json.loads(done.stdout)
+                row = tally.setdefault((rules, kind), [0, 0, 0])
+                row[0] += 1
+                if answer["proved_by"] == "nothing":
+                    print(f"{file} {rules} {option} {','.join(map(str, subject))}: {answer['answer']}", file=sys.stderr)
+                    continue
+                if answer["proved_by"] != "inversion":
+                    row[2] += 1
+                    continue
+                row[1] += 1
+                _, other, _ = mesh_of(program, file, ["--rules", rules, "--what-if", answer["what_if"]])
+                if holds(other, subject) == answer["present"] or holds(faces, subject) != answer["present"]:
+                    print(f"FALSE: {file} {rules} {option} {subject}: {answer['what_if']}", file=sys.stderr)
+                    false += 1
+    print("| rules | question | asked | by inversion | by a step or preparation |\n|---|---|--:|--:|--:|")
+    for (rules, kind), (asked, inverted, other) in sorted(tally.items()):
+        print(f"| {rules} | {kind} | {asked} | {inverted} | {other} |")
+    counted = [row for (_, kind), row in tally.items() if kind in COUNTED]
+    asked, proved = sum(row[0] for row in counted), sum(row[1] + row[2] for row in counted)
+    print(f"\nproved: {proved} of {asked}, falsely: {false}")
+    sys.exit(bool(false or proved < 0.9 * asked))
+
+
+if __name__ == "__main__":
+    main()

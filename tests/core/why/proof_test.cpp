@@ -1,0 +1,147 @@
+#include "spiraling_edge/why/proof.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+Ledger proved(const PointSet& points, const Params& params, const Subject& subject) {
+    const Result<Ledger> ledger = provedWhy(points, params, subject);
+    REQUIRE(ledger.ok());
+    CAPTURE(ledger.value().answer);
+    REQUIRE(ledger.value().cause < ledger.value().lines.size());
+    return ledger.value();
+}
+
+bool isIn(const std::vector<Triangle>& mesh, const Subject& subject) {
+    return std::any_of(mesh.begin(), mesh.end(), [&](const Triangle& t) {
+        const std::set<Index> corners{t.a, t.b, t.c};
+        return std::all_of(subject.points().begin(), subject.points().end(),
+                           [&](Index p) { return corners.contains(p); });
+    });
+}
+
+/// True if the answer is proved by an inversion; then the run with its what-if has the other
+/// answer.
+bool isProved(const PointSet& points, const Params& params, const Subject& subject) {
+    const Ledger ledger = proved(points, params, subject);
+    if (ledger.provedBy != ProvedBy::Inversion) return false;
+    REQUIRE(ledger.inverse);
+    CAPTURE(ledger.answer);
+    CAPTURE(lineOf(*ledger.inverse));
+    CHECK(ledger.answer.find(" would ") != std::string::npos);
+    Params inverted = params;
+    inverted.whatIf.push_back(*ledger.inverse);
+    CHECK(isIn(runAll(points, params).state.mesh(), subject) == ledger.present);
+    CHECK(isIn(runAll(points, inverted).state.mesh(), subject) != ledger.present);
+    return true;
+}
+
+std::vector<Index> unusedOf(const PointSet& points, const std::vector<Triangle>& mesh) {
+    std::vector<bool> used(points.size(), false);
+    for (const Triangle& t : mesh) used[t.a] = used[t.b] = used[t.c] = true;
+    std::vector<Index> unused;
+    for (Index p = 0; p < points.size(); ++p) {
+        if (!used[p]) unused.push_back(p);
+    }
+    return unused;
+}
+
+}  // namespace
+
+TEST_CASE("proof: nine of ten unused points come into the mesh with their decision inverted") {
+    std::size_t asked = 0;
+    std::size_t found = 0;
+    const auto ask = [&](const Scene& scene) {
+        CAPTURE(scene.id);
+        const PointSet points = prepared(scene.build());
+        const std::vector<Index> unused = unusedOf(points, runAll(points, paper()).state.mesh());
+        const std::size_t step = unused.size() / 8 + 1;
+        for (std::size_t i = 0; i < unused.size(); i += step) {
+            if (points.isAside(unused[i])) continue;
+            ++asked;
+            found += isProved(points, paper(), Subject::point(unused[i])) ? 1 : 0;
+        }
+    };
+    for (const Scene& scene : scenes()) {
+        if (scene.start == nullptr) ask(scene);
+    }
+    for (const FailureScene& each : failureScenes()) ask(each.scene);
+    MESSAGE("proved: ", found, " of ", asked, " unused points");
+    CHECK(asked > 20);
+    CHECK(10 * found >= 9 * asked);
+}
+
+TEST_CASE("proof: a triangle of a fan is there by a test of its pivot, and away without it") {
+    const PointSet points = prepared(failureScenes().front().scene.build());
+    const std::vector<Triangle> mesh = runAll(points, paper()).state.mesh();
+    std::size_t asked = 0;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < mesh.size(); i += 1 + mesh.size() / 20) {
+        const Subject subject = Subject::triangle(mesh[i].a, mesh[i].b, mesh[i].c);
+        ++asked;
+        found += isProved(points, paper(), subject) ? 1 : 0;
+    }
+    CHECK(10 * found >= 9 * asked);
+}
+
+TEST_CASE("proof: the tests that made way for a triangle are lines of its ledger") {
+    const PointSet points = prepared(fibonacciSphere(600));
+    const std::vector<Triangle> mesh = runAll(points, paper()).state.mesh();
+    const Ledger ledger =
+        proved(points, paper(), Subject::triangle(mesh[9].a, mesh[9].b, mesh[9].c));
+    const auto made = std::find_if(ledger.lines.begin(), ledger.lines.end(),
+                                   [](const auto& line) { return line.role == LineRole::Made; });
+    REQUIRE(made != ledger.lines.end());
+    for (const LedgerLine& line : ledger.lines) {
+        if (line.role != LineRole::Indirect) continue;
+        CHECK(line.event.address.pivot == made->event.address.pivot);
+        CHECK_FALSE(ledger.subject.has(testedPoint(line.event)));
+    }
+}
+
+TEST_CASE("proof: a copy is proved by preparation, without an inversion") {
+    PointFile file = fibonacciSphere(100);
+    file.position.push_back(file.position[7]);
+    file.normal.push_back(file.normal[7]);
+    const PointSet points = prepared(file);
+    const Ledger ledger = proved(points, paper(), Subject::point(100));
+    CHECK(ledger.provedBy == ProvedBy::Preparation);
+    CHECK_FALSE(ledger.inverse);
+    CHECK(ledger.answer.find("inver") == std::string::npos);
+}
+
+TEST_CASE("proof: what a step after the last pivot made or removed is proved by the step") {
+    const PointSet points = prepared(findScene("noise")->build());
+    const State end = runAll(points, robust()).state;
+    std::size_t steps = 0;
+    for (std::size_t i = 0; i < end.triangles.size(); i += 1 + end.triangles.size() / 60) {
+        const Triangle& t = end.triangles[i];
+        const Subject subject = Subject::triangle(t.a, t.b, t.c);
+        if (isIn(end.mesh(), subject)) continue;
+        const Ledger ledger = proved(points, robust(), subject);
+        CHECK(ledger.provedBy == ProvedBy::Step);
+        CHECK(ledger.lines[ledger.cause].role == LineRole::Undone);
+        ++steps;
+    }
+    CHECK(steps > 0);
+}
+
+TEST_CASE("proof: it can be cancelled at any time") {
+    const PointSet points = prepared(findScene("stranded-point")->build());
+    for (const double limit : {0.0, 0.25, 0.5, 0.7}) {
+        const Result<Ledger> ledger = provedWhy(points, paper(), Subject::point(32), {},
+                                                [&](double share) { return share < limit; });
+        CHECK_FALSE(ledger.ok());
+    }
+}
