@@ -1432,9 +1432,14 @@ ball() {
 why_names_the_decision() {
     expect 0 run scene:stranded-point -q -o mesh.ply
     expect 0 why scene:stranded-point --point 32
-    says out "Point 32 is not in the mesh."
-    grep -q '^> .* refused ' out || fail "no line is marked: $(cat out)"
+    says out "Point 32 is not in the mesh, and would be with this decision inverted: "
+    grep -q '^> ' out || fail "no line is marked: $(cat out)"
     grep -q '98.strand.1 ' out || fail "its end is not reported"
+    # It is proved: the run with the inverted decision has the point.
+    inverse=$(sed -n 's/^Inverted: --what-if "\(.*\)"$/\1/p' out)
+    expect 0 run scene:stranded-point -q --what-if "$inverse" -o inverted.ply
+    expect 0 why scene:stranded-point --what-if "$inverse" --point 32 -q
+    says out "Point 32 is in the mesh"
     expect 0 why scene:stranded-point --point 32 --json
     says out '"present": false'
     says out '"cause": "'
@@ -1444,7 +1449,7 @@ why_names_the_decision() {
     expect 0 why scene:torus --edge 0,1 -q
     empty err
     expect 0 why scene:torus --rules robust --point 0
-    says out "Point 0 is in the mesh."
+    says out "Point 0 is in the mesh. Not proved, since "
     # Every address can be gone to: it is one of the trace.
     expect 0 run scene:stranded-point --trace trace.txt -q
     "$program" why scene:stranded-point --point 32 -q | sed -n '3,$s/^[> ] \([0-9]*[.][a-z]*[.][0-9]*\) .*/\1/p' >addresses
@@ -1466,6 +1471,7 @@ why_finds_decisions() {
     [ "$(number total out)" -gt 100 ] || fail "too few: $(head -3 out)"
     expect 0 why scene:four-edge-hole --failure intersecting_triangles
     says out "unavoidable      54.sphere.1 "
+    says out "inverted         gone"
     expect 0 why scene:four-edge-hole --failure lost_points --json
     says out '"first_touched": {'
     expect 1 why scene:torus --failure duplicate_triangles

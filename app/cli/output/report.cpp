@@ -222,14 +222,18 @@ void addAlerts(const std::vector<Alert>& alerts, Json& json) {
 std::string leftOverSentence(const RunOutcome& outcome) {
     std::string text;
     const std::size_t aside = outcome.prepared.countAside();
-    const auto add = [&](std::size_t count, const char* what) {
+    // What was stranded during the run may be in the mesh after its repairs.
+    const std::size_t unused =
+        outcome.mesh.unusedPoints - std::min(outcome.mesh.unusedPoints, aside);
+    const auto add = [&](std::size_t most, const char* what) {
+        const std::size_t count = std::min(most, unused);
         if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
     };
     // Points that were set aside have no neighbors, and are listed above.
     const auto besides = [&](std::size_t count) { return count - std::min(count, aside); };
     add(besides(outcome.state.counters.isolated), "isolated");
     add(outcome.state.counters.stranded, "stranded");
-    add(besides(outcome.mesh.unusedPoints), "in no triangle");
+    add(unused, "in no triangle");
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdio>
 
 #include "spiraling_edge/base/counted.h"
@@ -174,8 +175,13 @@ std::string text(const DropEvidence& e, const Names& names) {
     if (e.verdict == Verdict::Outside)
         return sentence("Candidate {} at {} is outside the moved {}: removed.", names(e.point),
                         deg(e.degrees), side);
-    return sentence("Candidate {} is next on the ring after a convex {}: removed.", names(e.point),
-                    side);
+    const std::string_view reason =
+        e.verdict == Verdict::BeyondConvex     ? "the ring is convex there"
+        : e.verdict == Verdict::BeyondHalfTurn ? "the triangle would span 180 degrees or more"
+        : e.verdict == Verdict::BeyondBlocked  ? "an UNUSED neighbor lies in the triangle's sphere"
+                                               : "it did not move there";
+    return sentence("Candidate {} is next on the ring beyond {}, and {}: removed.", names(e.point),
+                    side, reason);
 }
 std::string text(const ReciprocalEvidence& e, const Names& names) {
     return sentence(
@@ -203,20 +209,26 @@ std::string text(const SphereEvidence& e, const Names& names) {
     if (e.verdict == Verdict::NoCircle)
         return sentence("Point {} is kept: there is no circle {}, they lie in line.", names(e.q),
                         circle);
+    // As near as rounding is on the sphere, whatever side the rule took it for.
+    constexpr double kRounding = 1e-12;
     const double d = e.distance - e.radius;
-    if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return sentence("Point {} lies on the sphere {} ({} = {}): kept.", names(e.q), circle,
-                        names.radius(), e.radius);
+    const bool isOn =
+        std::abs(d) <= kRounding * e.radius || (e.verdict == Verdict::InsideSphere && !(d < 0.0));
     const std::string place =
-        sentence("Point {} lies {} {} the sphere {} ({} = {}, {} = {})", names(e.q), d < 0 ? -d : d,
-                 d < 0 ? "inside" : "outside", circle, names.distance(), e.distance, names.radius(),
-                 e.radius);
+        isOn ? sentence("Point {} lies on the sphere {} ({} = {})", names(e.q), circle,
+                        names.radius(), e.radius)
+             : sentence("Point {} lies {} {} the sphere {} ({} = {}, {} = {})", names(e.q),
+                        d < 0 ? -d : d, d < 0 ? "inside" : "outside", circle, names.distance(),
+                        e.distance, names.radius(), e.radius);
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
     return sentence(
         "{}, and removing it leaves a gap of {}{}", place, deg(e.gapDegrees),
         e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
 }
 std::string text(const TwoPointEvidence& e, const Names&) {
+    constexpr double kFullTurn = 360.0 - 1e-9;
+    if (e.degrees >= kFullTurn && e.verdict == Verdict::Discarded)
+        return "Only first and last are left, and they are one point: the ring is discarded.";
     const bool over = e.degrees > 180.0;
     const char* const ending =
         e.verdict == Verdict::Discarded

@@ -126,7 +126,11 @@ enum class Verdict : std::uint8_t {
     NowStart,    ///< A candidate that start moved to: not refused.
     NowEnd,      ///< A candidate that end moved to: not refused.
     // convex
-    BeyondConvex,  ///< Next on the ring beyond a convex start or end (Fig. 5).
+    // Next on the ring beyond a start or end (Fig. 5) that did not move there,
+    BeyondConvex,    ///< since the ring is convex there,
+    BeyondHalfTurn,  ///< since the move would span 180 degrees or more,
+    BeyondBlocked,   ///< since an UNUSED neighbor is in the way,
+    BeyondOther,     ///< or for another reason: no edge, another rule, a what-if.
     // reciprocal
     NotReciprocal,  ///< p is outside the sector of e (Fig. 6).
     WallComplete,   ///< e is complete along its walls (RobustRules::wallsDone).
@@ -220,7 +224,7 @@ struct DropEvidence {
     Index point;
     Side side;
     double degrees;
-    Verdict verdict;  ///< Outside, NowStart, NowEnd, BeyondConvex
+    Verdict verdict;  ///< Outside, NowStart, NowEnd, or one of Beyond
     /// The candidate is the moved start or end.
     bool isLimit() const { return verdict == Verdict::NowStart || verdict == Verdict::NowEnd; }
 };

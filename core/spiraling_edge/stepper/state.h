@@ -109,8 +109,12 @@ struct State {
     /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last
     /// triangle: 0, kDelayedAllowed, kCornerAllowed or kFillFailed.
     std::uint32_t retryLevel = 0;
-    NeighborRing pivot;                  ///< The current pivot.
-    InsertedPoint third;                 ///< §7.1, §7.2
+    NeighborRing pivot;   ///< The current pivot.
+    InsertedPoint third;  ///< §7.1, §7.2
+    /// The verdict on a candidate next on the ring beyond start, or end: why that did not move
+    /// there. For the log alone: without one BeyondOther.
+    Verdict beyondStart = Verdict::BeyondOther;
+    Verdict beyondEnd = Verdict::BeyondOther;
     std::uint32_t pivotTriangles = 0;    ///< Triangles made by this pivot.
     std::vector<Index> insertedEntries;  ///< Entries inserted by this pivot, in order (§6.5).
     std::vector<Index> instances;        ///< The "other instance" of each, kNone if none.

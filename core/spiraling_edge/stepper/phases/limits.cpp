@@ -90,6 +90,20 @@ LimitTest testLimit(const StepContext& context, Side side) {
     return test;
 }
 
+/// The verdict on a candidate next on the ring beyond start or end, which stayed by this one.
+Verdict verdictBeyond(Verdict stayed) {
+    switch (stayed) {
+        case Verdict::NotConcave:
+            return Verdict::BeyondConvex;
+        case Verdict::HalfTurn:
+            return Verdict::BeyondHalfTurn;
+        case Verdict::Blocked:
+            return Verdict::BeyondBlocked;
+        default:
+            return Verdict::BeyondOther;
+    }
+}
+
 /// Recomputes the test for the log.
 LimitEvidence explainLimit(const StepContext& context, Side side) {
     const State& s = context.state;
@@ -122,6 +136,7 @@ bool moveLimit(Context& context, Side side) {
         LimitEvidence evidence = explainLimit(context, side);
         evidence.verdict =
             applyOverride(evidence.verdict, forced, evidence.verdict == Verdict::Moved);
+        (side == Side::Start ? s.beyondStart : s.beyondEnd) = verdictBeyond(evidence.verdict);
         return evidence;
     });
     if (!moves) return false;
@@ -185,6 +200,7 @@ void phaseLimits(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
+    s.beyondStart = s.beyondEnd = Verdict::BeyondOther;
     if (n.fullTurn || !paperRules(context).limits) return;
     moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
@@ -220,10 +236,8 @@ void phaseConvex(AnyContext auto& context) {
         return x == s.rings.point(entry) && (s.status[x] == 1 || shared);
     };
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
-        const bool atStart = isOnly(c.point, beyondStart);
-        const bool atEnd = isOnly(c.point, beyondEnd);
-        return DropTest{atStart || atEnd ? Verdict::BeyondConvex : Verdict::Kept,
-                        atStart ? Side::Start : Side::End};
+        if (isOnly(c.point, beyondStart)) return DropTest{s.beyondStart, Side::Start};
+        return DropTest{isOnly(c.point, beyondEnd) ? s.beyondEnd : Verdict::Kept, Side::End};
     });
 }
 
