@@ -2389,7 +2389,7 @@ starts_are_given_as_json() {
     expect 0 compare points.ply --start start.json --with --rule limits=off
     expect 1 compare points.ply --start start.json --with --rule maxangle=off
     expect 0 why points.ply --start start.json --point 4
-    says out "(1.emit.1)"
+    says out "(1.sphere.1)"
     expect 0 run scene:figure-3 --report report.json
     says report.json '"triangles": 3'
     expect 0 run scene:torus --report report.json

@@ -28,7 +28,7 @@ constexpr std::array<VerdictRow, kVerdictCount> kVerdictTable{{
     {Verdict::NowStart, "now start", Outcome::None, kNoWhatIf},
     {Verdict::NowEnd, "now end", Outcome::None, kNoWhatIf},
     {Verdict::BeyondConvex, "after convex end", Outcome::Refused, kKeep},
-    {Verdict::BeyondHalfTurn, "after end across 180", Outcome::Refused, kKeep},
+    {Verdict::BeyondHalfTurn, "after half turn", Outcome::Refused, kKeep},
     {Verdict::BeyondBlocked, "after blocked end", Outcome::Refused, kKeep},
     {Verdict::BeyondOther, "after end", Outcome::Refused, kKeep},
     {Verdict::NotReciprocal, "not reciprocal", Outcome::Refused, kKeep},
