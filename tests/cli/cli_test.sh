@@ -1449,7 +1449,8 @@ why_names_the_decision() {
     expect 0 why scene:torus --edge 0,1 -q
     empty err
     expect 0 why scene:torus --rules robust --point 0
-    says out "Point 0 is in the mesh. Not proved, since "
+    says out "Point 0 is in the mesh. Triangle "
+    says out " Not proved: "
     # Every address can be gone to: it is one of the trace.
     expect 0 run scene:stranded-point --trace trace.txt -q
     "$program" why scene:stranded-point --point 32 -q | sed -n '3,$s/^[> ] \([0-9]*[.][a-z]*[.][0-9]*\) .*/\1/p' >addresses

@@ -194,7 +194,8 @@ struct WhyArguments {
         app.add_flag("-q,--quiet", quiet, "Show no progress");
         app.footer("\nTerms of a LINE; all of them must hold:\n" + wordList() +
                    "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
-                   "shows it.\nThe line marked > is the decisive one.");
+                   "shows it.\nThe line marked > is the decisive one; the answer says whether it "
+                   "is proved.");
     }
 
     ProofLimits proofLimits() const { return more ? ProofLimits{200, 100.0} : ProofLimits{}; }
@@ -322,6 +323,8 @@ ExitCode whyVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
     if (arguments.prove && !arguments.failures)
         throw Failure(ExitCode::Usage, "--prove: needs --failures");
+    if (arguments.more && !arguments.asksSubject())
+        throw Failure(ExitCode::Usage, "--more: needs --point, --edge or --triangle");
     const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");
     std::optional<FailureChoice> choice;
     if (!arguments.failure.empty()) choice = failureChoiceFrom(arguments.failure);

@@ -135,12 +135,13 @@ constexpr std::array kChecks{
 /// in other words, with remedies that do not help.
 struct Consequences {
     std::string_view cause;
-    std::array<std::string_view, 9> checks;
+    std::array<std::string_view, 13> checks;
 };
 constexpr std::array kConsequences{
     Consequences{"mixed_units",
                  {"near_duplicates", "isolated_points", "in_line", "twins", "lines",
-                  "uneven_spacing", "noise", "two_layers", "ties"}},
+                  "uneven_spacing", "noise", "two_layers", "ties", "unfit_normals",
+                  "flipped_normals", "inside_out", "close_sheets"}},
     Consequences{"lost_digits", {"near_duplicates", "twins", "lines", "noise", "two_layers"}},
 };
 

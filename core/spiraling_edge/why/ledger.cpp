@@ -185,7 +185,8 @@ class CauseFinder {
     Cause untestedEdge(const Subject& edge) const {
         const std::size_t line = lastAbout(edge);
         for (const Index end : edge.points()) {
-            if (points_.isAside(end)) return {line, asideText(points_, end)};
+            if (points_.isAside(end))
+                return {lastAbout(Subject::point(end)), asideText(points_, end)};
         }
         const std::string a = std::to_string(edge[0]);
         const std::string b = std::to_string(edge[1]);
@@ -238,19 +239,21 @@ class CauseFinder {
     const State& end_;
 };
 
-/// True if the way from `at` to p leads into the triangle, between its two other points.
-bool isInSector(const PointSet& points, const Triangle& t, Index at, Index p) {
+/// True if the way from `at` to p leads into the triangle, between its two other points. `turn` is
+/// 1 for triangles that run counterclockwise about the normal, else -1.
+bool isInSector(const PointSet& points, double turn, const Triangle& t, Index at, Index p) {
     const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
     const Index y = at == t.a ? t.c : at == t.b ? t.a : t.b;
     const auto to = [&](Index q) { return points.position[q] - points.position[at]; };
-    const Vec3& n = points.normal[at];
+    const Vec3 n = turn * points.normal[at];
     return x != p && y != p && glm::dot(glm::cross(to(x), to(p)), n) > 0.0 &&
            glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
 }
 
 /// See Ledger::rivals; the latest triangles. O(triangles).
-std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
+std::vector<Triangle> rivalsOf(const PointSet& points, const Params& params, const Subject& subject,
                                std::span<const Triangle> made) {
+    const double turn = params.paper.turn == TurnRule::Clockwise ? -1.0 : 1.0;
     constexpr std::size_t kNearby = 6;
     std::vector<std::pair<Index, Index>> ways;
     for (const Index p : subject.points()) {
@@ -265,68 +268,91 @@ std::vector<Triangle> rivalsOf(const PointSet& points, const Subject& subject,
     for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
         const Triangle& t = made[i];
         const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
-            return hasCorner(t, way.first) && isInSector(points, t, way.first, way.second);
+            return hasCorner(t, way.first) && isInSector(points, turn, t, way.first, way.second);
         });
         if (inTheWay) rivals.push_back(t);
     }
     return rivals;
 }
 
-/// The gap of a neighbor ring that one triangle fills, by the angles at the pivot: candidates in it
-/// were removed, or the triangle would be another.
-class FilledGap {
+/// The gaps of a neighbor ring that the triangles with the subject fill, by the angles at the
+/// pivot: candidates in them were removed, or the triangles would be others.
+class FilledGaps {
   public:
-    /// `events`: of the pivot that made the triangle.
-    FilledGap(std::span<const Event> events, const Triangle& made) {
+    /// `events`: of one pivot.
+    FilledGaps(std::span<const Event> events, const Subject& subject) {
+        if (subject.size() == 1) return;
         for (const Event& event : events) {
-            if (const auto* pivot = as<PivotEvidence>(event)) {
-                angles_.emplace_back(pivot->first, 0.0);
-                angles_.emplace_back(pivot->last, pivot->sectorDegrees);
-            } else if (const auto* sort = as<SortEvidence>(event);
-                       sort && !wasSettledBefore(event)) {
+            const auto* pivot = as<PivotEvidence>(event);
+            const auto* sort = as<SortEvidence>(event);
+            const auto* emit = as<EmitEvidence>(event);
+            if (pivot != nullptr) {
+                angles_ = {{pivot->last, pivot->sectorDegrees}, {pivot->first, 0.0}};
+            } else if (sort != nullptr && !wasSettledBefore(event)) {
                 angles_.emplace_back(sort->point, sort->degrees);
+            } else if (emit != nullptr && holds(emit->corners, subject)) {
+                addGap(emit->corners);
             }
-        }
-        for (const Index p : {made.a, made.b, made.c}) {
-            const auto angle = angleOf(p);
-            if (!angle) continue;
-            from_ = std::min(from_, *angle);
-            to_ = std::max(to_, *angle);
         }
     }
 
-    /// True for a test that removed a candidate in the gap, or let first and last make the
-    /// triangle alone (§6.4).
+    /// True for a test that removed a candidate in a gap, or let first and last make the triangle
+    /// alone (§6.4).
     bool isClearedBy(const Event& event) const {
+        if (gaps_.empty()) return false;
         if (isA<TwoPointEvidence>(event)) return outcomeOf(event) == Outcome::Taken;
         if (!isAgainst(outcomeOf(event)) || isA<LimitEvidence>(event)) return false;
-        const auto angle = angleOf(testedPoint(event));
-        return angle && from_ < *angle && *angle < to_;
+        const auto angles = anglesOf(testedPoint(event));
+        return !angles.empty() && std::any_of(gaps_.begin(), gaps_.end(), [&](const auto& gap) {
+            return gap.first < angles.front() && angles.front() < gap.second;
+        });
     }
 
   private:
-    std::optional<double> angleOf(Index p) const {
-        const auto found = std::find_if(angles_.begin(), angles_.end(),
-                                        [&](const auto& each) { return each.first == p; });
-        return found == angles_.end() ? std::nullopt : std::optional(found->second);
+    /// Two on a ring of two, where first and last are one point.
+    std::vector<double> anglesOf(Index p) const {
+        std::vector<double> found;
+        for (const auto& [point, angle] : angles_) {
+            if (point == p) found.push_back(angle);
+        }
+        return found;
+    }
+    /// The narrowest gap between two corners.
+    void addGap(const Triangle& made) {
+        std::optional<std::pair<double, double>> least;
+        for (const auto& [p, q] :
+             {std::pair(made.a, made.b), std::pair(made.b, made.c), std::pair(made.c, made.a)}) {
+            for (const double a : anglesOf(p)) {
+                for (const double b : anglesOf(q)) {
+                    const auto gap = std::minmax(a, b);
+                    if (!least || gap.second - gap.first < least->second - least->first)
+                        least = std::pair(gap.first, gap.second);
+                }
+            }
+        }
+        if (least) gaps_.push_back(*least);
     }
 
     std::vector<std::pair<Index, double>> angles_;
-    double from_ = 360.0;
-    double to_ = 0.0;
+    std::vector<std::pair<double, double>> gaps_;
 };
 
 /// Collects, pivot by pivot, the lines of a ledger; then finds the deciding one.
 class LedgerBuilder {
   public:
     LedgerBuilder(const PointSet& points, const Params& params, const Subject& subject)
-        : points_(points), params_(params), subject_(subject), ledger_{subject} {}
+        : points_(points),
+          params_(params),
+          subject_(subject),
+          ledger_{subject},
+          gaps_({}, subject) {}
 
     void add(const SweptPivot& pivot) {
         alive_.reset();
         reciprocal_ = kNone;
+        ++steps_;
         moves_.clear();
-        gap_ = gapOf(pivot);
+        gaps_ = FilledGaps(pivot.events, subject_);
         for (const Event& event : pivot.events) {
             follow(event);
             addEvent(pivot, event);
@@ -351,9 +377,8 @@ class LedgerBuilder {
         const Cause cause = CauseFinder(points_, ledger_, end).find();
         ledger_.cause = cause.line;
         ledger_.words = cause.words;
-        ledger_.edited = !end.repair.empty();
-        ledger_.pivots = end.counters.pivots;
-        if (!ledger_.present) ledger_.rivals = rivalsOf(points_, subject_, end.triangles);
+        ledger_.steps = steps_;
+        if (!ledger_.present) ledger_.rivals = rivalsOf(points_, params_, subject_, end.triangles);
         ledger_.answer =
             nameOf(subject_) + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
             cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
@@ -397,31 +422,41 @@ class LedgerBuilder {
         const LedgerLine line{event, pivot.point, role.value_or(LineRole::Indirect),
                               readingOf(event, {points_, params_, pivot.point})};
         const auto* limit = as<LimitEvidence>(event);
-        if (limit != nullptr && limit->moves() && !role) moves_.push_back(line);
+        if (limit != nullptr && limit->moves() && !role)
+            moves_.push_back({line, ledger_.lines.size()});
         if (!role) return;
-        if (const LedgerLine* move = moveOver(event)) ledger_.lines.push_back(*move);
+        addMoveOver(event);
         ledger_.lines.push_back(line);
     }
 
-    /// The first move of start or end past a candidate that it left outside (§6.1, Fig. 4); null if
-    /// the event is none.
-    const LedgerLine* moveOver(const Event& event) const {
+    /// A move of start or end, and its place among the lines.
+    struct Move {
+        LedgerLine line;
+        std::size_t place;
+        bool isAdded = false;
+    };
+    /// Adds the first move of start or end past a candidate that it left outside (§6.1, Fig. 4).
+    void addMoveOver(const Event& event) {
         const auto* drop = as<DropEvidence>(event);
-        if (drop == nullptr || drop->verdict != Verdict::Outside) return nullptr;
-        const auto found = std::find_if(moves_.begin(), moves_.end(), [&](const LedgerLine& line) {
-            const auto& move = std::get<LimitEvidence>(line.event.evidence);
+        if (drop == nullptr || drop->verdict != Verdict::Outside) return;
+        const auto found = std::find_if(moves_.begin(), moves_.end(), [&](const Move& each) {
+            const auto& move = std::get<LimitEvidence>(each.line.event.evidence);
             if (move.side != drop->side) return false;
             return move.side == Side::Start ? move.toDegrees >= drop->degrees
                                             : move.toDegrees <= drop->degrees;
         });
-        return found == moves_.end() ? nullptr : &*found;
+        if (found == moves_.end() || found->isAdded) return;
+        found->isAdded = true;
+        ledger_.lines.insert(ledger_.lines.begin() + static_cast<std::ptrdiff_t>(found->place),
+                             found->line);
+        for (auto later = found + 1; later != moves_.end(); ++later) ++later->place;
     }
 
     std::optional<LineRole> roleOf(Index pivot, const Event& event) const {
         const auto* emit = as<EmitEvidence>(event);
         if (emit != nullptr && holds(emit->corners, subject_)) return LineRole::Made;
         if (const auto role = roleOfTest(pivot, event)) return role;
-        if (gap_ && gap_->isClearedBy(event)) return LineRole::Indirect;
+        if (gaps_.isClearedBy(event)) return LineRole::Indirect;
         return isFact(event) ? std::optional(LineRole::Fact) : std::nullopt;
     }
 
@@ -440,18 +475,6 @@ class LedgerBuilder {
             tested == kNone && rowOf(event.address.stage).tests == StageTests::OfFans;
         const bool concerned = alive_.any() && (single || subject_.has(pivot));
         return wholeFan && isAgainst(outcome) && concerned ? std::optional(role) : std::nullopt;
-    }
-
-    /// The gap that the subject fills in this pivot; nothing if it is not made here, or is a point.
-    std::optional<FilledGap> gapOf(const SweptPivot& pivot) const {
-        if (subject_.size() == 1) return {};
-        const auto made =
-            std::find_if(pivot.events.begin(), pivot.events.end(), [&](const Event& event) {
-                const auto* emit = as<EmitEvidence>(event);
-                return emit != nullptr && holds(emit->corners, subject_);
-            });
-        if (made == pivot.events.end()) return {};
-        return FilledGap(pivot.events, as<EmitEvidence>(*made)->corners);
     }
 
     bool isFact(const Event& event) const {
@@ -495,9 +518,10 @@ class LedgerBuilder {
     const Params& params_;
     const Subject subject_;
     Ledger ledger_;
-    std::bitset<3> alive_;  ///< Points of the subject that may become spokes of the current fan.
-    std::optional<FilledGap> gap_;   ///< Of this pivot.
-    std::vector<LedgerLine> moves_;  ///< Of start and end, in this pivot.
+    std::bitset<3> alive_;     ///< Points of the subject that may become spokes of the current fan.
+    FilledGaps gaps_;          ///< Of this pivot.
+    std::vector<Move> moves_;  ///< Of start and end, in this pivot.
+    std::uint64_t steps_ = 0;
     Index reciprocal_ = kNone;    ///< The last point that passed the reciprocal test at this pivot.
     std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
 };

@@ -61,11 +61,11 @@ struct Ledger {
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
     ProvedBy provedBy = ProvedBy::Nothing;
     std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
-    /// Triangles of the run in its place: at a point of it, between the two other points of such a
-    /// triangle lies the way to another point of it. At most kMostRivals.
+    /// Triangles in the place of an absent subject, the latest: made at a corner of it, across the
+    /// direction to another corner; of one point, across the direction to it from a near neighbor.
+    /// At most kMostRivals.
     std::vector<Triangle> rivals = {};
-    bool edited = false;       ///< Steps after the last pivot edited the mesh.
-    std::uint32_t pivots = 0;  ///< Of the run.
+    std::uint64_t steps = 0;  ///< Of the run: pivots, and steps after the last one.
 };
 
 /// The question why the subject is in the mesh of a run, or why it is not. Fails if its points are

@@ -1,6 +1,6 @@
-/// Two passes forward through the run fork at the decisions to invert. The first makes the pivot of
-/// each: an inversion that shows there is the likely one, and where triangles stay to the end it
-/// needs no more. The second makes the runs to their ends.
+/// Forks of the run at the decisions to invert. One pass forward leaves out the inversions that are
+/// refused, and finds those that show at their own pivot: these are the likely ones. Each run to an
+/// end is made from the start.
 #include "spiraling_edge/why/proof.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/stepper.h"
 #include "spiraling_edge/why/cause_inversion.h"
@@ -17,20 +18,21 @@
 namespace se {
 namespace {
 
-/// The result of a search for the decision that an answer rests on.
-struct Proof {
-    /// Position in Ledger::lines of a decision without which the answer is another; nothing if none
-    /// was found.
-    std::optional<std::size_t> line;
-    std::optional<WhatIf> inverse;  ///< The what-if that inverts it.
-    std::size_t tried = 0;          ///< Inversions that were run, this one among them.
-};
-
 /// A decision that can be inverted.
 struct Invertible {
     std::size_t line;
     WhatIf inverse;
-    bool showsAtOnce = false;  ///< The inversion changes the answer at its own pivot.
+    /// Nothing is inverted, but this point is listed by WhatIf::point; else kNone.
+    Index listed = kNone;
+    /// The subject is absent, and the pivot makes it with the inversion.
+    bool showsAtOnce = false;
+};
+
+/// The result of a search for the decision that an answer rests on.
+struct Proof {
+    std::optional<Invertible> found;
+    std::size_t tried = 0;  ///< Inversions that were run, this one among them.
+    bool complete = true;   ///< Not one was left out for the limits.
 };
 
 bool holdsSubject(const Triangle& t, const Subject& subject) {
@@ -42,6 +44,28 @@ bool holdsSubject(const Triangle& t, const Subject& subject) {
 bool isAmong(std::span<const Triangle> triangles, const Subject& subject) {
     return std::any_of(triangles.begin(), triangles.end(),
                        [&](const Triangle& t) { return holdsSubject(t, subject); });
+}
+
+bool lists(const PointSet& points, Index p, Index q) {
+    const auto list = points.neighbors[p];
+    return std::find(list.begin(), list.end(), q) != list.end();
+}
+
+/// Of the pivot that made the subject of `made`, the tests that took its points or made way for it,
+/// as lines about other points.
+void addMaking(const Ledger& made, Ledger& ledger) {
+    const auto emit = std::find_if(made.lines.begin(), made.lines.end(),
+                                   [](const auto& line) { return line.role == LineRole::Made; });
+    if (emit == made.lines.end()) return;
+    for (LedgerLine line : made.lines) {
+        const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
+        const bool known = std::any_of(
+            ledger.lines.begin(), ledger.lines.end(),
+            [&](const LedgerLine& each) { return each.event.address == line.event.address; });
+        if (!decided || known || line.event.address.pivot != emit->event.address.pivot) continue;
+        line.role = LineRole::Indirect;
+        ledger.lines.push_back(line);
+    }
 }
 
 /// Adds the tests that made the triangles in the place of an absent subject. False if cancelled.
@@ -58,35 +82,56 @@ bool addRivals(const PointSet& points, const Params& params, Ledger& ledger,
         },
         progress);
     if (!end) return false;
-    const LedgerLine cause = ledger.lines[ledger.cause];
-    const auto known = [&](const LedgerLine& line) {
-        return std::any_of(ledger.lines.begin(), ledger.lines.end(), [&](const LedgerLine& each) {
-            return each.event.address == line.event.address;
-        });
-    };
+    const Address cause = ledger.lines[ledger.cause].event.address;
     for (const Question<Ledger>& each : asked) {
         const Result<Ledger> made = each.answer(*end);
-        if (!made) continue;
-        const std::vector<LedgerLine>& lines = made.value().lines;
-        const auto emit = std::find_if(lines.begin(), lines.end(), [](const LedgerLine& line) {
-            return line.role == LineRole::Made;
-        });
-        if (emit == lines.end()) continue;
-        for (LedgerLine line : lines) {
-            const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
-            if (!decided || line.event.address.pivot != emit->event.address.pivot || known(line))
-                continue;
-            line.role = LineRole::Indirect;
-            ledger.lines.push_back(line);
-        }
+        if (made) addMaking(made.value(), ledger);
     }
-    std::stable_sort(ledger.lines.begin(), ledger.lines.end(),
-                     [](const LedgerLine& a, const LedgerLine& b) {
-                         return isBefore(a.event.address, b.event.address);
-                     });
+    std::stable_sort(ledger.lines.begin(), ledger.lines.end(), [](const auto& a, const auto& b) {
+        return isBefore(a.event.address, b.event.address);
+    });
     ledger.cause = 0;
-    while (ledger.lines[ledger.cause].event.address != cause.event.address) ++ledger.cause;
+    while (ledger.lines[ledger.cause].event.address != cause) ++ledger.cause;
     return true;
+}
+
+/// Of an absent edge whose ends are near and do not list each other: each with the other in its
+/// list.
+void addLists(const PointSet& points, const Ledger& ledger, std::vector<Invertible>& all) {
+    constexpr double kNear = 4.0;  // Of the distance to the last of the list.
+    const Subject& s = ledger.subject;
+    if (ledger.present || s.size() != 2) return;
+    for (const auto& [p, q] : {std::pair(s[0], s[1]), std::pair(s[1], s[0])}) {
+        const auto list = points.neighbors[p];
+        const auto distance = [&, p = p](Index x) {
+            return glm::distance(points.position[p], points.position[x]);
+        };
+        if (list.empty() || lists(points, p, q) || distance(q) > kNear * distance(list.back()))
+            continue;
+        WhatIf longer{WhatIfKind::List, 1, Stage::Pivot, p, Vec3(0.0), {}};
+        longer.list.assign(list.begin(), list.end());
+        longer.list.push_back(q);
+        all.push_back({ledger.cause, longer, q});
+    }
+}
+
+/// The latest decisions of a ledger that can be inverted, and what else can be.
+std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger) {
+    constexpr std::size_t kMost = 200;
+    std::vector<Invertible> all;
+    const LineRole direct = ledger.present ? LineRole::Taken : LineRole::Refused;
+    for (std::size_t i = ledger.lines.size(); i-- > 0 && all.size() < kMost;) {
+        const LedgerLine& line = ledger.lines[i];
+        if (line.role != direct && line.role != LineRole::Indirect) continue;
+        const auto inverse = inverseOf(points, line);
+        if (!inverse || std::any_of(all.begin(), all.end(), [&](const Invertible& each) {
+                return each.inverse == *inverse;
+            }))
+            continue;
+        all.push_back({i, *inverse});
+    }
+    addLists(points, ledger, all);
+    return all;
 }
 
 class Prover {
@@ -103,56 +148,24 @@ class Prover {
     Result<Proof> run() {
         if (all_.empty()) return Proof{};
         if (!lookAtPivots()) return Error{"Cancelled."};
-        std::vector<Invertible> order = inOrder();
-        // Triangles stay, unless steps after the last pivot edit the mesh.
-        if (!ledger_.present && !ledger_.edited && !order.empty() && order.front().showsAtOnce)
-            return Proof{order.front().line, order.front().inverse, 1};
-        return runToEnds(std::move(order));
+        sortByPromise();
+        return runToEnds();
     }
 
   private:
-    static std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger) {
-        std::vector<Invertible> all;
-        for (std::size_t i = ledger.lines.size(); i-- > 0;) {
-            const LedgerLine& line = ledger.lines[i];
-            const LineRole direct = ledger.present ? LineRole::Taken : LineRole::Refused;
-            if (line.role != direct && line.role != LineRole::Indirect) continue;
-            const auto inverse = inverseOf(points, line);
-            if (!inverse || std::any_of(all.begin(), all.end(), [&](const Invertible& each) {
-                    return each.inverse == *inverse;
-                }))
-                continue;
-            all.push_back({i, *inverse});
-        }
-        addLists(points, ledger, all);
-        return all;
-    }
-
-    /// Of an absent edge whose ends do not list each other: each with the other in its list.
-    static void addLists(const PointSet& points, const Ledger& ledger,
-                         std::vector<Invertible>& all) {
-        const Subject& s = ledger.subject;
-        if (ledger.present || s.size() != 2) return;
-        for (const auto& [p, q] : {std::pair(s[0], s[1]), std::pair(s[1], s[0])}) {
-            const auto list = points.neighbors[p];
-            if (std::find(list.begin(), list.end(), q) != list.end()) continue;
-            WhatIf longer{WhatIfKind::List, 1, Stage::Pivot, p, Vec3(0.0), {}};
-            longer.list.assign(list.begin(), list.end());
-            longer.list.push_back(q);
-            all.push_back({ledger.cause, longer});
-        }
-    }
-
     Params with(const WhatIf& inverse) const {
         Params forked = params_;
         forked.whatIf.push_back(inverse);
         return forked;
     }
 
-    /// Makes pivots up to the one before `pivot`.
-    static void goBefore(std::uint32_t pivot, Stepper& stepper) {
-        while (stepper.state().counters.pivots + 1 < pivot && stepper.stepPivot()) {
+    /// Makes steps until `done`, at most `left` of them, which it lowers. False if cancelled.
+    template <typename Done>
+    bool advance(Stepper& stepper, std::uint64_t& left, const Done& done) const {
+        while (!done() && left > 0 && stepper.stepPivot()) {
+            if (--left % kPivotsPerReport == 0 && progress_ && !progress_(share_)) return false;
         }
+        return true;
     }
 
     /// Leaves out inversions that are refused, and marks those that show at their pivot. False if
@@ -162,69 +175,68 @@ class Prover {
             return a.inverse.pivot < b.inverse.pivot;
         });
         Stepper stepper(points_, params_);
+        std::uint64_t left = ~std::uint64_t{0};
         std::vector<Invertible> possible;
-        for (std::size_t i = 0; i < all_.size(); ++i) {
-            if (progress_ && !progress_(0.3 * double(i) / double(all_.size()))) return false;
-            Invertible each = all_[i];
-            goBefore(each.inverse.pivot, stepper);
+        for (Invertible& each : all_) {
+            const std::uint32_t pivot = each.inverse.pivot;
+            const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
+            if (!advance(stepper, left, isThere) || (progress_ && !progress_(share_))) return false;
             const Params forked = with(each.inverse);
             if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
-            Stepper fork(points_, forked);
-            fork.setState(stepper.state());
-            const std::size_t before = fork.state().triangles.size();
-            fork.stepPivot();
-            const std::span made = std::span(fork.state().triangles).subspan(before);
-            each.showsAtOnce = isAmong(made, ledger_.subject) != ledger_.present;
+            if (!ledger_.present) {
+                Stepper fork(points_, forked);
+                fork.setState(stepper.state());
+                const std::size_t before = fork.state().triangles.size();
+                fork.stepPivot();
+                each.showsAtOnce =
+                    isAmong(std::span(fork.state().triangles).subspan(before), ledger_.subject);
+            }
             possible.push_back(each);
         }
         all_ = std::move(possible);
         return true;
     }
 
-    /// Those that show at once first; of equals that of the cause, then the later.
-    std::vector<Invertible> inOrder() const {
-        std::vector<Invertible> order = all_;
+    /// Those that show at once first, then that of the cause, then those of the pivot that made the
+    /// subject; of equals the later.
+    void sortByPromise() {
+        const std::uint32_t making = ledger_.lines[ledger_.cause].event.address.pivot;
         const auto rank = [&](const Invertible& each) {
-            const Address& cause = ledger_.lines[ledger_.cause].event.address;
             return std::tuple(!each.showsAtOnce, each.line != ledger_.cause,
-                              ledger_.present && each.inverse.pivot != cause.pivot);
+                              ledger_.present && each.inverse.pivot != making);
         };
-        std::stable_sort(order.begin(), order.end(), [&](const Invertible& a, const Invertible& b) {
+        std::stable_sort(all_.begin(), all_.end(), [&](const Invertible& a, const Invertible& b) {
             if (rank(a) != rank(b)) return rank(a) < rank(b);
             return a.line > b.line;
         });
-        return order;
     }
 
-    Result<Proof> runToEnds(std::vector<Invertible> order) {
+    Result<Proof> runToEnds() {
+        constexpr double kLookShare = 0.3;
         Proof proof;
-        std::uint64_t left = std::max(
-            kLeastProofPivots,
-            static_cast<std::uint64_t>(limits_.runs * static_cast<double>(ledger_.pivots)));
-        for (const Invertible& each : order) {
-            if (proof.tried == limits_.inversions || left == 0) break;
-            if (progress_ &&
-                !progress_(0.3 + 0.7 * double(proof.tried) / double(limits_.inversions)))
-                return Error{"Cancelled."};
+        std::uint64_t left =
+            std::max(kLeastProofSteps,
+                     static_cast<std::uint64_t>(limits_.runs * static_cast<double>(ledger_.steps)));
+        for (const Invertible& each : all_) {
+            share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
+                                      static_cast<double>(limits_.inversions);
+            if (proof.tried == limits_.inversions || left == 0) {
+                proof.complete = false;
+                break;
+            }
+            if (progress_ && !progress_(share_)) return Error{"Cancelled."};
+            Stepper fork(points_, with(each.inverse));
+            if (!advance(fork, left, [] { return false; })) return Error{"Cancelled."};
+            if (!fork.state().finished()) {
+                proof.complete = false;
+                break;
+            }
             ++proof.tried;
-            std::uint64_t spent = 0;
-            const bool changes = isChangedBy(each.inverse, spent);
-            left -= std::min(left, spent);
-            if (!changes) continue;
-            proof.line = each.line;
-            proof.inverse = each.inverse;
+            if (isAmong(fork.state().mesh(), ledger_.subject) == ledger_.present) continue;
+            proof.found = each;
             break;
         }
         return proof;
-    }
-
-    /// True if the answer is another at the end of the run with this what-if.
-    bool isChangedBy(const WhatIf& inverse, std::uint64_t& spent) const {
-        Stepper fork(points_, with(inverse));
-        while (fork.stepPivot()) {
-        }
-        spent = fork.state().counters.pivots;
-        return isAmong(fork.state().mesh(), ledger_.subject) != ledger_.present;
     }
 
     const PointSet& points_;
@@ -233,11 +245,8 @@ class Prover {
     const ProofLimits& limits_;
     const Progress& progress_;
     std::vector<Invertible> all_;
+    double share_ = 0.0;  ///< Of the work, for the progress.
 };
-
-}  // namespace
-
-namespace {
 
 /// The proof that needs no inversion: a step after the last pivot made or removed the subject, or
 /// preparation did not let it take part.
@@ -245,44 +254,53 @@ ProvedBy provedAlready(const PointSet& points, const Ledger& ledger) {
     const LedgerLine& cause = ledger.lines[ledger.cause];
     if (cause.role == LineRole::Undone || (ledger.present && editsMesh(cause.event)))
         return ProvedBy::Step;
+    if (ledger.present) return ProvedBy::Nothing;
     const auto members = ledger.subject.points();
     const bool aside =
         std::any_of(members.begin(), members.end(), [&](Index p) { return points.isAside(p); });
-    return aside ? ProvedBy::Preparation : ProvedBy::Nothing;
+    if (aside) return ProvedBy::Preparation;
+    if (members.size() > 1) return ProvedBy::Nothing;
+    for (Index q = 0; q < points.size(); ++q) {
+        if (lists(points, q, members[0])) return ProvedBy::Nothing;
+    }
+    return ProvedBy::Preparation;
 }
 
-/// The words between the subject and the cause.
-std::string linkTo(const Ledger& ledger, const Proof& proof) {
-    switch (ledger.provedBy) {
-        case ProvedBy::Inversion:
-            if (proof.inverse->kind == WhatIfKind::List)
-                return ", and would be with one more neighbor in a list: ";
-            return std::string(", and would ") + (ledger.present ? "not be" : "be") +
-                   " with this decision inverted: ";
-        case ProvedBy::Step:
-            return std::string(", since a step after the last pivot ") +
-                   (ledger.present ? "made" : "removed") + " it: ";
-        case ProvedBy::Preparation:
-            return ". ";
-        case ProvedBy::Nothing:
-            break;
-    }
-    if (proof.tried == 0) return ". Not proved, since no decision about it can be inverted: ";
-    return ". Not proved, since " + counted(proof.tried, "inversion") +
-           (proof.tried == 1 ? " changes" : " change") + " nothing: ";
+/// What the inversion of `found` does: the words after the subject.
+std::string wordsOf(const Ledger& ledger, const Invertible& found) {
+    if (found.listed != kNone)
+        return ", and would be if " + std::to_string(found.inverse.point) + " listed " +
+               std::to_string(found.listed) + ": ";
+    return std::string(", and would ") + (ledger.present ? "not be" : "be") +
+           " with this decision inverted: ";
+}
+
+/// The end of an answer that is not proved.
+std::string doubtOf(const Proof& proof) {
+    if (proof.tried == 0) return " Not proved: no decision about it can be inverted.";
+    const std::string count = counted(proof.tried, "inversion");
+    return " Not proved: " + (proof.complete ? count : "the first " + count) +
+           (proof.tried == 1 ? " does" : " do") + " not change it.";
 }
 
 void settle(Ledger& ledger, const Proof& proof) {
-    if (proof.line) {
-        if (*proof.line != ledger.cause) ledger.words = describe(ledger.lines[*proof.line].event);
-        ledger.cause = *proof.line;
+    ledger.answer =
+        nameOf(ledger.subject) + (ledger.present ? " is in the mesh" : " is not in the mesh");
+    if (proof.found) {
+        const std::size_t line = proof.found->line;
+        if (line != ledger.cause) ledger.words = describe(ledger.lines[line].event);
+        ledger.cause = line;
         ledger.provedBy = ProvedBy::Inversion;
-        ledger.inverse = proof.inverse;
+        ledger.inverse = proof.found->inverse;
+        ledger.answer += wordsOf(ledger, *proof.found);
+    } else if (ledger.provedBy == ProvedBy::Step) {
+        ledger.answer += std::string(", since a step after the last pivot ") +
+                         (ledger.present ? "made" : "removed") + " it: ";
+    } else {
+        ledger.answer += ". ";
     }
-    ledger.answer = nameOf(ledger.subject) +
-                    (ledger.present ? " is in the mesh" : " is not in the mesh") +
-                    linkTo(ledger, proof) + ledger.words + " (" +
-                    toString(ledger.lines[ledger.cause].event.address) + ")";
+    ledger.answer += ledger.words + " (" + toString(ledger.lines[ledger.cause].event.address) + ")";
+    if (ledger.provedBy == ProvedBy::Nothing) ledger.answer += doubtOf(proof);
     ledger.answer[0] = static_cast<char>(ledger.answer[0] - 'a' + 'A');
 }
 
@@ -305,9 +323,9 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
                        partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
             return Error{"Cancelled."};
         const Progress rest = partOf(progress, 2.0 * kLedgerShare, 1.0);
-        const Result<Proof> found = Prover(points, params, ledger.value(), limits, rest).run();
+        Result<Proof> found = Prover(points, params, ledger.value(), limits, rest).run();
         if (!found) return found.error();
-        proof = found.value();
+        proof = std::move(found.value());
     }
     settle(ledger.value(), proof);
     return ledger;

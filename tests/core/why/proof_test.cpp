@@ -137,6 +137,59 @@ TEST_CASE("proof: what a step after the last pivot made or removed is proved by 
     CHECK(steps > 0);
 }
 
+TEST_CASE("proof: a third point that made an edge is inverted by a list without it") {
+    const PointSet points = prepared(findScene("tee-at-wall")->build());
+    CHECK(isProved(points, paper(), Subject::edge(50, 64)));
+    const Ledger ledger = proved(points, paper(), Subject::edge(50, 64));
+    CHECK(ledger.present);
+    CHECK(ledger.answer.find("would not be with this decision inverted") != std::string::npos);
+}
+
+TEST_CASE("proof: ends that do not list each other get an edge if one lists the other") {
+    const PointSet points = prepared(findScene("flipped-patch")->build());
+    CHECK(isProved(points, paper(), Subject::edge(20, 133)));
+    const Ledger ledger = proved(points, paper(), Subject::edge(20, 133));
+    CHECK(ledger.answer.find("would be if 133 listed 20: ") != std::string::npos);
+}
+
+TEST_CASE("proof: a point that no list names is explained by preparation, without a run") {
+    PointFile file = fibonacciSphere(600);
+    file.position.emplace_back(0.0, 0.0, 3.0);
+    file.normal.emplace_back(0.0, 0.0, 1.0);
+    const Ledger ledger = proved(prepared(file), paper(), Subject::point(600));
+    CHECK(ledger.provedBy == ProvedBy::Preparation);
+}
+
+TEST_CASE("proof: the limits end the search, and the answer says so") {
+    const PointSet points = prepared(findScene("noise")->build());
+    const std::vector<Triangle> mesh = runAll(points, robust()).state.mesh();
+    ProofLimits one;
+    one.inversions = 1;
+    std::size_t ended = 0;
+    for (std::size_t i = 0; i < mesh.size() && ended == 0; i += 7) {
+        const Subject subject = Subject::triangle(mesh[i].a, mesh[i].b, mesh[i].c);
+        const Ledger ledger = provedWhy(points, robust(), subject, one).value();
+        ended += ledger.answer.ends_with("Not proved: the first 1 inversion does not change it.");
+    }
+    CHECK(ended == 1);
+}
+
+TEST_CASE("ledger: its lines are in the order of the run, and each is there once") {
+    const PointSet points = prepared(findScene("sharp-crease")->build());
+    for (const Params& params : {paper(), robust()}) {
+        for (Index p = 0; p < points.size(); p += 7) {
+            const auto lines = why(points, params, Subject::point(p)).value().lines;
+            for (std::size_t i = 1; i < lines.size(); ++i) {
+                const Address& before = lines[i - 1].event.address;
+                const Address& after = lines[i].event.address;
+                CAPTURE(toString(after));
+                const bool alike = before.pivot == after.pivot && before.stage == after.stage;
+                CHECK((!alike || before.n < after.n));
+            }
+        }
+    }
+}
+
 TEST_CASE("proof: it can be cancelled at any time") {
     const PointSet points = prepared(findScene("stranded-point")->build());
     for (const double limit : {0.0, 0.25, 0.5, 0.7}) {
