@@ -52,8 +52,8 @@ void askWhy(CommandContext& c, const Selection& what) {
     c.ui.ledger.complaint.clear();
     showPart(c, kLedgerPart);
     const Questions& questions = c.session.questions();
-    const bool known = questions.subject() == what &&
-                       (questions.ledger().busy() || questions.ledger().answer() != nullptr);
+    const bool known =
+        questions.subject() == what && (questions.ledger().busy() || questions.why() != nullptr);
     if (!known) c.session.questions().askWhy(what);
 }
 
@@ -118,7 +118,7 @@ void askWhySelected(CommandContext& c) {
 
 void toLedgerLine(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
-    const WhyAnswer* ledger = c.session.questions().ledger().answer();
+    const WhyAnswer* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     const auto line = positionAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
     const std::string& name = ledger->name;
@@ -132,7 +132,7 @@ void toLedgerLine(CommandContext& c, int direction) {
 
 void toCause(CommandContext& c) {
     if (!c.session.ready()) return;
-    const WhyAnswer* ledger = c.session.questions().ledger().answer();
+    const WhyAnswer* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     pause(c);
     c.session.moves().goTo(ledger->lines[ledger->cause].event.address);

@@ -8,6 +8,8 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/outside_text.h"
 #include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/why/proof.h"
+#include "thread.h"
 
 namespace se::view {
 
@@ -31,8 +33,17 @@ void Questions::waitUntilDone() {
 }
 
 bool Questions::busy() const {
-    return ledger_.busy() || found_.busy() || closest_.busy() || charts_.busy();
+    return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
+
+namespace {
+
+WhyAnswer answerFrom(Ledger&& ledger) {
+    return {nameOf(ledger.subject), ledger.present,           std::move(ledger.lines),
+            ledger.cause,           std::move(ledger.answer), ledger.inverse};
+}
+
+}  // namespace
 
 void Questions::askWhy(const Selection& what) {
     assert(model_ && what.kind != SelectionKind::None);
@@ -44,12 +55,21 @@ void Questions::askWhy(const Selection& what) {
         const auto answer = [question = asked.value()](const State& end) -> Result<WhyAnswer> {
             Result<Ledger> found = question.answer(end);
             if (!found) return found.error();
-            Ledger& ledger = found.value();
-            return WhyAnswer{nameOf(ledger.subject), ledger.present, std::move(ledger.lines),
-                             ledger.cause, std::move(ledger.answer)};
+            return answerFrom(std::move(found.value()));
         };
         return {asked.value().visit, answer};
     });
+    proof_.cancel();
+    // Without threads the window would wait for the runs.
+    if constexpr (kHasThreads) {
+        if (!usesThreads()) return;
+        proof_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
+            Result<Ledger> found =
+                provedWhy(model->points, model->params, toSubject(what), {}, progress);
+            if (!found) return found.error();
+            return answerFrom(std::move(found.value()));
+        });
+    }
 }
 
 void Questions::askWhy(const RingAddress& ring) {
@@ -57,6 +77,7 @@ void Questions::askWhy(const RingAddress& ring) {
     subject_ = {};
     ring_ = ring;
     subjectName_ = nameOf(ring);
+    proof_.cancel();
     ledger_.start([model = model_, ring](const Progress& progress) -> Result<WhyAnswer> {
         Result<RingHistory> found = whyRing(model->points, model->params, ring, progress);
         if (!found) return found.error();
@@ -89,6 +110,7 @@ void Questions::askWhy(const RunFailure& failure) {
                     toString(address(cause)) + ")";
     subject_ = {};
     subjectName_ = answer.name;
+    proof_.cancel();
     ledger_.start(
         [answer = std::move(answer)](const Progress&) -> Result<WhyAnswer> { return answer; });
 }

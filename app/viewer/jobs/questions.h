@@ -24,7 +24,8 @@ struct WhyAnswer {
     bool present = false;  ///< In the mesh at the end of the run; of a ring, a hole: true.
     std::vector<LedgerLine> lines = {};  ///< In the order of the run; never empty.
     std::size_t cause = 0;               ///< The decisive line.
-    std::string answer = {};             ///< Ends with the address of the cause.
+    std::string answer = {};             ///< Names the address of the cause.
+    std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
 };
 
 struct ClosestAnswer {
@@ -47,8 +48,8 @@ class Questions {
     bool busy() const;
 
     // Everything below requires a run.
-    /// Starts the query why the selection is in the mesh, or why not. Requires a selection that is
-    /// not empty.
+    /// Starts the query why the selection is in the mesh, or why not, and with threads its proof
+    /// (core's why/proof.h), which takes its place. Requires a selection that is not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
     /// Answers why a failure is there, from its moments; for a hole, which is no selection.
@@ -59,6 +60,12 @@ class Questions {
     const Selection& subject() const { return subject_; }
     /// The last query of askWhy() in words; empty if there was none.
     const std::string& subjectName() const { return subjectName_; }
+    /// The answer so far: proved, if that is done; null before there is one.
+    const WhyAnswer* why() const {
+        const bool proved = ledger_.answer() != nullptr && proof_.answer() != nullptr;
+        return proved ? proof_.answer() : ledger_.answer();
+    }
+    bool isProving() const { return proof_.busy(); }
     BackgroundQuery<WhyAnswer>& ledger() { return ledger_; }
     const BackgroundQuery<WhyAnswer>& ledger() const { return ledger_; }
 
@@ -86,7 +93,7 @@ class Questions {
     template <typename Action>
     void forEach(const Action& action) {
         std::apply([&action](auto&... query) { (action(query), ...); },
-                   std::tie(ledger_, found_, closest_, charts_));
+                   std::tie(ledger_, proof_, found_, closest_, charts_));
     }
 
     std::shared_ptr<const Model> model_;
@@ -95,6 +102,7 @@ class Questions {
     std::string subjectName_;
     std::string line_;
     BackgroundQuery<WhyAnswer> ledger_;
+    BackgroundQuery<WhyAnswer> proof_;
     BackgroundQuery<FoundDecisions> found_;
     BackgroundQuery<ClosestAnswer> closest_;
     BackgroundQuery<std::vector<RunChart>> charts_;

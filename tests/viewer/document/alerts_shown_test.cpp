@@ -589,7 +589,7 @@ TEST_CASE("Why of a hole is answered by its moments, not by a point near it") {
     app.session.waitUntilDone();
     CHECK(app.session.selection().kind == SelectionKind::None);
     CHECK(app.ui.column.part == kLedgerPart);
-    const WhyAnswer* answer = app.session.questions().ledger().answer();
+    const WhyAnswer* answer = app.session.questions().why();
     REQUIRE(answer != nullptr);
     CHECK(answer->name == "hole of 3 points");
     const auto placeOf = [](const LedgerLine& line) { return toString(line.event.address); };

@@ -17,6 +17,7 @@
 #include "scene/mesh_style.h"
 #include "session/playback.h"
 #include "session/view_position.h"
+#include "spiraling_edge/why/proof.h"
 
 using namespace se;
 using namespace se::view;
@@ -34,7 +35,7 @@ struct QuestionApp {
     Session& session() { return open.session; }
     const WhyAnswer* ledger() {
         open.session.waitUntilDone();
-        return open.session.questions().ledger().answer();
+        return open.session.questions().why();
     }
     void run(const char* command) { runCommand(*findCommand(command), context); }
 };
@@ -71,11 +72,32 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
     const WhyAnswer* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
     const Model& model = app.session().model();
-    const Ledger expected = why(model.points, model.params, Subject::point(32)).value();
+    const Ledger expected = provedWhy(model.points, model.params, Subject::point(32)).value();
     CHECK(ledger->answer == expected.answer);
     CHECK(ledger->lines.size() == expected.lines.size());
     CHECK(ledger->cause == expected.cause);
     CHECK_FALSE(ledger->present);
+}
+
+TEST_CASE("The answer about an edge and a triangle is that of the library, with its what-if") {
+    QuestionApp app;
+    const Model& model = app.session().model();
+    for (const Selection& what : {Selection::ofEdge(32, 99), Selection::ofEdge(0, 1)}) {
+        askWhy(app.context, what);
+        const WhyAnswer* ledger = app.ledger();
+        REQUIRE(ledger != nullptr);
+        const Ledger expected = provedWhy(model.points, model.params, toSubject(what)).value();
+        CHECK(ledger->answer == expected.answer);
+        CHECK(ledger->inverse == expected.inverse);
+    }
+}
+
+TEST_CASE("A second question takes the place of the proof of the first") {
+    QuestionApp app;
+    askWhy(app.context, Selection::ofPoint(32));
+    askWhy(app.context, Selection::ofEdge(0, 1));
+    REQUIRE(app.ledger() != nullptr);
+    CHECK(app.ledger()->name == "edge 0-1");
 }
 
 TEST_CASE("Without a selection W waits for input") {

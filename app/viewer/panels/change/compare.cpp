@@ -455,12 +455,12 @@ void drawAnswer(const PanelContext& context, const char* letter, const Color& co
                                                         : "a finished mesh, without decisions");
     }
     const BackgroundQuery<WhyAnswer>& asked = run->questions().ledger();
-    if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
+    if (const WhyAnswer* answer = run->questions().why()) return wrappedText(answer->answer);
     dimText(asked.busy() ? "searching ..." : "no query");
 }
 
 std::optional<Address> causeIn(const Session* run) {
-    const WhyAnswer* answer = run != nullptr ? run->questions().ledger().answer() : nullptr;
+    const WhyAnswer* answer = run != nullptr ? run->questions().why() : nullptr;
     if (answer == nullptr) return std::nullopt;
     return answer->lines[answer->cause].event.address;
 }

@@ -199,7 +199,7 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
                           : "Every decision about it, in the panel Ledger"))
         askWhy(context.commands, alert);
     const bool mine = !whole && questions.subject() == subject;
-    const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
+    const WhyAnswer* answer = mine ? questions.why() : nullptr;
     if (answer != nullptr) dimText(withShortNumbers(answer->answer));
     ImGui::Spacing();
 }

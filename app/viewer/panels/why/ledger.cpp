@@ -1,8 +1,10 @@
 // The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
 #include "document/ask_actions.h"
+#include "document/document.h"
 #include "input/key_routing.h"
 #include "jobs/questions.h"
 #include "panel_state/side_panels.h"
+#include "panel_state/what_if_offers.h"
 #include "panels/widgets/decision_rows.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
@@ -59,6 +61,15 @@ void drawEmpty(const PanelContext& context) {
 void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     ImGui::Spacing();
     paragraph(context, withShortNumbers(ledger.answer));
+    if (context.session().questions().isProving()) dimText("Looking for a proof ...");
+    if (ledger.inverse) {
+        dimText("Inverted: " + lineOf(*ledger.inverse));
+        ImGui::SameLine();
+        if (smallButton(context, "Invert", "ledger invert",
+                        "Run again with this decision inverted, as a what-if"))
+            return context.document().rerun(
+                withWhatIf(context.session().input().rules(), *ledger.inverse));
+    }
     const Address& cause = ledger.lines[ledger.cause].event.address;
     if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameRequest::Focus);
     if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));
@@ -98,7 +109,7 @@ void drawLedger(const PanelContext& context) {
     if (!ledger.complaint().empty()) {
         dimText(ledger.complaint());
         if (ImGui::SmallButton("Retry")) questions.askAgain();
-    } else if (const WhyAnswer* answer = ledger.answer()) {
+    } else if (const WhyAnswer* answer = questions.why()) {
         drawAnswer(context, *answer);
     } else {
         drawEmpty(context);
