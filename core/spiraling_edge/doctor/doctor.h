@@ -101,8 +101,8 @@ struct Finding {
     bool dropsMost() const { return check->fix == Fix::Drop && 2 * toDrop().size() > present; }
     /// True if Fix::Drop would leave none: no remedy.
     bool dropsAll() const { return check->fix == Fix::Drop && toDrop().size() >= present; }
-    /// Factors by which the axes get one unit (Piece::scale). Nothing: a command with --scale-by has
-    /// none.
+    /// Factors by which the axes get one unit (Piece::scale). Nothing: a command with --scale-by
+    /// has none.
     std::optional<Vec3> scale{};
     /// True if there is a command, whether or not it was tried.
     bool hasRemedy() const;
