@@ -87,7 +87,7 @@ def main():
                     row[2] += 1
                     continue
                 row[1] += 1
-                _, other, _ = mesh_of(program, file, ["--rules", rules, "--what-if", answer["what_if"]])
+                _, other, _ = mesh_of(program, file, ["--rules", rules, "--what-if", *answer["what_if"]])
                 if holds(other, subject) == answer["present"] or holds(faces, subject) != answer["present"]:
                     print(f"FALSE: {file} {rules} {option} {subject}: {answer['what_if']}", file=sys.stderr)
                     false += 1

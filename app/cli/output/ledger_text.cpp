@@ -81,7 +81,7 @@ Answer answerOf(const Ledger& ledger) {
     addHistory(ledger, answer);
     if (ledger.inverse) {
         answer.text += fmt::format("\nInverted: --what-if \"{}\"\n", lineOf(*ledger.inverse));
-        answer.json["what_if"] = lineOf(*ledger.inverse);
+        answer.json["what_if"] = Json::array({lineOf(*ledger.inverse)});
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
     return answer;

@@ -80,9 +80,14 @@ struct Visit {
     Diagnosis left;  ///< Findings that the written file still has.
 };
 
-/// Leaves out commands that would scale the points once more: one option has one value.
+/// Leaves out factors for points that are scaled already: one option has one value, and degrees are
+/// none any longer.
 void dropFactors(Diagnosis& diagnosis) {
-    for (Finding& finding : diagnosis.findings) finding.scale.reset();
+    for (Finding& finding : diagnosis.findings) {
+        if (!finding.scale) continue;
+        finding.scale.reset();
+        finding.text.resize(std::min(finding.text.size(), finding.text.find(kWithFactors)));
+    }
 }
 
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {

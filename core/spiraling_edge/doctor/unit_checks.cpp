@@ -186,8 +186,8 @@ std::optional<Finding> findMixedUnits(const ExaminedFile& examined) {
     const std::optional<UnitScale>& scale = examined.units->scale;
     if (!scale) return finding;
     finding.scale = scale->factors;
-    finding.text +=
-        "; with " + std::string(scale->words) + ", " + percent(scale->surface.planar) + " are";
+    finding.text += std::string(kWithFactors) + std::string(scale->words) + ", " +
+                    percent(scale->surface.planar) + " are";
     if (scale->otherOrder)
         finding.text +=
             " (if x is the latitude: --scale-by " + factorsText(*scale->otherOrder) + ")";

@@ -73,6 +73,7 @@ bool addRivals(const PointSet& points, const Params& params, Ledger& ledger,
                const Progress& progress) {
     if (ledger.rivals.empty()) return true;
     std::vector<Question<Ledger>> asked;
+    asked.reserve(ledger.rivals.size());
     for (const Triangle& t : ledger.rivals)
         asked.push_back(whyQuestion(points, params, Subject::triangle(t.a, t.b, t.c)).value());
     const auto end = sweep(
