@@ -42,12 +42,14 @@ bool holds(const Triangle& t, const Subject& subject) {
     return countIn(subject, {t.a, t.b, t.c}) == subject.size();
 }
 
-/// True if the mesh has the subject: a point in some triangle, an edge, or the triangle in either
-/// winding. O(triangles).
+}  // namespace
+
 bool isInMesh(std::span<const Triangle> mesh, const Subject& subject) {
     return std::any_of(mesh.begin(), mesh.end(),
                        [&](const Triangle& t) { return holds(t, subject); });
 }
+
+namespace {
 
 /// True if the mesh under repair has the subject; called after each step. O(triangles at a point),
 /// O(triangles) at a pinched one.
@@ -239,42 +241,6 @@ class CauseFinder {
     const State& end_;
 };
 
-/// True if the way from `at` to p leads into the triangle, between its two other points. `turn` is
-/// 1 for triangles that run counterclockwise about the normal, else -1.
-bool isInSector(const PointSet& points, double turn, const Triangle& t, Index at, Index p) {
-    const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
-    const Index y = at == t.a ? t.c : at == t.b ? t.a : t.b;
-    const auto to = [&](Index q) { return points.position[q] - points.position[at]; };
-    const Vec3 n = turn * points.normal[at];
-    return x != p && y != p && glm::dot(glm::cross(to(x), to(p)), n) > 0.0 &&
-           glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
-}
-
-/// See Ledger::rivals; the latest triangles. O(triangles).
-std::vector<Triangle> rivalsOf(const PointSet& points, const Params& params, const Subject& subject,
-                               std::span<const Triangle> made) {
-    const double turn = params.paper.turn == TurnRule::Clockwise ? -1.0 : 1.0;
-    constexpr std::size_t kNearby = 6;
-    std::vector<std::pair<Index, Index>> ways;
-    for (const Index p : subject.points()) {
-        for (const Index q : subject.points()) {
-            if (p != q) ways.emplace_back(p, q);
-        }
-        const auto list = points.neighbors[p];
-        if (subject.size() > 1) continue;
-        for (const Index q : list.first(std::min(list.size(), kNearby))) ways.emplace_back(q, p);
-    }
-    std::vector<Triangle> rivals;
-    for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
-        const Triangle& t = made[i];
-        const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
-            return hasCorner(t, way.first) && isInSector(points, turn, t, way.first, way.second);
-        });
-        if (inTheWay) rivals.push_back(t);
-    }
-    return rivals;
-}
-
 /// The gaps of a neighbor ring that the triangles with the subject fill, by the angles at the
 /// pivot: candidates in them were removed, or the triangles would be others.
 class FilledGaps {
@@ -350,7 +316,6 @@ class LedgerBuilder {
     void add(const SweptPivot& pivot) {
         alive_.reset();
         reciprocal_ = kNone;
-        ++steps_;
         moves_.clear();
         gaps_ = FilledGaps(pivot.events, subject_);
         for (const Event& event : pivot.events) {
@@ -377,8 +342,6 @@ class LedgerBuilder {
         const Cause cause = CauseFinder(points_, ledger_, end).find();
         ledger_.cause = cause.line;
         ledger_.words = cause.words;
-        ledger_.steps = steps_;
-        if (!ledger_.present) ledger_.rivals = rivalsOf(points_, params_, subject_, end.triangles);
         ledger_.answer =
             nameOf(subject_) + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
             cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
@@ -521,7 +484,6 @@ class LedgerBuilder {
     std::bitset<3> alive_;     ///< Points of the subject that may become spokes of the current fan.
     FilledGaps gaps_;          ///< Of this pivot.
     std::vector<Move> moves_;  ///< Of start and end, in this pivot.
-    std::uint64_t steps_ = 0;
     Index reciprocal_ = kNone;    ///< The last point that passed the reciprocal test at this pivot.
     std::optional<bool> inMesh_;  ///< During the repair after the last pivot: before this step.
 };

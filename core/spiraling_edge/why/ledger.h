@@ -37,7 +37,9 @@ class Subject {
 /// "point 812", "edge 812-640", "triangle (1, 2, 3)".
 std::string nameOf(const Subject& subject);
 
-inline constexpr std::size_t kMostRivals = 8;
+/// True if the mesh has the subject: a point in some triangle, an edge, or the triangle in either
+/// winding. O(triangles).
+bool isInMesh(std::span<const Triangle> mesh, const Subject& subject);
 
 /// The kinds of proof of an answer (proof.h).
 enum class ProvedBy : std::uint8_t {
@@ -61,11 +63,6 @@ struct Ledger {
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
     ProvedBy provedBy = ProvedBy::Nothing;
     std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
-    /// Triangles in the place of an absent subject, the latest: made at a corner of it, across the
-    /// direction to another corner; of one point, across the direction to it from a near neighbor.
-    /// At most kMostRivals.
-    std::vector<Triangle> rivals = {};
-    std::uint64_t steps = 0;  ///< Of the run: pivots, and steps after the last one.
 };
 
 /// The question why the subject is in the mesh of a run, or why it is not. Fails if its points are

@@ -13,6 +13,7 @@
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/stepper.h"
 #include "spiraling_edge/why/cause_inversion.h"
+#include "spiraling_edge/why/origin_decisions.h"
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se {
@@ -35,20 +36,48 @@ struct Proof {
     bool complete = true;   ///< Not one was left out for the limits.
 };
 
-bool holdsSubject(const Triangle& t, const Subject& subject) {
-    const auto points = subject.points();
-    return std::all_of(points.begin(), points.end(),
-                       [&](Index p) { return p == t.a || p == t.b || p == t.c; });
-}
-
-bool isAmong(std::span<const Triangle> triangles, const Subject& subject) {
-    return std::any_of(triangles.begin(), triangles.end(),
-                       [&](const Triangle& t) { return holdsSubject(t, subject); });
-}
-
 bool lists(const PointSet& points, Index p, Index q) {
     const auto list = points.neighbors[p];
     return std::find(list.begin(), list.end(), q) != list.end();
+}
+
+/// True if the way from `at` to p leads into the triangle, between its two other points. `turn` is
+/// 1 for triangles that run counterclockwise about the normal, else -1.
+bool isInSector(const PointSet& points, double turn, const Triangle& t, Index at, Index p) {
+    const Index x = at == t.a ? t.b : at == t.b ? t.c : t.a;
+    const Index y = at == t.a ? t.c : at == t.b ? t.a : t.b;
+    const auto to = [&](Index q) { return points.position[q] - points.position[at]; };
+    const Vec3 n = turn * points.normal[at];
+    return x != p && y != p && glm::dot(glm::cross(to(x), to(p)), n) > 0.0 &&
+           glm::dot(glm::cross(to(p), to(y)), n) > 0.0;
+}
+
+/// Triangles in the place of an absent subject, the latest: made at a corner of it, across the
+/// direction to another corner; of one point, across the direction to it from a near neighbor.
+/// O(triangles).
+std::vector<Triangle> rivalsOf(const PointSet& points, const Params& params, const Subject& subject,
+                               std::span<const Triangle> made) {
+    const double turn = params.paper.turn == TurnRule::Clockwise ? -1.0 : 1.0;
+    constexpr std::size_t kNearby = 6;
+    constexpr std::size_t kMostRivals = 8;
+    std::vector<std::pair<Index, Index>> ways;
+    for (const Index p : subject.points()) {
+        for (const Index q : subject.points()) {
+            if (p != q) ways.emplace_back(p, q);
+        }
+        const auto list = points.neighbors[p];
+        if (subject.size() > 1) continue;
+        for (const Index q : list.first(std::min(list.size(), kNearby))) ways.emplace_back(q, p);
+    }
+    std::vector<Triangle> rivals;
+    for (std::size_t i = made.size(); i-- > 0 && rivals.size() < kMostRivals;) {
+        const Triangle& t = made[i];
+        const bool inTheWay = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+            return hasCorner(t, way.first) && isInSector(points, turn, t, way.first, way.second);
+        });
+        if (inTheWay) rivals.push_back(t);
+    }
+    return rivals;
 }
 
 /// Of the pivot that made the subject of `made`, the tests that took its points or made way for it,
@@ -69,12 +98,12 @@ void addMaking(const Ledger& made, Ledger& ledger) {
 }
 
 /// Adds the tests that made the triangles in the place of an absent subject. False if cancelled.
-bool addRivals(const PointSet& points, const Params& params, Ledger& ledger,
-               const Progress& progress) {
-    if (ledger.rivals.empty()) return true;
+bool addRivals(const PointSet& points, const Params& params, std::span<const Triangle> rivals,
+               Ledger& ledger, const Progress& progress) {
+    if (rivals.empty()) return true;
     std::vector<Question<Ledger>> asked;
-    asked.reserve(ledger.rivals.size());
-    for (const Triangle& t : ledger.rivals)
+    asked.reserve(rivals.size());
+    for (const Triangle& t : rivals)
         asked.push_back(whyQuestion(points, params, Subject::triangle(t.a, t.b, t.c)).value());
     const auto end = sweep(
         points, params,
@@ -137,11 +166,13 @@ std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledge
 
 class Prover {
   public:
-    Prover(const PointSet& points, const Params& params, const Ledger& ledger,
+    /// `steps`: of the run, its pivots and the steps after the last one.
+    Prover(const PointSet& points, const Params& params, const Ledger& ledger, std::uint64_t steps,
            const ProofLimits& limits, const Progress& progress)
         : points_(points),
           params_(params),
           ledger_(ledger),
+          steps_(steps),
           limits_(limits),
           progress_(progress),
           all_(invertibleOf(points, ledger)) {}
@@ -190,7 +221,7 @@ class Prover {
                 const std::size_t before = fork.state().triangles.size();
                 fork.stepPivot();
                 each.showsAtOnce =
-                    isAmong(std::span(fork.state().triangles).subspan(before), ledger_.subject);
+                    isInMesh(std::span(fork.state().triangles).subspan(before), ledger_.subject);
             }
             possible.push_back(each);
         }
@@ -217,7 +248,7 @@ class Prover {
         Proof proof;
         std::uint64_t left =
             std::max(kLeastProofSteps,
-                     static_cast<std::uint64_t>(limits_.runs * static_cast<double>(ledger_.steps)));
+                     static_cast<std::uint64_t>(limits_.runs * static_cast<double>(steps_)));
         for (const Invertible& each : all_) {
             share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
                                       static_cast<double>(limits_.inversions);
@@ -233,7 +264,7 @@ class Prover {
                 break;
             }
             ++proof.tried;
-            if (isAmong(fork.state().mesh(), ledger_.subject) == ledger_.present) continue;
+            if (isInMesh(fork.state().mesh(), ledger_.subject) == ledger_.present) continue;
             proof.found = each;
             break;
         }
@@ -243,6 +274,7 @@ class Prover {
     const PointSet& points_;
     const Params& params_;
     const Ledger& ledger_;
+    std::uint64_t steps_;
     const ProofLimits& limits_;
     const Progress& progress_;
     std::vector<Invertible> all_;
@@ -315,16 +347,27 @@ std::string_view provedByName(ProvedBy by) {
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
                          const ProofLimits& limits, const Progress& progress) {
     constexpr double kLedgerShare = 0.3;
-    Result<Ledger> ledger = why(points, params, subject, partOf(progress, 0.0, kLedgerShare));
+    const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
+    if (!question) return question.error();
+    std::uint64_t steps = 0;
+    const auto visit = [&](const SweptPivot& pivot) {
+        ++steps;
+        question.value().visit(pivot);
+    };
+    const auto end = sweep(points, params, visit, partOf(progress, 0.0, kLedgerShare));
+    if (!end) return Error{"Cancelled."};
+    Result<Ledger> ledger = question.value().answer(*end);
     if (!ledger) return ledger;
     ledger.value().provedBy = provedAlready(points, ledger.value());
     Proof proof;
     if (ledger.value().provedBy == ProvedBy::Nothing) {
-        if (!addRivals(points, params, ledger.value(),
+        std::vector<Triangle> rivals;
+        if (!ledger.value().present) rivals = rivalsOf(points, params, subject, end->triangles);
+        if (!addRivals(points, params, rivals, ledger.value(),
                        partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
             return Error{"Cancelled."};
         const Progress rest = partOf(progress, 2.0 * kLedgerShare, 1.0);
-        Result<Proof> found = Prover(points, params, ledger.value(), limits, rest).run();
+        Result<Proof> found = Prover(points, params, ledger.value(), steps, limits, rest).run();
         if (!found) return found.error();
         proof = std::move(found.value());
     }
