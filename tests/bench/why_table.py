@@ -2,10 +2,12 @@
 """Random questions to `why`, each answer's inversion run again: why_table.py PROGRAM COUNT FILE...
 
 For each FILE and for the rules paper, corrected and robust, COUNT questions of each kind are drawn by chance:
-unused points, missing edges (of near points that share no triangle), missing triangles, wrong triangles (at a fault) and triangles of
-the mesh. A proved answer names a what-if; the run is repeated with it by `run --what-if`, and its mesh must hold the
-subject where the first did not, and the other way around. Prints a Markdown table. PROGRAM: build/bin/spiraling-edge.
-Exit code 1 if a proof is false, or if under 90 % of the unused points, missing edges and wrong triangles are proved.
+unused points, missing edges (of near points that share no triangle), missing triangles, wrong triangles (at a fault),
+triangles of the mesh, and faults (holes first). A proved answer names a what-if; the run is repeated with it by
+`run --what-if`, and its mesh must hold the subject where the first did not, and the other way around; a fault must be
+gone. Prints a Markdown table. PROGRAM: build/bin/spiraling-edge.
+Exit code 1 if a proof is false, or if under 90 % of the unused points, missing edges, wrong triangles and faults are
+proved.
 """
 import json
 import pathlib
@@ -15,7 +17,8 @@ import sys
 import tempfile
 
 RULES = ("paper", "corrected", "robust")
-COUNTED = ("unused point", "missing edge", "wrong triangle")
+NOT_ASKED = ("openings", "slivers", "leftover_rings", "lost_points")  # No faults, or asked about as points.
+COUNTED = ("unused point", "missing edge", "wrong triangle", "fault")
 work = pathlib.Path(tempfile.mkdtemp())
 
 
@@ -64,6 +67,38 @@ def questions(points, faces, report, count, chance):
     return asked
 
 
+def failures(program, file, options):
+    """The failures of a run, with their names CLASS:N."""
+    done = subprocess.run([program, "why", file, *options, "--failures", "--json", "-q"], capture_output=True, text=True)
+    count, named = {}, []
+    for failure in json.loads(done.stdout)["failures"]:
+        kind = failure["class"]
+        count[kind] = count.get(kind, 0) + 1
+        named.append((f"{kind}:{count[kind]}", kind, failure["points"]))
+    return named
+
+
+def add(tally, key, answer):
+    """Counts an answer; True if it has an inversion."""
+    row = tally.setdefault(key, [0, 0, 0])
+    row[0] += 1
+    row[1] += answer["proved_by"] == "inversion"
+    row[2] += answer["proved_by"] in ("step", "preparation")
+    return answer["proved_by"] == "inversion"
+
+
+def why(program, file, rules, *subject):
+    """The answer to a question; None if it has none."""
+    done = subprocess.run([program, "why", file, "--rules", rules, *subject, "--json", "-q"], capture_output=True, text=True)
+    if done.returncode:
+        print(f"{file} {rules} {subject}: {done.stderr.strip()}", file=sys.stderr)
+        return None
+    answer = json.loads(done.stdout)
+    if answer["proved_by"] == "nothing":
+        print(f"{file} {rules} {subject}: {answer['answer']}", file=sys.stderr)
+    return answer
+
+
 def main():
     program, count, *files = sys.argv[1:]
     tally, false = {}, 0
@@ -72,24 +107,22 @@ def main():
             points, faces, report = mesh_of(program, file, ["--rules", rules])
             for kind, subject in questions(points, faces, report, int(count), random.Random(1)):
                 option = {1: "--point", 2: "--edge", 3: "--triangle"}[len(subject)]
-                done = subprocess.run([program, "why", file, "--rules", rules, option, ",".join(map(str, subject)), "--json"],
-                                      capture_output=True, text=True)
-                if done.returncode:
-                    print(f"{file} {rules} {kind} {subject}: {done.stderr.strip()}", file=sys.stderr)
+                answer = why(program, file, rules, option, ",".join(map(str, subject)))
+                if answer is None or not add(tally, (rules, kind), answer):
                     continue
-                answer = json.loads(done.stdout)
-                row = tally.setdefault((rules, kind), [0, 0, 0])
-                row[0] += 1
-                if answer["proved_by"] == "nothing":
-                    print(f"{file} {rules} {option} {','.join(map(str, subject))}: {answer['answer']}", file=sys.stderr)
-                    continue
-                if answer["proved_by"] != "inversion":
-                    row[2] += 1
-                    continue
-                row[1] += 1
                 _, other, _ = mesh_of(program, file, ["--rules", rules, "--what-if", *answer["what_if"]])
                 if holds(other, subject) == answer["present"] or holds(faces, subject) != answer["present"]:
                     print(f"FALSE: {file} {rules} {option} {subject}: {answer['what_if']}", file=sys.stderr)
+                    false += 1
+            faults = [f for f in failures(program, file, ["--rules", rules]) if f[1] not in NOT_ASKED]
+            random.Random(1).shuffle(faults)
+            for name, kind, members in sorted(faults, key=lambda fault: fault[1] != "holes")[: int(count)]:
+                answer = why(program, file, rules, "--failure", name)
+                if answer is None or not add(tally, (rules, "fault"), answer):
+                    continue
+                left = failures(program, file, ["--rules", rules, "--what-if", *answer["what_if"]])
+                if (kind, members) in [(k, p) for _, k, p in left]:
+                    print(f"FALSE: {file} {rules} {name}: {answer['what_if']}", file=sys.stderr)
                     false += 1
     print("| rules | question | asked | by inversion | by a step or preparation |\n|---|---|--:|--:|--:|")
     for (rules, kind), (asked, inverted, other) in sorted(tally.items()):

@@ -1472,25 +1472,25 @@ why_finds_decisions() {
     [ "$(number total out)" -gt 100 ] || fail "too few: $(head -3 out)"
     expect 0 why scene:four-edge-hole --failure intersecting_triangles
     says out "unavoidable      54.sphere.1 "
-    says out "inverted         gone"
+    says out "would not be with this decision inverted: "
+    says out 'Inverted: --what-if "54.sphere drop 63"'
     expect 0 why scene:four-edge-hole --failure lost_points --json
     says out '"first_touched": {'
     expect 1 why scene:torus --failure duplicate_triangles
     says err "the run has 0 failures of class duplicate_triangles"
 }
 
-why_turns_the_causes() {
-    expect 0 why scene:stranded-point --failures --prove
-    says out "cannot be turned"
-    grep -qE '^lost_points +3 +3( +0)+$' out || fail "three lost points come back: $(cat out)"
-    expect 0 why scene:noise --failures --prove --most 1 --json
-    says out '"what_if": ['
-    is "$(grep -c '"proof": ' out)" "$(grep -c '"number": 1,' out)" "failures tried"
-    # A what-if of the list is one that runs take.
-    "$program" why scene:stranded-point --failures --prove --json -q | sed -n 's/^ *"\([0-9].* drop [0-9]*\)",\{0,1\}$/\1/p' | head -1 >turn
+why_proves_the_causes_of_failures() {
+    expect 0 why scene:stranded-point --failure lost_points:2 --json
+    says out '"proved_by": "inversion"'
+    # A what-if of the answer is one that runs take.
+    sed -n 's/^ *"\([0-9].* [a-z]* [0-9]*\)",\{0,1\}$/\1/p' out | head -1 >turn
     expect 0 run scene:stranded-point --what-if "$(cat turn)" -o turned.ply
-    expect 2 why scene:torus --point 3 --prove
-    says err "--prove: needs --failures"
+    expect 0 why scene:noise --failure flipped_triangles --more
+    expect 2 why scene:torus --failures --more
+    says err "--more: needs"
+    expect 0 why scene:stranded-point --failures --prove
+    says err "--prove is not needed"
 }
 
 why_names_what_made_a_ring() {

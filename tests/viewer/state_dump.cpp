@@ -171,7 +171,7 @@ void dumpQuestions(json& out, const Session& session) {
     out["asking"] = questions.busy();
     out["ledger"] = {{"subject", questions.subjectName()},
                      {"complaint", questions.ledger().complaint()}};
-    if (const WhyAnswer* ledger = questions.why()) {
+    if (const Ledger* ledger = questions.why()) {
         out["ledger"]["answer"] = ledger->answer;
         out["ledger"]["present"] = ledger->present;
         out["ledger"]["lines"] = ledger->lines.size();
@@ -208,7 +208,7 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     }
     if (page.why) out["compare_why"] = selectionText(*page.why);
     if (page.why && now->other() != nullptr) {
-        const WhyAnswer* answer = now->other()->questions().why();
+        const Ledger* answer = now->other()->questions().why();
         out["compare_why_other"] = answer != nullptr ? answer->answer : std::string{};
     }
     const Compared* found = now->result();

@@ -25,13 +25,12 @@ void addLines(const std::vector<LedgerLine>& lines, std::size_t marked, Answer& 
     }
 }
 
-/// Adds the sentence and the lines of a ledger or of a ring's history, with the decisive one.
-template <typename History>
-void addHistory(const History& history, Answer& answer) {
-    answer.text = history.answer + "\n\n";
-    answer.json["answer"] = history.answer;
-    answer.json["cause"] = toString(history.lines[history.cause].event.address);
-    addLines(history.lines, history.cause, answer);
+/// Adds the sentence and the lines of a ledger, with the decisive one.
+void addLedger(const Ledger& ledger, Answer& answer) {
+    answer.text = ledger.answer + "\n\n";
+    answer.json["answer"] = ledger.answer;
+    answer.json["cause"] = toString(ledger.lines[ledger.cause].event.address);
+    addLines(ledger.lines, ledger.cause, answer);
 }
 
 /// The moments of a failure: their names in text, their keys.
@@ -74,11 +73,9 @@ Json lineJson(const LedgerLine& line) {
 }
 
 Answer answerOf(const Ledger& ledger) {
-    const std::span<const Index> points = ledger.subject.points();
     Answer answer;
-    answer.json["subject"] = std::vector<Index>(points.begin(), points.end());
     answer.json["present"] = ledger.present;
-    addHistory(ledger, answer);
+    addLedger(ledger, answer);
     if (ledger.inverse) {
         answer.text += fmt::format("\nInverted: --what-if \"{}\"\n", lineOf(*ledger.inverse));
         answer.json["what_if"] = Json::array({lineOf(*ledger.inverse)});
@@ -89,8 +86,8 @@ Answer answerOf(const Ledger& ledger) {
 
 Answer answerOf(const RingHistory& history) {
     Answer answer;
-    answer.json = {{"ring", nameOf(history.ring)}, {"length", history.length}};
-    addHistory(history, answer);
+    answer.json = {{"ring", history.name}, {"length", history.length}};
+    addLedger(history, answer);
     return answer;
 }
 

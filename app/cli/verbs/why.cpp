@@ -14,86 +14,11 @@
 #include "spiraling_edge/prepare/judge.h"
 #include "spiraling_edge/run/decision_query.h"
 #include "spiraling_edge/run/event_text.h"
-#include "spiraling_edge/why/cause_inversion.h"
 #include "spiraling_edge/why/proof.h"
 #include "verbs.h"
 
 namespace se::cli {
 namespace {
-
-/// A failure with the result of its inverted decision, and its number within its class, from 1.
-struct InvertedFailure {
-    const RunFailure* failure;
-    std::size_t number;
-    CauseInversion inversion;
-};
-
-constexpr std::array kInversions{Inversion::Gone,     Inversion::Later,
-                                 Inversion::Earlier,  Inversion::Replaced,
-                                 Inversion::NoEffect, Inversion::NotInvertible};
-
-std::size_t countOf(const std::vector<InvertedFailure>& inverted, const FailureClass& kind,
-                    std::optional<Inversion> inversion = {}) {
-    return static_cast<std::size_t>(
-        std::count_if(inverted.begin(), inverted.end(), [&](const InvertedFailure& each) {
-            return each.failure->failure.kind == &kind &&
-                   (!inversion || each.inversion.outcome == *inversion);
-        }));
-}
-
-std::string lineFor(const InvertedFailure& each) {
-    const LedgerLine& decision = each.failure->moments.unavoidable;
-    std::string text = fmt::format("{}:{} {}: {} {}\n", each.failure->failure.kind->name,
-                                   each.number, inversionName(each.inversion.outcome),
-                                   toString(decision.event.address), describe(decision.event));
-    for (const WhatIf& inverse : each.inversion.inverses)
-        text += fmt::format("    --what-if \"{}\"\n", lineOf(inverse));
-    if (!each.inversion.reason.empty()) text += "    " + each.inversion.reason + "\n";
-    return text;
-}
-
-/// Width of the column of a result.
-std::size_t widthOf(Inversion inversion) { return inversionName(inversion).size() + 3; }
-
-/// Adds how many failures of a class were tried, and how many had each result.
-void addInversions(const std::vector<InvertedFailure>& inverted, const FailureClass& kind,
-                   Answer& answer) {
-    const std::size_t tried = countOf(inverted, kind);
-    if (tried == 0) return;
-    answer.text += fmt::format("{:<24}{:>7}", kind.name, tried);
-    for (const Inversion inversion : kInversions) {
-        const std::size_t count = countOf(inverted, kind, inversion);
-        answer.text += fmt::format("{:>{}}", count, widthOf(inversion));
-        answer.json["proved"][std::string(kind.name)][std::string(inversionName(inversion))] =
-            count;
-    }
-    answer.text += "\n";
-}
-
-/// Counts per class and result, then each failure; in text those that did not disappear as
-/// predicted.
-Answer inversionsAnswer(const std::vector<InvertedFailure>& inverted) {
-    Answer answer{fmt::format("{:<24}{:>7}", "decision inverted", "tried")};
-    for (const Inversion inversion : kInversions)
-        answer.text += fmt::format("{:>{}}", inversionName(inversion), widthOf(inversion));
-    answer.text += "\n";
-    for (const FailureClass& kind : failureClasses()) addInversions(inverted, kind, answer);
-    if (inverted.empty()) answer.text = "No failures found.\n";
-    answer.json["proofs"] = Json::array();
-    for (const InvertedFailure& each : inverted) {
-        if (each.inversion.outcome != Inversion::Gone) answer.text += "\n" + lineFor(each);
-        Json row{{"class", each.failure->failure.kind->name},
-                 {"number", each.number},
-                 {"points", each.failure->failure.points},
-                 {"unavoidable", lineJson(each.failure->moments.unavoidable)},
-                 {"proof", inversionName(each.inversion.outcome)}};
-        for (const WhatIf& inverse : each.inversion.inverses)
-            row["what_if"].push_back(lineOf(inverse));
-        if (!each.inversion.reason.empty()) row["reason"] = each.inversion.reason;
-        answer.json["proofs"].push_back(row);
-    }
-    return answer;
-}
 
 /// Point numbers from "812,640". Throws Failure unless there are `count` of them.
 std::array<Index, 3> pointsFrom(const std::string& option, const std::string& text,
@@ -179,16 +104,11 @@ struct WhyArguments {
             "--remedy", remedy,
             "With --failure: also the rules of --rules robust that would have prevented it, "
             "by running again with each of them on");
-        app.add_flag(
-            "--prove", prove,
-            "With --failures: inverts the decision that made each of them unavoidable, and "
-            "shows which failures disappear");
+        app.add_flag("--prove", prove, "Not needed: --failure proves")->group("");
         app.add_flag("--more", more,
-                     "With --point, --edge and --triangle: look for the proof with up to 200 "
-                     "inverted decisions instead of 20");
-        app.add_option("--most", limit,
-                       "With --find and --failures: list N, of each class; with --prove "
-                       "try N of each, spread over all")
+                     "With --point, --edge, --triangle and --failure: look for the proof with up "
+                     "to 200 inverted decisions instead of 20");
+        app.add_option("--most", limit, "With --find and --failures: list N, of each class")
             ->type_name("N");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "Show no progress");
@@ -219,36 +139,19 @@ auto searched(const WhyArguments& arguments, const char* what, ProgressLine& lin
     return runWithProgress(what, arguments.input.input(), line, search);
 }
 
-/// Adds to the answer about a failure what becomes of it with its decision inverted.
-void addProof(const CauseInversion& inversion, Answer& answer) {
-    answer.text += fmt::format("  {:<16} {}\n", "inverted", inversionName(inversion.outcome));
-    answer.json["proof"] = inversionName(inversion.outcome);
-    for (const WhatIf& inverse : inversion.inverses) {
-        answer.text += fmt::format("{:19}--what-if \"{}\"\n", "", lineOf(inverse));
-        answer.json["what_if"].push_back(lineOf(inverse));
-    }
-    if (inversion.reason.empty()) return;
-    answer.text += fmt::format("{:19}{}\n", "", inversion.reason);
-    answer.json["reason"] = inversion.reason;
-}
-
-/// Answer about the failure of a choice: its three moments, their proof, and what would have
-/// prevented it.
+/// Answer about the failure of a choice: its three moments, the proof of its cause, and what would
+/// have prevented it.
 Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                   const RunFailureSearch& found, const PreparedInput& run, ProgressLine& line) {
     const RunFailure failure = pickFailure(found, choice, arguments.input.input());
     Answer answer = answerOf(failure);
-    const auto chosen = static_cast<std::size_t>(
-        std::find_if(found.failures.begin(), found.failures.end(),
-                     [&](const RunFailure& each) { return each.position == failure.position; }) -
-        found.failures.begin());
-    addProof(searched(arguments, "proving", line,
-                      [&](const Progress& progress) {
-                          return invertCauses(run.points, run.params, found.failures,
-                                              std::span(&chosen, 1), progress);
-                      })
-                 .front(),
-             answer);
+    const Answer proof =
+        answerOf(searched(arguments, "proving", line, [&](const Progress& progress) {
+            return provedWhy(run.points, run.params, failure, found.all, arguments.proofLimits(),
+                             progress);
+        }));
+    answer.text += "\n" + proof.text;
+    answer.json.update(proof.json);
     if (!arguments.remedy) return answer;
     const Answer remedies =
         answerOf(searched(arguments, "trying", line, [&](const Progress& progress) {
@@ -259,25 +162,6 @@ Answer askFailure(const WhyArguments& arguments, const FailureChoice& choice,
     return answer;
 }
 
-/// Answer about whether the decisions are the causes. Of large classes a sample is tried.
-Answer askInversions(const WhyArguments& arguments, const PreparedInput& run,
-                     const std::vector<RunFailure>& all, ProgressLine& line) {
-    const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.limit);
-    const auto inversions = searched(arguments, "turning", line, [&](const Progress& progress) {
-        return invertCauses(run.points, run.params, all, chosen, progress);
-    });
-    std::vector<InvertedFailure> inverted;
-    inverted.reserve(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const auto at = all.begin() + static_cast<std::ptrdiff_t>(chosen[i]);
-        const auto before = std::count_if(all.begin(), at, [&](const RunFailure& each) {
-            return each.failure.kind == at->failure.kind;
-        });
-        inverted.push_back({&*at, static_cast<std::size_t>(before) + 1, inversions[i]});
-    }
-    return inversionsAnswer(inverted);
-}
-
 /// Answer about what went wrong in a run: all of it, or the failure of a choice.
 Answer askFailures(const WhyArguments& arguments, const std::optional<FailureChoice>& choice,
                    const PreparedInput& run, ProgressLine& line) {
@@ -285,7 +169,6 @@ Answer askFailures(const WhyArguments& arguments, const std::optional<FailureCho
         arguments, "asking", line,
         [&](const Progress& progress) { return searchFailures(run.points, run.params, progress); });
     if (choice) return askFailure(arguments, *choice, found, run, line);
-    if (arguments.prove) return askInversions(arguments, run, found.failures, line);
     return answerOf(found, arguments.limit);
 }
 
@@ -298,8 +181,14 @@ Answer askRun(const WhyArguments& arguments, const std::optional<RingAddress>& r
             return search(run.points, run.params, values..., progress);
         }));
     };
-    if (arguments.asksSubject())
-        return ask(provedWhy, arguments.subject(), arguments.proofLimits());
+    if (arguments.asksSubject()) {
+        const Subject subject = arguments.subject();
+        Answer answer = answerOf(searched(arguments, "asking", line, [&](const Progress& progress) {
+            return provedWhy(run.points, run.params, subject, arguments.proofLimits(), progress);
+        }));
+        answer.json["subject"] = subject.points();
+        return answer;
+    }
     if (ring) return ask(whyRing, *ring);
     if (arguments.charts) return ask(runCharts);
     if (arguments.closest > 0) return ask(nearestDecisions, arguments.closest);
@@ -321,10 +210,10 @@ ExitCode whyVerb(const Arguments& words) {
     const auto parsed = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
-    if (arguments.prove && !arguments.failures)
-        throw Failure(ExitCode::Usage, "--prove: needs --failures");
-    if (arguments.more && !arguments.asksSubject())
-        throw Failure(ExitCode::Usage, "--more: needs --point, --edge or --triangle");
+    if (arguments.prove && !arguments.quiet)
+        fmt::print(stderr, "--prove is not needed: --failure CLASS:N proves its cause.\n");
+    if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())
+        throw Failure(ExitCode::Usage, "--more: needs --point, --edge, --triangle or --failure");
     const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");
     std::optional<FailureChoice> choice;
     if (!arguments.failure.empty()) choice = failureChoiceFrom(arguments.failure);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "actions.h"
+#include "ask_actions.h"
 #include "compare/compared_runs.h"
-#include "jobs/questions.h"
 #include "link_actions.h"
 #include "run/model.h"
 #include "run/overview.h"
@@ -117,10 +117,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     const Selection subject = subjectOf(chosen);
     session.select(subject);
     // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
-    if (subject.kind == SelectionKind::None)
-        session.questions().askWhy(chosen);
-    else if (session.questions().subject() != subject)
-        session.questions().askWhy(subject);
+    askInBackground(context, chosen);
     if (moment) session.moves().goTo(momentOf(chosen, *moment).event.address);
     context.ui.frame = FrameRequest::Fault;
     context.ui.alerts.reveal = true;

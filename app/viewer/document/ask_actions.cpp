@@ -64,10 +64,15 @@ void askWhy(CommandContext& c, const RingAddress& ring) {
 }
 
 void askWhy(CommandContext& c, const RunFailure& failure) {
-    const Selection subject = subjectOf(failure);
-    if (subject.kind != SelectionKind::None) return askWhy(c, subject);
     showLedger(c);
-    c.session.questions().askWhy(failure);
+    askInBackground(c, failure);
+}
+
+void askInBackground(CommandContext& c, const RunFailure& failure) {
+    Questions& questions = c.session.questions();
+    const Selection standIn = subjectOf(failure);
+    if (questions.isAbout(failure.failure)) return;
+    questions.askWhy(failure, c.session.alerts().found()->all, standIn);
 }
 
 void askTyped(CommandContext& c) {
@@ -107,18 +112,22 @@ namespace actions {
 
 void askWhySelected(CommandContext& c) {
     if (!c.session.ready()) return c.session.messages().say("There is nothing open to ask about.");
-    if (c.session.selection().kind != SelectionKind::None) return askWhy(c, c.session.selection());
-    if (c.ui.layoutPreset == LayoutPreset::Compare)
+    const Selection& selected = c.session.selection();
+    const bool compares = c.ui.layoutPreset == LayoutPreset::Compare;
+    // What is selected with a fault stands for it.
+    const RunFailure* alert = c.session.alerts().shown();
+    if (alert != nullptr && !compares && subjectOf(*alert) == selected) return askWhy(c, *alert);
+    if (selected.kind != SelectionKind::None) return askWhy(c, selected);
+    if (compares)
         return c.session.messages().say(
             "Select a point, an edge or a triangle to ask both runs about.");
-    if (const RunFailure* alert = c.session.alerts().shown()) return askWhy(c, *alert);
     showPart(c, kLedgerPart);
     c.ui.ledger.wantsKeyboard = true;
 }
 
 void toLedgerLine(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
-    const WhyAnswer* ledger = c.session.questions().why();
+    const Ledger* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     const auto line = positionAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
     const std::string& name = ledger->name;
@@ -132,7 +141,7 @@ void toLedgerLine(CommandContext& c, int direction) {
 
 void toCause(CommandContext& c) {
     if (!c.session.ready()) return;
-    const WhyAnswer* ledger = c.session.questions().why();
+    const Ledger* ledger = c.session.questions().why();
     if (ledger == nullptr) return askWhySelected(c);
     pause(c);
     c.session.moves().goTo(ledger->lines[ledger->cause].event.address);

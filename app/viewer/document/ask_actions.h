@@ -20,8 +20,10 @@ namespace se::view {
 void askWhy(CommandContext& context, const Selection& what);
 /// Queries why a ring is there.
 void askWhy(CommandContext& context, const RingAddress& ring);
-/// Queries why a failure is there: a hole by its moments, all else as its subject.
+/// Queries why a failure is there.
 void askWhy(CommandContext& context, const RunFailure& failure);
+/// The same query, unless it is the last one; the panel Ledger is not shown.
+void askInBackground(CommandContext& context, const RunFailure& failure);
 /// Runs the query typed into the Ledger; a mistake stays there with a sentence.
 void askTyped(CommandContext& context);
 /// Finds the decisions that match the line of the panel Query, which reports a mistake in it.
@@ -31,8 +33,8 @@ void askQuery(CommandContext& context, const std::string& line);
 
 namespace actions {
 
-/// Query about the selection, else about the alert that is shown; without one the panel waits for
-/// input.
+/// Query about the alert that is shown, unless another thing is selected, which then is the
+/// subject; without both the panel waits for input.
 void askWhySelected(CommandContext& c);
 /// To the next (+1) or previous (-1) line of the ledger.
 void toLedgerLine(CommandContext& c, int direction);

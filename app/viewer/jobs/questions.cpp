@@ -16,6 +16,7 @@ namespace se::view {
 void Questions::open(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     subject_ = {};
+    failure_.reset();
     subjectName_.clear();
     line_.clear();
     forEach([](auto& query) { query.cancel(); });
@@ -36,88 +37,70 @@ bool Questions::busy() const {
     return ledger_.busy() || proof_.busy() || found_.busy() || closest_.busy() || charts_.busy();
 }
 
-namespace {
-
-WhyAnswer answerFrom(Ledger&& ledger) {
-    return {nameOf(ledger.subject), ledger.present,           std::move(ledger.lines),
-            ledger.cause,           std::move(ledger.answer), ledger.inverse};
+void Questions::startProof(std::function<Result<Ledger>(const Progress&)> search) {
+    proof_.cancel();
+    // Without threads the window would wait for the runs.
+    if constexpr (kHasThreads) {
+        if (usesThreads()) proof_.start(std::move(search));
+    }
 }
-
-}  // namespace
 
 void Questions::askWhy(const Selection& what) {
     assert(model_ && what.kind != SelectionKind::None);
     subject_ = what;
+    failure_.reset();
     subjectName_ = selectionText(what);
-    ledger_.ask(model_, [what](const Model& model) -> Question<WhyAnswer> {
-        const auto asked = whyQuestion(model.points, model.params, toSubject(what));
-        assert(asked.ok());  // The selection is of points of the model.
-        const auto answer = [question = asked.value()](const State& end) -> Result<WhyAnswer> {
-            Result<Ledger> found = question.answer(end);
-            if (!found) return found.error();
-            return answerFrom(std::move(found.value()));
-        };
-        return {asked.value().visit, answer};
+    again_ = [this, what] { askWhy(what); };
+    ledger_.ask(model_, [what](const Model& model) {
+        return whyQuestion(model.points, model.params, toSubject(what)).value();
     });
-    proof_.cancel();
-    // Without threads the window would wait for the runs.
-    if constexpr (kHasThreads) {
-        if (!usesThreads()) return;
-        proof_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
-            Result<Ledger> found =
-                provedWhy(model->points, model->params, toSubject(what), {}, progress);
-            if (!found) return found.error();
-            return answerFrom(std::move(found.value()));
-        });
-    }
+    startProof([model = model_, what](const Progress& progress) {
+        return provedWhy(model->points, model->params, toSubject(what), {}, progress);
+    });
 }
 
 void Questions::askWhy(const RingAddress& ring) {
     assert(model_);
     subject_ = {};
-    ring_ = ring;
+    failure_.reset();
     subjectName_ = nameOf(ring);
+    again_ = [this, ring] { askWhy(ring); };
     proof_.cancel();
-    ledger_.start([model = model_, ring](const Progress& progress) -> Result<WhyAnswer> {
-        Result<RingHistory> found = whyRing(model->points, model->params, ring, progress);
+    ledger_.start([model = model_, ring](const Progress& progress) -> Result<Ledger> {
+        const Result<RingHistory> found = whyRing(model->points, model->params, ring, progress);
         if (!found) return found.error();
-        RingHistory& history = found.value();
-        return WhyAnswer{nameOf(ring), true, std::move(history.lines), history.cause,
-                         std::move(history.answer)};
+        return Ledger(found.value());
     });
 }
 
-void Questions::askWhy(const RunFailure& failure) {
+void Questions::askWhy(const RunFailure& failure, std::vector<MeshFailure> known,
+                       const Selection& standIn) {
     assert(model_);
-    const MeshFailure& what = failure.failure;
-    const LedgerLine& cause = failure.moments.unavoidable;
-    const auto address = [](const LedgerLine& line) { return line.event.address; };
-    WhyAnswer answer{
-        std::string(what.kind->singular) + " of " + counted(what.points.size(), "point"),
-        true,
-        {failure.moments.touched, cause, failure.moments.created}};
-    auto& lines = answer.lines;
-    std::stable_sort(lines.begin(), lines.end(), [&](const LedgerLine& a, const LedgerLine& b) {
-        return isBefore(address(a), address(b));
+    Ledger ledger = ledgerOf(failure);
+    subject_ = standIn;
+    failure_ = failure.failure;
+    subjectName_ = ledger.name;
+    again_ = [this, failure, known, standIn] { askWhy(failure, known, standIn); };
+    if (isLostPoint(failure.failure))
+        ledger_.ask(model_, [p = failure.failure.points.front()](const Model& model) {
+            return whyQuestion(model.points, model.params, Subject::point(p)).value();
+        });
+    else
+        ledger_.start(
+            [ledger = std::move(ledger)](const Progress&) -> Result<Ledger> { return ledger; });
+    startProof([model = model_, failure, known = std::move(known)](const Progress& progress) {
+        return provedWhy(model->points, model->params, failure, known, {}, progress);
     });
-    const auto same = [&](const LedgerLine& a, const LedgerLine& b) {
-        return address(a) == address(b);
-    };
-    lines.erase(std::unique(lines.begin(), lines.end(), same), lines.end());
-    while (!same(lines[answer.cause], cause)) ++answer.cause;
-    answer.answer = std::string(what.kind->meaning) +
-                    " Unavoidable after: " + describe(cause.event) + " (" +
-                    toString(address(cause)) + ")";
-    subject_ = {};
-    subjectName_ = answer.name;
-    proof_.cancel();
-    ledger_.start(
-        [answer = std::move(answer)](const Progress&) -> Result<WhyAnswer> { return answer; });
 }
 
 void Questions::askAgain() {
-    if (subject_.kind != SelectionKind::None) return askWhy(Selection(subject_));
-    if (!subjectName_.empty()) askWhy(RingAddress(ring_));
+    const std::function<void()> again = again_;  // It sets again_.
+    again();
+}
+
+bool Questions::isAbout(const MeshFailure& failure) const {
+    return failure_ && failure_->kind == failure.kind && failure_->points == failure.points &&
+           (ledger_.busy() || ledger_.answer() != nullptr);
 }
 
 Status Questions::find(const std::string& line) {

@@ -3,6 +3,7 @@
 /// that about a ring runs the points itself. Another run discards all answers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <tuple>
 
@@ -17,16 +18,6 @@
 #include "spiraling_edge/why/ring_history.h"
 
 namespace se::view {
-
-/// A ledger: of a point, an edge, a triangle, a ring, or a hole.
-struct WhyAnswer {
-    std::string name;      ///< "point 812", "ring #2 at 137", "hole of 4 points".
-    bool present = false;  ///< In the mesh at the end of the run; of a ring, a hole: true.
-    std::vector<LedgerLine> lines = {};  ///< In the order of the run; never empty.
-    std::size_t cause = 0;               ///< The decisive line.
-    std::string answer = {};             ///< Names the address of the cause.
-    std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
-};
 
 struct ClosestAnswer {
     NearestDecisions decisions;
@@ -52,22 +43,27 @@ class Questions {
     /// (core's why/proof.h), which takes its place. Requires a selection that is not empty.
     void askWhy(const Selection& what);
     void askWhy(const RingAddress& ring);
-    /// Answers why a failure is there, from its moments; for a hole, which is no selection.
-    void askWhy(const RunFailure& failure);
-    /// Repeats the last query of askWhy().
+    /// Starts the query why a failure is there, one of `known`, and with threads its proof; until
+    /// then its moments are the answer, or the ledger of a lost point. `standIn`: what is selected
+    /// for it; empty for a loop.
+    void askWhy(const RunFailure& failure, std::vector<MeshFailure> known,
+                const Selection& standIn);
+    /// Repeats the last query of askWhy(). Requires one.
     void askAgain();
-    /// Selection of the last query of askWhy(); empty if that was a ring or a hole.
+    /// Selection of the last query of askWhy(); empty if that was a ring or a loop.
     const Selection& subject() const { return subject_; }
+    /// True if the last query of askWhy() was about this failure and has an answer, or will have.
+    bool isAbout(const MeshFailure& failure) const;
     /// The last query of askWhy() in words; empty if there was none.
     const std::string& subjectName() const { return subjectName_; }
     /// The answer so far: proved, if that is done; null before there is one.
-    const WhyAnswer* why() const {
+    const Ledger* why() const {
         const bool proved = ledger_.answer() != nullptr && proof_.answer() != nullptr;
         return proved ? proof_.answer() : ledger_.answer();
     }
     bool isProving() const { return proof_.busy(); }
-    BackgroundQuery<WhyAnswer>& ledger() { return ledger_; }
-    const BackgroundQuery<WhyAnswer>& ledger() const { return ledger_; }
+    BackgroundQuery<Ledger>& ledger() { return ledger_; }
+    const BackgroundQuery<Ledger>& ledger() const { return ledger_; }
 
     /// Starts the query for the decisions that match a line. Fails with a sentence, and changes
     /// nothing then.
@@ -97,12 +93,16 @@ class Questions {
     }
 
     std::shared_ptr<const Model> model_;
+    /// Starts the search for a proof, where there are threads.
+    void startProof(std::function<Result<Ledger>(const Progress&)> search);
+
     Selection subject_;
-    RingAddress ring_;
+    std::optional<MeshFailure> failure_;  ///< Of the last query, if it was about one.
     std::string subjectName_;
+    std::function<void()> again_;  ///< Repeats the last query of askWhy().
     std::string line_;
-    BackgroundQuery<WhyAnswer> ledger_;
-    BackgroundQuery<WhyAnswer> proof_;
+    BackgroundQuery<Ledger> ledger_;
+    BackgroundQuery<Ledger> proof_;
     BackgroundQuery<FoundDecisions> found_;
     BackgroundQuery<ClosestAnswer> closest_;
     BackgroundQuery<std::vector<RunChart>> charts_;

@@ -597,6 +597,10 @@ bool isLoop(const MeshFailure& failure) {
     return failure.kind->find == loopsOf<false> || failure.kind->find == loopsOf<true>;
 }
 
+bool isLostPoint(const MeshFailure& failure) {
+    return failure.kind->find != nullptr && failure.triangles.empty() && failure.points.size() == 1;
+}
+
 double widthOf(const MeshFailure& loop) {
     assert(isLoop(loop));
     return LoopShape{static_cast<Index>(loop.edges.size()), loop.length, loop.area}.width();

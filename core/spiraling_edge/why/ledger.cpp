@@ -68,13 +68,15 @@ constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 /// The cause for which a subject is not in the mesh.
 struct Cause {
     std::size_t line = kNoLine;
-    std::string words;  ///< One sentence, without the address.
+    std::string words = {};  ///< One sentence, without the address.
+    ProvedBy provedBy = ProvedBy::Nothing;
 };
 
 class CauseFinder {
   public:
-    CauseFinder(const PointSet& points, const Ledger& ledger, const State& end)
-        : points_(points), ledger_(ledger), end_(end) {}
+    CauseFinder(const PointSet& points, const Subject& subject, const Ledger& ledger,
+                const State& end)
+        : points_(points), subject_(subject), ledger_(ledger), end_(end) {}
 
     Cause find() const {
         const std::size_t undone =
@@ -82,11 +84,12 @@ class CauseFinder {
         if (ledger_.present) {
             std::size_t made = undone == kNoLine ? 0 : undone + 1;
             while (ledger_.lines[made].role != LineRole::Made) ++made;
-            return causeAt(made);
+            const bool byStep = editsMesh(ledger_.lines[made].event);
+            return causeAt(made, byStep ? ProvedBy::Step : ProvedBy::Nothing);
         }
-        if (undone != kNoLine) return causeAt(undone);
-        if (ledger_.subject.size() == 3) return ofTriangle();
-        return ofPoints(ledger_.subject);
+        if (undone != kNoLine) return causeAt(undone, ProvedBy::Step);
+        if (subject_.size() == 3) return ofTriangle();
+        return ofPoints(subject_);
     }
 
   private:
@@ -98,7 +101,9 @@ class CauseFinder {
         }
         return kNoLine;
     }
-    Cause causeAt(std::size_t line) const { return {line, describe(ledger_.lines[line].event)}; }
+    Cause causeAt(std::size_t line, ProvedBy by = ProvedBy::Nothing) const {
+        return {line, describe(ledger_.lines[line].event), by};
+    }
 
     /// True if another entry of the point passed the reciprocal test: then the refused one is no
     /// cause.
@@ -146,7 +151,8 @@ class CauseFinder {
     }
 
     Cause untestedPoint(Index p) const {
-        if (points_.isAside(p)) return {lastAbout(ledger_.subject), asideText(points_, p)};
+        if (points_.isAside(p))
+            return {lastAbout(subject_), asideText(points_, p), ProvedBy::Preparation};
         std::size_t listing = 0;
         for (std::size_t q = 0; q < points_.size(); ++q) {
             if (lists(static_cast<Index>(q), p)) ++listing;
@@ -158,7 +164,8 @@ class CauseFinder {
                 : "Point " + std::to_string(p) + " is listed by " + std::to_string(listing) +
                       (listing == 1 ? " point" : " points") +
                       ", but none of them was a pivot that looked at it.";
-        return {lastAbout(ledger_.subject), words};
+        return {lastAbout(subject_), words,
+                listing == 0 ? ProvedBy::Preparation : ProvedBy::Nothing};
     }
 
     /// The reason for an empty list, as the end of a sentence; empty if there is none.
@@ -188,7 +195,8 @@ class CauseFinder {
         const std::size_t line = lastAbout(edge);
         for (const Index end : edge.points()) {
             if (points_.isAside(end))
-                return {lastAbout(Subject::point(end)), asideText(points_, end)};
+                return {lastAbout(Subject::point(end)), asideText(points_, end),
+                        ProvedBy::Preparation};
         }
         const std::string a = std::to_string(edge[0]);
         const std::string b = std::to_string(edge[1]);
@@ -213,14 +221,17 @@ class CauseFinder {
     }
 
     Cause ofTriangle() const {
-        const Subject& s = ledger_.subject;
+        const Subject& s = subject_;
         Cause latest;
         for (std::size_t i = 0; i < 3; ++i) {
             const Subject edge = Subject::edge(s[i], s[(i + 1) % 3]);
             if (isInMesh(end_.mesh(), edge)) continue;
             const Cause cause = ofPoints(edge);
-            if (latest.line != kNoLine && cause.line <= latest.line) continue;
-            latest = {cause.line, "Its " + nameOf(edge) + " is not in the mesh: " + cause.words};
+            const bool prepared = cause.provedBy == ProvedBy::Preparation;
+            if (!prepared && latest.line != kNoLine && cause.line <= latest.line) continue;
+            latest = {cause.line, "Its " + nameOf(edge) + " is not in the mesh: " + cause.words,
+                      cause.provedBy};
+            if (prepared) break;
         }
         return latest.line != kNoLine ? latest : allEdgesTaken();
     }
@@ -230,13 +241,14 @@ class CauseFinder {
         const std::size_t emit =
             last([](const LedgerLine& line) { return isA<EmitEvidence>(line.event); });
         if (emit == kNoLine)
-            return {lastAbout(ledger_.subject), "Its three edges came into the mesh one by one."};
+            return {lastAbout(subject_), "Its three edges came into the mesh one by one."};
         return {emit,
                 "Its three edges are in the mesh, each in other triangles; the last of them: " +
                     describe(ledger_.lines[emit].event)};
     }
 
     const PointSet& points_;
+    const Subject& subject_;
     const Ledger& ledger_;
     const State& end_;
 };
@@ -310,7 +322,7 @@ class LedgerBuilder {
         : points_(points),
           params_(params),
           subject_(subject),
-          ledger_{subject},
+          ledger_{nameOf(subject)},
           gaps_({}, subject) {}
 
     void add(const SweptPivot& pivot) {
@@ -339,11 +351,12 @@ class LedgerBuilder {
     /// Finds the deciding line. Call it after the last pivot was added, with the state there.
     Ledger finish(const State& end) {
         ledger_.present = isInMesh(end.mesh(), subject_);
-        const Cause cause = CauseFinder(points_, ledger_, end).find();
+        const Cause cause = CauseFinder(points_, subject_, ledger_, end).find();
         ledger_.cause = cause.line;
         ledger_.words = cause.words;
+        ledger_.provedBy = cause.provedBy;
         ledger_.answer =
-            nameOf(subject_) + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
+            ledger_.name + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
             cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
         ledger_.answer[0] = static_cast<char>(ledger_.answer[0] - 'a' + 'A');
         return ledger_;

@@ -51,16 +51,19 @@ enum class ProvedBy : std::uint8_t {
 /// "nothing", "inversion", "step", "preparation".
 std::string_view provedByName(ProvedBy by);
 
-/// The answer to a query.
+/// The answer to a query about a subject, a failure or a ring.
 struct Ledger {
-    Subject subject;
-    bool present = false;                ///< In the mesh at the end of the run.
-    std::vector<LedgerLine> lines = {};  ///< In the order of the run.
-    /// Position of the deciding line: the one that made the subject, or the last that prevented it.
+    std::string name;      ///< "point 812", "hole of 4 points", "ring #2 at 137".
+    bool present = false;  ///< In the mesh at the end of the run; a failure: true.
+    std::string_view where = "in the mesh";  ///< "there" of a failure.
+    std::vector<LedgerLine> lines = {};      ///< In the order of the run.
+    /// Position of the deciding line: the one that made the subject, or the last that prevented it;
+    /// where the answer is proved, the decision of its proof.
     /// Always below lines.size().
     std::size_t cause = 0;
     std::string words = {};   ///< One sentence: the cause.
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
+    /// By why() alone: Step and Preparation.
     ProvedBy provedBy = ProvedBy::Nothing;
     std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
 };

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
-#include "spiraling_edge/why/ledger.h"
+#include "spiraling_edge/why/failure_moments.h"
 
 namespace se {
 
@@ -25,5 +26,18 @@ inline constexpr std::uint64_t kLeastProofSteps = 200'000;
 /// does. Deterministic.
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
                          const ProofLimits& limits = {}, const Progress& progress = {});
+
+/// The moments of a failure as a ledger, whose cause is the decision that made it unavoidable. Not
+/// proved, except by a step after the last pivot.
+Ledger ledgerOf(const RunFailure& failure);
+
+/// The question why a failure is in the mesh of a run, in the same way: its moments and the
+/// decisions that it may come from, with the one that, inverted, takes it away. Preferred is one
+/// that leaves no new failure of its class in its place. A point in no triangle is asked about as a
+/// subject. `known`: all failures of the run. An inspection of the mesh for each inversion. Fails
+/// if cancelled. Deterministic.
+Result<Ledger> provedWhy(const PointSet& points, const Params& params, const RunFailure& failure,
+                         std::span<const MeshFailure> known, const ProofLimits& limits = {},
+                         const Progress& progress = {});
 
 }  // namespace se

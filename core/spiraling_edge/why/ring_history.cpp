@@ -92,7 +92,8 @@ class RingFinder {
             return Error{"The " + nameOf(ring_) +
                          " is one of the rings that the run begins with: no decision made it."};
         }
-        RingHistory history{ring_, *length_, lines_, lines_.size() - 1, {}};
+        RingHistory history{{.name = nameOf(ring_), .present = true, .lines = lines_}, *length_};
+        history.cause = lines_.size() - 1;
         std::string name = nameOf(ring_);
         name[0] = static_cast<char>(name[0] - 'a' + 'A');
         const Event& cause = lines_.back().event;

@@ -22,12 +22,9 @@ std::string nameOf(const RingAddress& ring);
 /// Reads "137", "137#2", "137.ring.4#2". Fails with a sentence.
 Result<RingAddress> ringAddressFromString(std::string_view text);
 
-struct RingHistory {
-    RingAddress ring;
-    Index length = 0;               ///< Points of the ring there.
-    std::vector<LedgerLine> lines;  ///< The seeds, splits and joins of its ancestry, in order.
-    std::size_t cause = 0;          ///< Position of the last of them, which made the ring.
-    std::string answer;             ///< Ends with the address of the cause.
+/// The seeds, splits and joins of a ring's ancestry; the cause is the last, which made the ring.
+struct RingHistory : Ledger {
+    Index length = 0;  ///< Points of the ring there.
 };
 
 /// The history of `ring`. Fails if the run has no such address, or no such ring there, or if

@@ -4,13 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "spiraling_edge/run/timeline.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"
+#include "support/subjects.h"
 
 using namespace se;
 using namespace se::test;
@@ -23,19 +23,12 @@ Ledger ask(const PointSet& points, const Params& params, const Subject& subject)
     return ledger.value();
 }
 
-bool inMesh(const std::vector<Triangle>& mesh, const Subject& subject) {
-    return std::any_of(mesh.begin(), mesh.end(), [&](const Triangle& t) {
-        const std::set<Index> corners{t.a, t.b, t.c};
-        return std::all_of(subject.points().begin(), subject.points().end(),
-                           [&](Index p) { return corners.contains(p); });
-    });
-}
-
-/// Checks of an answer for any subject: it agrees with the mesh, and its cause is a decision of
+/// Checks of an answer for a subject: it agrees with the mesh, and its cause is a decision of
 /// that run at its address and about the subject.
-void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Ledger& ledger) {
+void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Subject& subject,
+                 const Ledger& ledger) {
     CAPTURE(ledger.answer);
-    CHECK(ledger.present == inMesh(mesh, ledger.subject));
+    CHECK(ledger.present == hasSubject(mesh, subject));
     REQUIRE(ledger.cause < ledger.lines.size());
     const LedgerLine& cause = ledger.lines[ledger.cause];
     const Address address = cause.event.address;
@@ -54,10 +47,13 @@ void checkRandomSubjects(const PointSet& points, const Params& params, std::size
     Timeline timeline(points, params);
     timeline.seek(0xffffffffU);
     const std::vector<Triangle> mesh = timeline.state().mesh();
+    const auto check = [&](const Subject& subject) {
+        checkAnswer(timeline, mesh, subject, ask(points, params, subject));
+    };
     Random random(7);
     for (std::size_t i = 0; i < count; ++i) {
         const auto a = static_cast<Index>(random.below(points.size()));
-        checkAnswer(timeline, mesh, ask(points, params, Subject::point(a)));
+        check(Subject::point(a));
         const auto list = points.neighbors[a];
         const auto near = [&] {
             return list.empty() || random.below(8) == 0
@@ -67,9 +63,9 @@ void checkRandomSubjects(const PointSet& points, const Params& params, std::size
         const Index b = near();
         const Index c = near();
         if (a == b) continue;
-        checkAnswer(timeline, mesh, ask(points, params, Subject::edge(a, b)));
+        check(Subject::edge(a, b));
         if (c == a || c == b) continue;
-        checkAnswer(timeline, mesh, ask(points, params, Subject::triangle(a, b, c)));
+        check(Subject::triangle(a, b, c));
     }
 }
 
@@ -99,9 +95,11 @@ TEST_CASE("ledger: of a given mesh no decision is told, of triangles made from i
     Timeline timeline(points, params);
     timeline.seek(0xffffffffU);
     const std::vector<Triangle> mesh = timeline.state().mesh();
-    checkAnswer(timeline, mesh, answer(Subject::triangle(0, 5, 7)).value());
-    checkAnswer(timeline, mesh, answer(Subject::edge(0, 8)).value());
-    CHECK(answer(Subject::edge(0, 8)).value().answer.ends_with("removed. (1.limits.5)"));
+    const Subject triangle = Subject::triangle(0, 5, 7);
+    checkAnswer(timeline, mesh, triangle, answer(triangle).value());
+    const Subject edge = Subject::edge(0, 8);
+    checkAnswer(timeline, mesh, edge, answer(edge).value());
+    CHECK(answer(edge).value().answer.ends_with("removed. (1.limits.5)"));
 }
 
 TEST_CASE("ledger: the same on points that no surface gave, with and without the robust rules") {
@@ -124,7 +122,7 @@ TEST_CASE("ledger: a point in no triangle was refused by a test, and the ledger 
     const Run run = runAll(points, paper());
     std::size_t unused = 0;
     for (Index p = 0; p < points.size(); ++p) {
-        if (inMesh(run.state.mesh(), Subject::point(p))) continue;
+        if (hasSubject(run.state.mesh(), Subject::point(p))) continue;
         ++unused;
         const Ledger ledger = ask(points, paper(), Subject::point(p));
         CAPTURE(ledger.answer);

@@ -3,12 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"
+#include "support/subjects.h"
 
 using namespace se;
 using namespace se::test;
@@ -23,14 +23,6 @@ Ledger proved(const PointSet& points, const Params& params, const Subject& subje
     return ledger.value();
 }
 
-bool isIn(const std::vector<Triangle>& mesh, const Subject& subject) {
-    return std::any_of(mesh.begin(), mesh.end(), [&](const Triangle& t) {
-        const std::set<Index> corners{t.a, t.b, t.c};
-        return std::all_of(subject.points().begin(), subject.points().end(),
-                           [&](Index p) { return corners.contains(p); });
-    });
-}
-
 /// True if the answer is proved by an inversion; then the run with its what-if has the other
 /// answer.
 bool isProved(const PointSet& points, const Params& params, const Subject& subject) {
@@ -42,8 +34,8 @@ bool isProved(const PointSet& points, const Params& params, const Subject& subje
     CHECK(ledger.answer.find(" would ") != std::string::npos);
     Params inverted = params;
     inverted.whatIf.push_back(*ledger.inverse);
-    CHECK(isIn(runAll(points, params).state.mesh(), subject) == ledger.present);
-    CHECK(isIn(runAll(points, inverted).state.mesh(), subject) != ledger.present);
+    CHECK(hasSubject(runAll(points, params).state.mesh(), subject) == ledger.present);
+    CHECK(hasSubject(runAll(points, inverted).state.mesh(), subject) != ledger.present);
     return true;
 }
 
@@ -98,15 +90,15 @@ TEST_CASE("proof: a triangle of a fan is there by a test of its pivot, and away 
 TEST_CASE("proof: the tests that made way for a triangle are lines of its ledger") {
     const PointSet points = prepared(fibonacciSphere(600));
     const std::vector<Triangle> mesh = runAll(points, paper()).state.mesh();
-    const Ledger ledger =
-        proved(points, paper(), Subject::triangle(mesh[9].a, mesh[9].b, mesh[9].c));
+    const Subject subject = Subject::triangle(mesh[9].a, mesh[9].b, mesh[9].c);
+    const Ledger ledger = proved(points, paper(), subject);
     const auto made = std::find_if(ledger.lines.begin(), ledger.lines.end(),
                                    [](const auto& line) { return line.role == LineRole::Made; });
     REQUIRE(made != ledger.lines.end());
     for (const LedgerLine& line : ledger.lines) {
         if (line.role != LineRole::Indirect) continue;
         CHECK(line.event.address.pivot == made->event.address.pivot);
-        CHECK_FALSE(ledger.subject.has(testedPoint(line.event)));
+        CHECK_FALSE(subject.has(testedPoint(line.event)));
     }
 }
 
@@ -128,7 +120,7 @@ TEST_CASE("proof: what a step after the last pivot made or removed is proved by 
     for (std::size_t i = 0; i < end.triangles.size(); i += 1 + end.triangles.size() / 60) {
         const Triangle& t = end.triangles[i];
         const Subject subject = Subject::triangle(t.a, t.b, t.c);
-        if (isIn(end.mesh(), subject)) continue;
+        if (hasSubject(end.mesh(), subject)) continue;
         const Ledger ledger = proved(points, robust(), subject);
         CHECK(ledger.provedBy == ProvedBy::Step);
         CHECK(ledger.lines[ledger.cause].role == LineRole::Undone);

@@ -41,7 +41,7 @@ struct QuestionApp {
 
     explicit QuestionApp(const char* scene = "scene:stranded-point") : open(scene) {}
     Session& session() { return open.session; }
-    const WhyAnswer* ledger() {
+    const Ledger* ledger() {
         open.session.waitUntilDone();
         return open.session.questions().why();
     }
@@ -77,7 +77,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
     app.run("ask.why");
     CHECK(app.ui.column.part == kLedgerPart);
     CHECK(app.session().questions().busy());
-    const WhyAnswer* ledger = app.ledger();
+    const Ledger* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
     const Model& model = app.session().model();
     const Ledger expected = expectedOf(model, Subject::point(32));
@@ -92,7 +92,7 @@ TEST_CASE("The answer about an edge and a triangle is that of the library, with 
     const Model& model = app.session().model();
     for (const Selection& what : {Selection::ofEdge(32, 99), Selection::ofEdge(0, 1)}) {
         askWhy(app.context, what);
-        const WhyAnswer* ledger = app.ledger();
+        const Ledger* ledger = app.ledger();
         REQUIRE(ledger != nullptr);
         const Ledger expected = expectedOf(model, toSubject(what));
         CHECK(ledger->answer == expected.answer);
@@ -128,7 +128,7 @@ TEST_CASE("An edge that is not present can be queried") {
 TEST_CASE("The lines are walked in both directions of time, from any cursor position") {
     QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
-    const WhyAnswer ledger = *app.ledger();
+    const Ledger ledger = *app.ledger();
     std::vector<std::string> forward;
     for (std::size_t i = 0; i < ledger.lines.size(); ++i) {
         app.run("ask.line.next");
@@ -154,7 +154,7 @@ TEST_CASE("The lines are walked in both directions of time, from any cursor posi
 TEST_CASE("Between two lines the cursor is before the next one") {
     QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
-    const WhyAnswer ledger = *app.ledger();
+    const Ledger ledger = *app.ledger();
     app.session().moves().toStart();
     app.session().waitUntilDone();
     CHECK(positionAmong(ledger.lines, app.session()).before == 0);
@@ -194,7 +194,7 @@ TEST_CASE("A query can be stopped, and repeated") {
 TEST_CASE("The copied text has the answer, every address and a mark at the cause") {
     QuestionApp app;
     askWhy(app.context, Selection::ofPoint(32));
-    const WhyAnswer& ledger = *app.ledger();
+    const Ledger& ledger = *app.ledger();
     const std::string text = ledgerText(ledger.answer, ledger.lines, ledger.cause);
     CHECK(text.starts_with(ledger.answer));
     for (const LedgerLine& line : ledger.lines)

@@ -454,13 +454,13 @@ void drawAnswer(const PanelContext& context, const char* letter, const Color& co
         return dimText(found != nullptr && found->trace ? "no decisions in this trace"
                                                         : "a finished mesh, without decisions");
     }
-    const BackgroundQuery<WhyAnswer>& asked = run->questions().ledger();
-    if (const WhyAnswer* answer = run->questions().why()) return wrappedText(answer->answer);
+    const BackgroundQuery<Ledger>& asked = run->questions().ledger();
+    if (const Ledger* answer = run->questions().why()) return wrappedText(answer->answer);
     dimText(asked.busy() ? "searching ..." : "no query");
 }
 
 std::optional<Address> causeIn(const Session* run) {
-    const WhyAnswer* answer = run != nullptr ? run->questions().why() : nullptr;
+    const Ledger* answer = run != nullptr ? run->questions().why() : nullptr;
     if (answer == nullptr) return std::nullopt;
     return answer->lines[answer->cause].event.address;
 }

@@ -186,20 +186,13 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     ImGui::Spacing();
 }
 
-/// Answer of the ledger for the faulty thing.
+/// Answer of the ledger about the alert.
 void drawWhy(const PanelContext& context, const RunFailure& alert) {
-    Session& session = context.session();
-    const Selection subject = subjectOf(alert);
-    const bool whole = subject.kind == SelectionKind::None;
-    const Questions& questions = session.questions();
-    const std::string name =
-        whole ? std::string(alert.failure.kind->singular) : selectionText(subject);
-    if (smallButton(context, "Why? " + name, "alert why",
-                    whole ? "Its moments, in the panel Ledger"
-                          : "Every decision about it, in the panel Ledger"))
+    const Questions& questions = context.session().questions();
+    if (smallButton(context, "Why?", "alert why",
+                    "The decisions that led to it, in the panel Ledger: " + context.key("ask.why")))
         askWhy(context.commands, alert);
-    const bool mine = !whole && questions.subject() == subject;
-    const WhyAnswer* answer = mine ? questions.why() : nullptr;
+    const Ledger* answer = questions.isAbout(alert.failure) ? questions.why() : nullptr;
     if (answer != nullptr) dimText(withShortNumbers(answer->answer));
     ImGui::Spacing();
 }

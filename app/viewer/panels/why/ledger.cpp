@@ -1,4 +1,5 @@
 // The Ledger panel: the cause of a point, edge or triangle, by selection or by text.
+#include "document/alert_actions.h"
 #include "document/ask_actions.h"
 #include "document/document.h"
 #include "input/key_routing.h"
@@ -58,7 +59,7 @@ void drawEmpty(const PanelContext& context) {
     dimText("Type ring for the cause of the active ring, ring #2 for the second on the stack.");
 }
 
-void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
+void drawAnswer(const PanelContext& context, const Ledger& ledger) {
     ImGui::Spacing();
     paragraph(context, withShortNumbers(ledger.answer));
     if (context.session().questions().isProving()) dimText("Looking for a proof ...");
@@ -91,6 +92,9 @@ void followSelection(const PanelContext& context) {
     Selection& seen = context.state<LedgerPanel>().seen;
     if (session.selection() == seen) return;
     seen = session.selection();
+    const RunFailure* alert = session.alerts().shown();
+    if (alert != nullptr && subjectOf(*alert) == seen)
+        return askInBackground(context.commands, *alert);
     if (seen.kind == SelectionKind::None || seen == session.questions().subject()) return;
     session.questions().askWhy(seen);
 }
@@ -104,12 +108,12 @@ void drawLedger(const PanelContext& context) {
     partNote(questions.subjectName());
     drawQuestionBox(context);
     const ScrolledBody body(context, "##ledgerBody");
-    BackgroundQuery<WhyAnswer>& ledger = questions.ledger();
+    BackgroundQuery<Ledger>& ledger = questions.ledger();
     if (drawAsking(context, ledger)) return;
     if (!ledger.complaint().empty()) {
         dimText(ledger.complaint());
         if (ImGui::SmallButton("Retry")) questions.askAgain();
-    } else if (const WhyAnswer* answer = questions.why()) {
+    } else if (const Ledger* answer = questions.why()) {
         drawAnswer(context, *answer);
     } else {
         drawEmpty(context);

@@ -1,0 +1,114 @@
+/// The proofs of failures: what may have made one are the tests that made its triangles, and of a
+/// loop or a ring, the tests between its points that ended without a triangle.
+#include <algorithm>
+#include <utility>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/why/prover.h"
+#include "spiraling_edge/why/remedy.h"
+
+namespace se {
+namespace {
+
+bool isSame(const MeshFailure& a, const MeshFailure& b) {
+    return a.kind == b.kind && a.points == b.points;
+}
+
+/// What the failure becomes: None while it is there, Replaced by a new one in its place.
+Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
+                const std::vector<MeshFailure>& left) {
+    const auto isKnown = [&](const MeshFailure& each) {
+        return std::any_of(known.begin(), known.end(),
+                           [&](const MeshFailure& other) { return isSame(each, other); });
+    };
+    Effect effect = Effect::Changed;
+    for (const MeshFailure& each : left) {
+        if (isSame(each, failure)) return Effect::None;
+        if (isStillThere(failure, {each}) && !isKnown(each)) effect = Effect::Replaced;
+    }
+    return effect;
+}
+
+/// What the failure becomes in the mesh of a run. Undecided counts as unchanged.
+Effect effectAtEnd(const PointSet& points, const MeshFailure& failure,
+                   std::span<const MeshFailure> known, const State& end,
+                   const LeftOverRings& rings) {
+    if (failure.kind->find == nullptr) return effectOn(failure, known, rings.found());
+    const MeshInspection found = inspectWithTotals(points, end.mesh());
+    const bool all = found.totals[rankOf(*failure.kind)].all();
+    const Effect effect = effectOn(failure, known, found.failures);
+    return all ? effect : Effect::None;
+}
+
+/// Adds the tests and fans at the points of a loop that were refused.
+void addRefusals(const MeshFailure& loop, const SweptPivot& pivot, const ReadingContext& context,
+                 std::vector<LedgerLine>& lines) {
+    const auto mine = [&](Index p) {
+        return std::binary_search(loop.points.begin(), loop.points.end(), p);
+    };
+    if (!mine(pivot.point)) return;
+    for (const Event& event : pivot.events) {
+        const Index tested = testedPoint(event);
+        if (!isAgainst(outcomeOf(event)) || (tested != kNone && !mine(tested))) continue;
+        LedgerLine line = lineOf(event, context);
+        line.role = LineRole::Indirect;
+        lines.push_back(std::move(line));
+    }
+}
+
+}  // namespace
+
+Ledger ledgerOf(const RunFailure& failure) {
+    const FailureMoments& moments = failure.moments;
+    Ledger ledger{.name = std::string(failure.failure.kind->singular) + " of " +
+                          counted(failure.failure.points.size(), "point"),
+                  .present = true,
+                  .where = "there",
+                  .lines = {moments.unavoidable, moments.touched, moments.created}};
+    ledger.words = describe(moments.unavoidable.event);
+    sortLines(ledger);
+    if (editsMesh(moments.unavoidable.event)) ledger.provedBy = ProvedBy::Step;
+    ledger.answer = std::string(failure.failure.kind->meaning) +
+                    " Unavoidable after: " + ledger.words + " (" +
+                    toString(moments.unavoidable.event.address) + ")";
+    return ledger;
+}
+
+Result<Ledger> provedWhy(const PointSet& points, const Params& params, const RunFailure& asked,
+                         std::span<const MeshFailure> known, const ProofLimits& limits,
+                         const Progress& progress) {
+    const MeshFailure& failure = asked.failure;
+    if (isLostPoint(failure))
+        return provedWhy(points, params, Subject::point(failure.points.front()), limits, progress);
+    constexpr double kLinesShare = 0.3;
+    Ledger ledger = ledgerOf(asked);
+    Proof proof;
+    if (ledger.provedBy == ProvedBy::Nothing) {
+        std::uint64_t steps = 0;
+        const auto visit = [&](const SweptPivot& pivot) {
+            ++steps;
+            if (failure.triangles.empty())
+                addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
+        };
+        if (!sweep(points, params, visit, partOf(progress, 0.0, kLinesShare)) ||
+            !addMakings(points, params, asked.corners, ledger,
+                        partOf(progress, kLinesShare, 2.0 * kLinesShare)))
+            return Error{"Cancelled."};
+        sortLines(ledger);
+        LeftOverRings rings;
+        const bool ofRun = failure.kind->find == nullptr;
+        const ProofAim aim{{}, ofRun ? &rings : nullptr, [&](const State& end) {
+                               return effectAtEnd(points, failure, known, end, rings);
+                           }};
+        Result<Proof> found = prove(points, params, ledger, aim, invertibleOf(points, ledger),
+                                    steps, limits, partOf(progress, 2.0 * kLinesShare, 1.0));
+        if (!found) return found.error();
+        proof = std::move(found.value());
+    }
+    settle(ledger, proof);
+    return ledger;
+}
+
+}  // namespace se

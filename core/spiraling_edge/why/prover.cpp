@@ -1,0 +1,299 @@
+/// Forks of the run at the decisions to invert. One pass forward leaves out the inversions that are
+/// refused, and finds those that show at their own pivot: these are the likely ones. Each run to an
+/// end is made from the start.
+#include "spiraling_edge/why/prover.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/run/event_text.h"
+#include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/what_if_check.h"
+
+namespace se {
+
+std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision) {
+    const Address& at = decision.event.address;
+    if (const auto* insert = as<InsertEvidence>(decision.event)) {
+        if (insert->third == kNone) return {};
+        WhatIf what{WhatIfKind::List, at.pivot, Stage::Pivot, insert->pivot, Vec3(0.0), {}};
+        for (const Index q : points.neighbors[insert->pivot]) {
+            if (q != insert->third) what.list.push_back(q);
+        }
+        return what;
+    }
+    const auto* sort = as<SortEvidence>(decision.event);
+    if (sort != nullptr && sort->verdict == Verdict::SameAngle)
+        return WhatIf{WhatIfKind::Drop, at.pivot, at.stage, sort->rival, Vec3(0.0), {}};
+    if (const auto* guard = as<GuardEvidence>(decision.event)) {
+        if (outcomeOf(decision.event) != Outcome::Refused) return {};
+        const Index refused = guard->dropped == kNone ? decision.pivot : guard->dropped;
+        return WhatIf{WhatIfKind::Keep, at.pivot, at.stage, refused, Vec3(0.0), {}};
+    }
+    const auto verdict = verdictOf(decision.event);
+    const auto kind = verdict ? rowOf(*verdict).inverse : std::nullopt;
+    if (!kind) return {};
+    const bool fan = at.stage == Stage::TwoPoint;
+    return WhatIf{*kind,     at.pivot, at.stage, fan ? decision.pivot : testedPoint(decision.event),
+                  Vec3(0.0), {}};
+}
+
+std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger) {
+    constexpr std::size_t kMost = 200;
+    std::vector<Invertible> all;
+    const LineRole direct = ledger.present ? LineRole::Taken : LineRole::Refused;
+    for (std::size_t i = ledger.lines.size(); i-- > 0 && all.size() < kMost;) {
+        const LedgerLine& line = ledger.lines[i];
+        if (line.role != direct && line.role != LineRole::Indirect && i != ledger.cause) continue;
+        const auto inverse = inverseOf(points, line);
+        if (!inverse || std::any_of(all.begin(), all.end(), [&](const Invertible& each) {
+                return each.inverse == *inverse;
+            }))
+            continue;
+        all.push_back({i, *inverse});
+    }
+    return all;
+}
+
+namespace {
+
+/// Of the pivot that made the subject of `made`, the tests that took its points or made way for it,
+/// as lines about other points.
+void addMaking(const Ledger& made, Ledger& ledger) {
+    const auto emit = std::find_if(made.lines.begin(), made.lines.end(),
+                                   [](const auto& line) { return line.role == LineRole::Made; });
+    if (emit == made.lines.end()) return;
+    for (LedgerLine line : made.lines) {
+        const bool decided = line.role == LineRole::Taken || line.role == LineRole::Indirect;
+        const bool known = std::any_of(
+            ledger.lines.begin(), ledger.lines.end(),
+            [&](const LedgerLine& each) { return each.event.address == line.event.address; });
+        if (!decided || known || line.event.address.pivot != emit->event.address.pivot) continue;
+        line.role = LineRole::Indirect;
+        ledger.lines.push_back(line);
+    }
+}
+
+class Prover {
+  public:
+    Prover(const PointSet& points, const Params& params, const Ledger& ledger, const ProofAim& aim,
+           std::vector<Invertible> all, const Progress& progress)
+        : points_(points),
+          params_(params),
+          ledger_(ledger),
+          aim_(aim),
+          progress_(progress),
+          all_(std::move(all)) {}
+
+    Result<Proof> run(std::uint64_t steps, const ProofLimits& limits) {
+        if (all_.empty()) return Proof{};
+        if (!lookAtPivots()) return Error{"Cancelled."};
+        sortByPromise();
+        return runToEnds(steps, limits);
+    }
+
+  private:
+    Params with(const WhatIf& inverse) const {
+        Params forked = params_;
+        forked.whatIf.push_back(inverse);
+        return forked;
+    }
+
+    /// Makes steps until `done`, at most `left` of them, which it lowers. False if cancelled.
+    template <typename Done>
+    bool advance(Stepper& stepper, std::uint64_t& left, const Done& done) const {
+        while (!done() && left > 0 && stepper.stepPivot()) {
+            if (--left % kPivotsPerReport == 0 && progress_ && !progress_(share_)) return false;
+        }
+        return true;
+    }
+
+    /// Leaves out inversions that are refused, and marks those that show at their pivot. False if
+    /// cancelled.
+    bool lookAtPivots() {
+        std::stable_sort(all_.begin(), all_.end(), [](const Invertible& a, const Invertible& b) {
+            return a.inverse.pivot < b.inverse.pivot;
+        });
+        Stepper stepper(points_, params_);
+        std::uint64_t left = ~std::uint64_t{0};
+        std::vector<Invertible> possible;
+        for (Invertible& each : all_) {
+            const std::uint32_t pivot = each.inverse.pivot;
+            const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
+            if (!advance(stepper, left, isThere) || (progress_ && !progress_(share_))) return false;
+            const Params forked = with(each.inverse);
+            if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
+            if (aim_.showsAtOnce) {
+                Stepper fork(points_, forked);
+                fork.setState(stepper.state());
+                const std::size_t before = fork.state().triangles.size();
+                fork.stepPivot();
+                each.showsAtOnce =
+                    aim_.showsAtOnce(std::span(fork.state().triangles).subspan(before));
+            }
+            possible.push_back(each);
+        }
+        all_ = std::move(possible);
+        return true;
+    }
+
+    /// Those that show at once first, then that of the cause, then those of the pivot that made the
+    /// subject; of equals the later.
+    void sortByPromise() {
+        const std::uint32_t making = ledger_.lines[ledger_.cause].event.address.pivot;
+        const auto rank = [&](const Invertible& each) {
+            return std::tuple(!each.showsAtOnce, each.line != ledger_.cause,
+                              ledger_.present && each.inverse.pivot != making);
+        };
+        std::stable_sort(all_.begin(), all_.end(), [&](const Invertible& a, const Invertible& b) {
+            if (rank(a) != rank(b)) return rank(a) < rank(b);
+            return a.line > b.line;
+        });
+    }
+
+    /// Runs an inversion to its end, within `left` steps, which it lowers. Nothing if cancelled.
+    std::optional<Effect> effectOf(const WhatIf& inverse, std::uint64_t& left, bool& ended) const {
+        Stepper fork(points_, with(inverse));
+        EventLog log;
+        if (aim_.rings != nullptr) {
+            *aim_.rings = {};
+            fork.setLog(&log);
+        }
+        const auto visit = [&] {
+            if (aim_.rings == nullptr) return false;
+            aim_.rings->add(points_, log.events());
+            log.clear();
+            return false;
+        };
+        if (!advance(fork, left, visit)) return {};
+        ended = fork.state().finished();
+        if (!ended) return Effect::None;
+        visit();
+        return aim_.effect(fork.state());
+    }
+
+    Result<Proof> runToEnds(std::uint64_t steps, const ProofLimits& limits) {
+        constexpr double kLookShare = 0.3;
+        Proof proof;
+        std::uint64_t left = std::max(
+            kLeastProofSteps, static_cast<std::uint64_t>(limits.runs * static_cast<double>(steps)));
+        for (const Invertible& each : all_) {
+            share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
+                                      static_cast<double>(limits.inversions);
+            if (proof.tried == limits.inversions || left == 0) {
+                proof.complete = false;
+                break;
+            }
+            if (progress_ && !progress_(share_)) return Error{"Cancelled."};
+            bool ended = false;
+            const std::optional<Effect> effect = effectOf(each.inverse, left, ended);
+            if (!effect) return Error{"Cancelled."};
+            if (!ended) {
+                proof.complete = false;
+                break;
+            }
+            ++proof.tried;
+            if (*effect <= proof.effect) continue;
+            proof.found = each;
+            proof.effect = *effect;
+            if (*effect == Effect::Changed) break;
+        }
+        return proof;
+    }
+
+    const PointSet& points_;
+    const Params& params_;
+    const Ledger& ledger_;
+    const ProofAim& aim_;
+    const Progress& progress_;
+    std::vector<Invertible> all_;
+    double share_ = 0.0;  ///< Of the work, for the progress.
+};
+
+/// What the inversion does: the words after the name.
+std::string wordsOf(const Ledger& ledger, const Proof& proof) {
+    if (proof.effect == Effect::Replaced)
+        return ", and with this decision inverted another would be in its place: ";
+    if (proof.found->listed != kNone)
+        return ", and would be if " + std::to_string(proof.found->inverse.point) + " listed " +
+               std::to_string(proof.found->listed) + ": ";
+    return std::string(", and would ") + (ledger.present ? "not be" : "be") +
+           " with this decision inverted: ";
+}
+
+/// The end of an answer that is not proved.
+std::string doubtOf(const Proof& proof) {
+    if (proof.tried == 0) return " Not proved: no decision about it can be inverted.";
+    const std::string count = counted(proof.tried, "inversion");
+    return " Not proved: " + (proof.complete ? count : "the first " + count) +
+           (proof.tried == 1 ? " does" : " do") + " not change it.";
+}
+
+}  // namespace
+
+Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
+                    const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
+                    const ProofLimits& limits, const Progress& progress) {
+    return Prover(points, params, ledger, aim, std::move(all), progress).run(steps, limits);
+}
+
+void settle(Ledger& ledger, const Proof& proof) {
+    ledger.answer = ledger.name + (ledger.present ? " is " : " is not ");
+    ledger.answer += ledger.where;
+    if (proof.found) {
+        const std::size_t line = proof.found->line;
+        if (line != ledger.cause) ledger.words = describe(ledger.lines[line].event);
+        ledger.cause = line;
+        ledger.provedBy = ProvedBy::Inversion;
+        ledger.inverse = proof.found->inverse;
+        ledger.answer += wordsOf(ledger, proof);
+    } else if (ledger.provedBy == ProvedBy::Step) {
+        ledger.answer += std::string(", since a step after the last pivot ") +
+                         (ledger.present ? "made" : "removed") + " it: ";
+    } else {
+        ledger.answer += ". ";
+    }
+    ledger.answer += ledger.words + " (" + toString(ledger.lines[ledger.cause].event.address) + ")";
+    if (ledger.provedBy == ProvedBy::Nothing) ledger.answer += doubtOf(proof);
+    ledger.answer[0] = static_cast<char>(std::toupper(ledger.answer[0]));
+}
+
+bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
+                Ledger& ledger, const Progress& progress) {
+    if (made.empty()) return true;
+    std::vector<Question<Ledger>> asked;
+    asked.reserve(made.size());
+    for (const Triangle& t : made)
+        asked.push_back(whyQuestion(points, params, Subject::triangle(t.a, t.b, t.c)).value());
+    const auto end = sweep(
+        points, params,
+        [&](const SweptPivot& pivot) {
+            for (const Question<Ledger>& each : asked) each.visit(pivot);
+        },
+        progress);
+    if (!end) return false;
+    for (const Question<Ledger>& each : asked) {
+        const Result<Ledger> answer = each.answer(*end);
+        if (answer) addMaking(answer.value(), ledger);
+    }
+    sortLines(ledger);
+    return true;
+}
+
+void sortLines(Ledger& ledger) {
+    const auto address = [](const LedgerLine& line) { return line.event.address; };
+    const Address cause = address(ledger.lines[ledger.cause]);
+    std::stable_sort(ledger.lines.begin(), ledger.lines.end(), [&](const auto& a, const auto& b) {
+        return isBefore(address(a), address(b));
+    });
+    const auto same = [&](const auto& a, const auto& b) { return address(a) == address(b); };
+    ledger.lines.erase(std::unique(ledger.lines.begin(), ledger.lines.end(), same),
+                       ledger.lines.end());
+    ledger.cause = 0;
+    while (address(ledger.lines[ledger.cause]) != cause) ++ledger.cause;
+}
+
+}  // namespace se

@@ -1,0 +1,78 @@
+/// The search for the decision that an answer rests on: the run forks at each decision that may be
+/// it, inverted, and the end tells whether the answer is another.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/why/inspected_run.h"
+#include "spiraling_edge/why/proof.h"
+
+namespace se {
+
+/// The what-if that inverts a decision: keeps a refused point, drops a taken one, unlists an
+/// inserted third point. Nothing where the event cannot be inverted or is no decision.
+std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision);
+
+/// A decision that can be inverted.
+struct Invertible {
+    std::size_t line;  ///< Position in Ledger::lines.
+    WhatIf inverse;
+    /// Nothing is inverted, but this point is listed by WhatIf::point; else kNone.
+    Index listed = kNone;
+    /// The pivot itself already changes the answer with the inversion.
+    bool showsAtOnce = false;
+};
+
+/// The decisions of a ledger that can be inverted: the cause, those that took a subject that is
+/// present or refused one that is absent, and the indirect ones; the latest first, 200 at most.
+std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger);
+
+/// The effect of an inversion on an answer.
+enum class Effect : std::uint8_t {
+    None,      ///< The answer stays.
+    Replaced,  ///< A failure is gone, but another of its class is in its place.
+    Changed,   ///< The answer is another.
+};
+
+/// The answer that an inversion is to change.
+struct ProofAim {
+    /// True for triangles made by one pivot that alone change the answer; may be empty.
+    std::function<bool(std::span<const Triangle> made)> showsAtOnce = {};
+    /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
+    LeftOverRings* rings = nullptr;
+    std::function<Effect(const State& end)> effect;
+};
+
+/// The result of a search for a proof.
+struct Proof {
+    std::optional<Invertible> found;
+    Effect effect = Effect::None;  ///< Of `found`.
+    std::size_t tried = 0;         ///< Inversions that were run, this one among them.
+    bool complete = true;          ///< Not one was left out for the limits.
+};
+
+/// Runs the inversions of `all` to their ends: those that show at once first, then that of the
+/// cause, of a present subject those of the pivot of the cause, then the later ones; up to the
+/// first that changes the answer. Where none does, the first that replaces a failure is taken.
+/// `steps`: of the run, its pivots and the steps after the last one. Fails if cancelled.
+Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
+                    const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
+                    const ProofLimits& limits, const Progress& progress);
+
+/// Makes the cause of a ledger that of its proof, and its answer the sentence about it. Requires
+/// Ledger::words of the cause so far, and Ledger::provedBy of a proof that needs no inversion.
+void settle(Ledger& ledger, const Proof& proof);
+
+/// Adds to a ledger, as indirect lines in their order, the tests that made these triangles: those
+/// that took their corners or made way for them. A run. False if cancelled.
+bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
+                Ledger& ledger, const Progress& progress);
+
+/// Puts the lines of a ledger into the order of their addresses, each once; the cause stays.
+void sortLines(Ledger& ledger);
+
+}  // namespace se

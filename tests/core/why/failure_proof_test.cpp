@@ -1,0 +1,160 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/why/prover.h"
+#include "spiraling_edge/why/remedy.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+RunFailureSearch failuresIn(const PointSet& points, const Params& params) {
+    auto all = searchFailures(points, params);
+    REQUIRE(all.ok());
+    return all.value();
+}
+
+/// At most `limit` failures of each class, spread over it.
+std::vector<RunFailure> sampleOf(const RunFailureSearch& found, std::size_t limit) {
+    std::map<const FailureClass*, std::vector<RunFailure>> of;
+    for (const RunFailure& each : found.failures) of[each.failure.kind].push_back(each);
+    std::vector<RunFailure> sample;
+    for (const auto& [kind, all] : of) {
+        const std::size_t step = (all.size() + limit - 1) / limit;
+        for (std::size_t i = 0; i < all.size(); i += step) sample.push_back(all[i]);
+    }
+    return sample;
+}
+
+bool has(const std::vector<MeshFailure>& all, const MeshFailure& failure) {
+    return std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
+        return each.kind == failure.kind && each.points == failure.points;
+    });
+}
+
+/// The answer about a failure. If an inversion proves it, the failure is not in the run with it,
+/// and a new one in its place only if the answer says so.
+Ledger proved(const PointSet& points, const Params& params, const RunFailureSearch& found,
+              const RunFailure& failure) {
+    const Result<Ledger> answer = provedWhy(points, params, failure, found.all);
+    REQUIRE(answer.ok());
+    const Ledger& ledger = answer.value();
+    CAPTURE(ledger.answer);
+    REQUIRE(ledger.cause < ledger.lines.size());
+    CHECK(ledger.inverse.has_value() == (ledger.provedBy == ProvedBy::Inversion));
+    if (!ledger.inverse || isLostPoint(failure.failure)) return ledger;
+    Params inverted = params;
+    inverted.whatIf.push_back(*ledger.inverse);
+    const RunFailureSearch after = failuresIn(points, inverted);
+    CHECK_FALSE(has(after.all, failure.failure));
+    const bool replaced =
+        std::any_of(after.all.begin(), after.all.end(), [&](const MeshFailure& each) {
+            return isStillThere(failure.failure, {each}) && !has(found.all, each);
+        });
+    const bool said = ledger.answer.find("another would be in its place") != std::string::npos;
+    CHECK(replaced == said);
+    return ledger;
+}
+
+}  // namespace
+
+TEST_CASE("failure proof: nine of ten faults are gone with their decision inverted") {
+    std::size_t all = 0;
+    std::size_t gone = 0;
+    std::size_t replaced = 0;
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const RunFailureSearch found = failuresIn(points, paper());
+        for (const RunFailure& failure : sampleOf(found, kSanitized ? 1 : 3)) {
+            const Ledger ledger = proved(points, paper(), found, failure);
+            if (!failure.failure.kind->fault) continue;
+            ++all;
+            if (ledger.provedBy == ProvedBy::Nothing) continue;
+            const bool another = ledger.answer.find("another would") != std::string::npos;
+            ++(another ? replaced : gone);
+        }
+    }
+    MESSAGE(gone, " gone, ", replaced, " replaced by another, of ", all, " faults");
+    CHECK(10 * (gone + replaced) >= 9 * all);
+}
+
+TEST_CASE("failure proof: a fault that a step after the last pivot made is proved by the step") {
+    std::size_t steps = 0;
+    for (const FailureScene& each : failureScenes()) {
+        const PointSet points = prepared(each.scene.build());
+        const RunFailureSearch found = failuresIn(points, robust());
+        for (const RunFailure& failure : sampleOf(found, 2)) {
+            const Ledger ledger = proved(points, robust(), found, failure);
+            // A lost point may have been made, and removed by such a step.
+            if (failure.failure.triangles.empty()) continue;
+            const bool made = editsMesh(failure.moments.unavoidable.event);
+            CHECK((ledger.provedBy == ProvedBy::Step) == made);
+            steps += made ? 1 : 0;
+        }
+    }
+    MESSAGE("made by steps: ", steps);
+}
+
+TEST_CASE("failure proof: a lost point has the answer of the point") {
+    const PointSet points = prepared(findScene("stranded-point")->build());
+    const RunFailureSearch found = failuresIn(points, paper());
+    const auto lost = std::find_if(
+        found.failures.begin(), found.failures.end(),
+        [](const RunFailure& each) { return each.failure.kind->name == "lost_points"; });
+    REQUIRE(lost != found.failures.end());
+    const Ledger answer = proved(points, paper(), found, *lost);
+    const Index p = lost->failure.points.front();
+    CHECK(answer.answer == provedWhy(points, paper(), Subject::point(p)).value().answer);
+}
+
+TEST_CASE("inverse: the hole of four takes the point beyond it at every test") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    for (const RunFailure& each : failuresIn(points, paper()).failures) {
+        if (each.failure.kind->name != "intersecting_triangles") continue;
+        CHECK(toString(each.moments.unavoidable.event.address) == "54.sphere.1");
+        const auto inverse = inverseOf(points, each.moments.unavoidable);
+        REQUIRE(inverse.has_value());
+        CHECK(lineOf(*inverse) == "54.sphere drop 63");
+    }
+}
+
+TEST_CASE("inverse: a third point of a wall is taken off the list of the pivot") {
+    // Figure 14: 2 joins the ring of 0 and 1 as the nearest point of the same wall.
+    PointSet points;
+    points.position = {{0, 0, 0}, {0.8, 0.2, 0}, {-1, 0.2, 0}, {-1, 1, 0}};
+    points.normal.assign(4, Vec3(0, 0, 1));
+    points.type = {kNegativeY, kNegativeY, kNegativeY, kInterior};
+    for (const Points& list : std::vector<Points>{{1, 2, 3}, {}, {}, {}})
+        points.neighbors.append(list);
+    REQUIRE(validate(points).ok());
+    EventLog log;
+    runAll(points, paper(), &log);
+    const auto inserted = std::find_if(log.events().begin(), log.events().end(), [](const auto& e) {
+        return std::holds_alternative<InsertEvidence>(e.evidence);
+    });
+    REQUIRE(inserted != log.events().end());
+    REQUIRE(std::get<InsertEvidence>(inserted->evidence).third == 2);
+    const auto inverse = inverseOf(points, lineOf(*inserted, {points, paper(), 0}));
+    REQUIRE(inverse.has_value());
+    CHECK(inverse->kind == WhatIfKind::List);
+    CHECK(inverse->pivot == 1);
+    CHECK(inverse->point == 0);
+    CHECK(inverse->list == Points{1, 3});
+}
+
+TEST_CASE("failure proof: cancelled") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const RunFailureSearch found = failuresIn(points, paper());
+    for (const double limit : {0.0, 0.4, 0.7}) {
+        const auto goesOn = [&](double share) { return share < limit; };
+        CHECK_FALSE(provedWhy(points, paper(), found.failures.front(), found.all, {}, goesOn).ok());
+    }
+}
