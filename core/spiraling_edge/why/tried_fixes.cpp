@@ -96,14 +96,18 @@ class FixTrials {
         const Result<BothMeshes> after = meshesOf(file, change);
         if (!after) return after.error();
         TriedFix tried;
+        bool helps = false;
+        bool harms = false;
         const auto compare = [&](std::string_view rules, const MeshVerdict& now,
                                  const MeshVerdict& then) {
-            tried.helps = tried.helps || hasFewerFaults(now, then);
+            helps = helps || (hasFewerFaults(now, then) && endOf(now) != endOf(then));
+            harms = harms || hasFewerFaults(then, now);
             tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) + " " +
                           endOf(now) + " (before " + endOf(then) + ")";
         };
         compare("paper", after.value().paper, before_->paper);
         compare("robust", after.value().robust, before_->robust);
+        tried.helps = helps && !harms;
         return tried;
     }
 
