@@ -44,7 +44,27 @@ double stepOf(const ExaminedFile& examined, Vec3::length_type axis, double size)
 /// The wide steps of each axis; 0 where there are none.
 using Steps = std::array<double, 3>;
 
+/// The least distance between different values of each axis, if that is at least `least`; else 0.
+Steps gridOf(const ExaminedFile& examined, double least) {
+    Steps steps{};
+    for (Vec3::length_type axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (Index p = 0; p < examined.size(); ++p) {
+            if (examined.present()[p]) values.push_back(examined.file.position[p][axis]);
+        }
+        std::sort(values.begin(), values.end());
+        double gap = std::numeric_limits<double>::max();
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            if (values[i] > values[i - 1]) gap = std::min(gap, values[i] - values[i - 1]);
+        }
+        if (gap >= least && gap < std::numeric_limits<double>::max())
+            steps[static_cast<std::size_t>(axis)] = gap;
+    }
+    return steps;
+}
+
 /// True if the points fill a grid of these steps: no two in one cell, and the nearest in the next.
+/// What was rounded in one axis alone is not in steps along the others.
 bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     constexpr double kNext = 1.5;
     const auto cellOf = [&](Index p) {
@@ -74,10 +94,11 @@ bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     return !distances.empty() && medianOf(distances) < kNext;
 }
 
+/// Of the spacing: rounding moves points by 0.3 steps, and less is little noise.
+constexpr double kWide = 0.2;
+
 /// Steps next to the spacing, of axes far from the origin.
 Steps wideSteps(const ExaminedFile& examined) {
-    // Rounding moves points by 0.3 steps: less is little noise.
-    constexpr double kWide = 0.2;
     constexpr double kFar = 20.0;  // Times the longest extent.
     const InputFacts& facts = examined.intake.judge->facts;
     const Vec3 extent = facts.extent();
@@ -97,7 +118,8 @@ Steps wideSteps(const ExaminedFile& examined) {
 std::optional<Finding> findLostDigits(const ExaminedFile& examined) {
     if (examined.units || !(examined.middleSpacing > 0.0)) return std::nullopt;
     const Steps steps = wideSteps(examined);
-    if (steps == Steps{} || isRegular(examined, steps)) return std::nullopt;
+    if (steps == Steps{}) return std::nullopt;
+    if (isRegular(examined, gridOf(examined, kWide * examined.middleSpacing))) return std::nullopt;
     std::string text;
     for (std::size_t axis = 0; axis < steps.size(); ++axis) {
         if (steps[axis] == 0.0) continue;

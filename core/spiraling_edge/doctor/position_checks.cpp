@@ -36,10 +36,13 @@ std::optional<Finding> findSentinels(const ExaminedFile& examined) {
     std::vector<Index> points = unusableFor(Aside::Sentinel, examined);
     if (points.empty()) return std::nullopt;
     const Vec3& first = examined.file.position[points.front()];
-    return findingAt(std::move(points), Severity::Warning,
-                     "far off all others, as where a missing value was written: the first is at (" +
-                         shortNumber(first.x) + ", " + shortNumber(first.y) + ", " +
-                         shortNumber(first.z) + ")");
+    // In full, so that it can be searched for in the file.
+    std::string text = "far off all others, as where a missing value was written: the first is at ";
+    for (Vec3::length_type axis = 0; axis < 3; ++axis) {
+        text += axis == 0 ? "(" : ", ";
+        appendPlainNumber(text, first[axis]);
+    }
+    return findingAt(std::move(points), Severity::Warning, text + ")");
 }
 
 std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {

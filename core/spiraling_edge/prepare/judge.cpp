@@ -176,7 +176,7 @@ void measure(const PointFile& file, const Surroundings& around, const std::vecto
         if (!around.present[p]) continue;
         judge.spacing[p] = std::max(facts.across, distanceTo(file, around, p, 3));
         judge.reach[p] = std::max(facts.across, distanceTo(file, around, p, 12));
-        judge.twin[p] = twinOf(file.position, p, around.nearest[p]);
+        judge.twin[p] = twinOf(file.position, file.normal, p, around.nearest[p]);
         if (judge.twin[p] != kNone) ++facts.twins;
     }
     if (facts.across == 0.0) facts.pieces = countPieces(file, around, stray, judge);
@@ -193,7 +193,7 @@ void measureExtent(const PointFile& file, const Surroundings& around,
         box->add(file.position[p]);
         ++facts.measured;
         if (around.nearest[p].empty()) continue;
-        const bool twin = twinOf(file.position, p, around.nearest[p]) != kNone;
+        const bool twin = twinOf(file.position, file.normal, p, around.nearest[p]) != kNone;
         nearest.push_back(distanceTo(file, around, p, twin ? 2 : 1));
     }
     if (box) {

@@ -621,6 +621,44 @@ TEST_CASE("doctor: a grid whose steps are those of the points lost no digits") {
         CHECK(findingOf(examined(file), "lost_digits") == nullptr);
 }
 
+TEST_CASE("doctor: a grid of any width at any offset lost no digits, rounded in one axis it did") {
+    for (const double step : {0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 7.0}) {
+        for (const double offset : {0.0, 0.5}) {
+            CAPTURE(step);
+            PointFile grid;
+            PointFile scattered;
+            Random random(5);
+            for (int i = 0; i < 900; ++i) {
+                const double x = i % 30;
+                const double y = i / 30;
+                const double z = std::round(100.0 * step * std::sin(0.3 * x) * std::cos(0.2 * y));
+                const Vec3 origin(500000.0 + offset, 5400000.0 + offset, 0.01 * z);
+                grid.position.push_back(origin + step * Vec3(x, y, 0.0));
+                const Vec3 moved(x + random.between(-0.4, 0.4), y + random.between(-0.4, 0.4), 0.0);
+                scattered.position.push_back(origin + step * moved);
+                scattered.position.back().y =
+                    2.0 * step * std::round(scattered.position.back().y / (2.0 * step));
+            }
+            CHECK(findingOf(examined(grid), "lost_digits") == nullptr);
+            const bool rounded = step == 0.25 || step == 0.5;  // To steps of floats.
+            if (rounded) CHECK(findingOf(examined(scattered), "lost_digits") != nullptr);
+        }
+    }
+}
+
+TEST_CASE("doctor: the two sides of a thin plate are no twins, since their normals oppose") {
+    PointFile plate;
+    for (int i = 0; i < 400; ++i) {
+        for (const double side : {-1.0, 1.0}) {
+            plate.position.emplace_back(i % 20, i / 20, 0.05 * side);
+            plate.normal.emplace_back(0.0, 0.0, side);
+        }
+    }
+    CHECK(findingOf(examined(plate), "twins") == nullptr);
+    plate.normal.clear();
+    CHECK(findingOf(examined(plate), "twins") != nullptr);
+}
+
 // ---- sentinels ----------------------------------------------------------------------------------
 
 namespace {
@@ -669,9 +707,9 @@ void plantHuge(PointFile& file, std::size_t strength, Random& random) {
 
 TEST_CASE("doctor: missing values are found in 95 of 100 files, and the rest is as without them") {
     CHECK(shareFound("sentinels", {{"zeros", plantZeros, "(0, 0, 0)"},
-                                   {"float", plantFloat, "3.4e+38"},
-                                   {"heights", plantHeights, "-1e+04"},
-                                   {"greatest", plantGreatest, "6.55e+04"},
+                                   {"float", plantFloat, "-3.4028234663852886e+38"},
+                                   {"heights", plantHeights, "-9999"},
+                                   {"greatest", plantGreatest, "65535"},
                                    {"huge", plantHuge, "far off"}}) >= 95.0);
 }
 
