@@ -8,6 +8,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/doctor/checks.h"
 #include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/given_normals.h"
 #include "spiraling_edge/prepare/normals.h"
 
 namespace se {
@@ -46,6 +47,8 @@ class FixApplication {
 
     void markUnfit() {
         unusable_ = unusablePoints(file_.position);
+        // The copies go, and what they say with them.
+        if (file_.hasNormals()) averageOverCopies(file_.position, file_.normal);
         std::array<std::size_t, kAsides> count{};
         for (std::size_t p = 0; p < unusable_.size(); ++p) {
             keep_[p] = unusable_[p] == Aside::No;

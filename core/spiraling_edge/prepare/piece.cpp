@@ -19,6 +19,7 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/points/usable_points.h"
 #include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/prepare/given_normals.h"
 
 namespace se {
 namespace {
@@ -195,6 +196,8 @@ std::vector<bool> pointsIn(std::span<const Vec3> position, const Piece& piece) {
 
 PointFile pieceOf(PointFile file, const Piece& piece) {
     if (!piece.isWhole()) {
+        // Of several points at one place thinning keeps the first.
+        if (piece.thin > 0.0 && file.hasNormals()) averageOverCopies(file.position, file.normal);
         const std::vector<bool> keep = pointsIn(file.position, piece);
         file = keptPoints(std::move(file), keep);
     }

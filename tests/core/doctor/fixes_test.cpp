@@ -110,6 +110,22 @@ TEST_CASE("doctor: mending changes nothing for the algorithm, which does so for 
     }
 }
 
+TEST_CASE("doctor: where copies are dropped, their normals count in the mean of the place") {
+    PointFile file = withLists(ball());
+    file.neighbors = {};
+    const std::size_t own = file.position.size();
+    for (std::size_t p = 0; p < own; p += 3) {
+        file.position.push_back(file.position[p]);
+        file.normal.push_back(glm::normalize(file.normal[p] + Vec3(0.3, 0.0, 0.0)));
+        if (!file.type.empty()) file.type.push_back(file.type[p]);
+        for (Attribute& column : file.attributes) column.values.push_back(column.values[p]);
+    }
+    const PointFile repaired = applyFixes(file).file;
+    CHECK(repaired.position.size() == own);
+    CHECK(runAll(prepared(file), paper()).state.mesh() ==
+          runAll(prepared(repaired), paper()).state.mesh());
+}
+
 TEST_CASE("doctor: faces move from copies to their originals, and go with dropped points") {
     PointFile soup;  // Two triangles with corners of their own, as from STL, and a third one.
     soup.position = {{0, 0, 0},

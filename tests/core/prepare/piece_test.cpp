@@ -164,6 +164,16 @@ TEST_CASE("piece: a box is cut out before the rest is thinned") {
     CHECK(piece.position == std::vector<Vec3>{{1, 0, 0}, {3, 0, 0}, {5, 0, 0}});
 }
 
+TEST_CASE("piece: of the points at one place the one that thinning keeps has their mean normal") {
+    PointFile file;
+    file.position = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+    file.normal = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const PointFile piece = pieceOf(file, thinnedTo(0.5));
+    REQUIRE(piece.normal.size() == 2);
+    CHECK(glm::distance(piece.normal[0], glm::normalize(Vec3(1, 1, 0))) < 1e-12);
+    CHECK(piece.normal[1] == Vec3(0, 0, 1));
+}
+
 TEST_CASE("piece: points at exactly the spacing stay, copies go") {
     const std::vector<Vec3> position{
         {0, 0, 0}, {0.5, 0, 0}, {0, 0, 0}, {0, 0.5, 0}, {0.5, 0, 0.25}};
