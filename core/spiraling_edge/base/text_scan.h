@@ -158,11 +158,11 @@ inline bool parseDoubleByStrtod(std::string_view field, double& value) {
     }
     char* end = nullptr;
     value = std::strtod(text.c_str(), &end);
-    return end == text.c_str() + text.size() && std::isfinite(value);
+    return end == text.c_str() + text.size();
 }
 
-/// Reads all of `field` as a decimal number; "nan" and "inf" are numbers. False if it is not one,
-/// or if it lies beyond the largest double. A number below the smallest becomes 0.
+/// Reads all of `field` as a decimal number; "nan" and "inf" are numbers. False if it is not one. A
+/// number below the smallest double becomes 0, one beyond the largest infinite.
 inline bool parseDouble(std::string_view field, double& value) {
 #if defined(__cpp_lib_to_chars)
     const std::string_view digits = withoutPlus(field);

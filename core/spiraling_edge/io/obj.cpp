@@ -184,6 +184,8 @@ class ObjReader : LineByLine {
             if (averaged > 0) file_.notes.push_back(averagedText(averaged));
         } else if (normals_.size() == file_.position.size()) {
             file_.normal = std::move(normals_);
+        } else if (!normals_.empty()) {
+            file_.notes.emplace_back("left out: normals, which not every point has");
         }
     }
 

@@ -110,7 +110,7 @@ class PtxReader : LineByLine {
             }
             const LineNumbers n(lines_.line());
             if (columns_ == 0 && (n.size() == 4 || n.size() == 7)) columns_ = n.size();
-            if (n.size() != columns_) {
+            if (columns_ == 0 || n.size() != columns_) {
                 return fail(
                     "expected x y z and intensity, then a color in all lines or in none; "
                     "found " +

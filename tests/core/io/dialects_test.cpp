@@ -160,6 +160,8 @@ TEST_CASE("PTX: each scan is moved by its matrix, and places without a return ar
     for (std::size_t size = 1; size + 9 < scan.size(); ++size)
         CHECK_FALSE(readPoints(scan.substr(0, size), "cut").ok());
     CHECK(contains(errorOf(replaced(scan, "2\n1\n", "4000000000\n4000000000\n")), "too short"));
+    for (const char* row : {"1 2 x 0.5", "1 2 3 ", "1,5 2 3 0.5"})
+        CHECK(contains(errorOf(replaced(scan, "1 2 3 0.5", row)), "line 11: expected x y z"));
 }
 
 TEST_CASE("OFF: the first count may be glued to the keyword, and rows go on in the next line") {
@@ -174,6 +176,7 @@ TEST_CASE("OBJ and OFF: colors of points are kept from 0 to 255") {
     const PointFile obj = mustRead("v 0 0 0 0 0.5 1\nv 1 0 0 1 1 1\nvt 0 0\n");
     CHECK(column(obj, "green") == std::vector<double>{128, 255});
     CHECK(notes(obj, "left out: texture coordinates"));
+    CHECK(notes(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\n"), "left out: normals"));
     const PointFile off = mustRead("COFF\n2 0 0\n0 0 0 10 20 30 255\n1 0 0 40 50 60 255\n");
     CHECK(column(off, "blue") == std::vector<double>{30, 60});
     CHECK(column(mustRead("v 0 0 0 nan 0 1\nv 1 0 0 1 1 1\n"), "blue") ==
