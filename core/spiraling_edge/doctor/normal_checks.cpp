@@ -19,8 +19,10 @@ std::optional<Finding> findNoNormals(const ExaminedFile& examined) {
     if (examined.file.hasNormals() || examined.size() == 0) return std::nullopt;
     std::string text = "the file has no normals";
     std::vector<Vec3> normal = estimateNormals(examined.file.position, examined.nearest()).value();
+    OrientationOptions options;
+    options.viewpoint = examined.file.viewpoint;
     const OrientationReport sides =
-        orientNormals(examined.file.position, examined.nearest(), normal).value();
+        orientNormals(examined.file.position, examined.nearest(), normal, options).value();
     if (sides.unknownSides > 0)
         text += "; " + unknownSidesText(sides.unknownSides, sides.components);
     return Finding{nullptr, Severity::Warning, examined.size(), {}, std::move(text)};
@@ -164,7 +166,7 @@ std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
         const Index component = examined.sides.component[p];
         return component != kNone && insideOut[component];
     });
-    std::string text = "in " + counted(count, "component") + " whose normals all point inwards";
+    std::string text = "in " + counted(count, "component") + " whose normals mostly point inwards";
     const std::size_t unknown = count > 0 ? unknownAmong(examined, others) : 0;
     if (unknown > 0) text += "; " + unknownSidesText(unknown, others.size() + count);
     return findingAt(std::move(points), Severity::Warning, text);
