@@ -58,8 +58,11 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
     }
     if (e.verdict == Verdict::SameAngle && e.rival != kNone) {
         out.mark(in.at(e.rival), Shape::Circle, c.used, 1.1F);
-        out.label(in.at(e.rival), "nearer: kept", c.used);
-        out.label(in.at(e.point), e.farther ? "same angle, farther" : "same angle, nearer",
+        out.label(in.at(e.rival), e.farther < 0.0 ? "farther: kept" : "nearer: kept", c.used);
+        out.label(in.at(e.point),
+                  e.farther < 0.0   ? "same angle, nearer"
+                  : e.farther > 0.0 ? "same angle, farther"
+                                    : "same angle",
                   c.rejected);
     }
     if (isWhatIf(e.verdict)) addVerdict(e.verdict, in.at(e.point), c, out);

@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/run/reading.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se {
 namespace {
@@ -76,8 +77,10 @@ std::string faceNames(std::uint8_t faces) {
 }
 
 std::string text(const SeedEvidence& e, const Names& names) {
-    return sentence("A new edge ring of two: point {} and its nearest neighbor {}, {} away.",
-                    names(e.first), names(e.second), e.distance);
+    return sentence(
+        "A new edge ring of two: point {} and its nearest UNUSED neighbor {}, "
+        "{} away.",
+        names(e.first), names(e.second), e.distance);
 }
 std::string text(const StrandEvidence& e, const Names& names) {
     return sentence(e.isolated   ? "Point {} has no neighbors: isolated, marked DONE."
@@ -108,16 +111,18 @@ std::string text(const InsertEvidence& e, const Names& names) {
     const std::string where = insertPlace(e, names);
     const bool rim = isRimPoint(e.faces);
     if (e.verdict == Verdict::NoThirdPoint)
-        return where + (rim ? " no next point of the rim is UNUSED: passed over."
-                            : " no UNUSED neighbor on the same wall fits: passed over.");
+        return where + (rim ? " no next point of the rim is UNUSED."
+                            : " no UNUSED neighbor on the same wall fits.");
     if (e.verdict == Verdict::OtherSideOpen && !rim)
-        return where + " a third point would end the pivot with its other side open: passed over.";
+        return where + " a third point would end the pivot with its other side open.";
     const std::string result = sentence("{}, point {}{} joins the ring {} the pivot", where,
                                         names(e.third), rim ? ", the next on the rim," : "",
                                         e.verdict == Verdict::Before ? "before" : "after");
     if (rim || e.corner) return result + ".";
-    return sentence("{}; normal x vector = ({}, {}, {}) on wall {}.", result, e.cross.x, e.cross.y,
-                    e.cross.z, faceNames(e.faces));
+    const bool isBySide = pointsOut(e.cross, e.faces) == (e.verdict == Verdict::Before);
+    return sentence("{}; normal x vector = ({}, {}, {}) on wall {}{}.", result, e.cross.x,
+                    e.cross.y, e.cross.z, faceNames(e.faces),
+                    isBySide ? "" : ", but on the other side the sector would leave the box");
 }
 std::string text(const SortEvidence& e, const Names& names) {
     const std::string at = sentence("Point {} at {}", names(e.point), deg(e.degrees));
@@ -132,7 +137,10 @@ std::string text(const SortEvidence& e, const Names& names) {
             return sentence("{} is not before last at {}: left out.", at, deg(e.endDegrees));
         case Verdict::SameAngle:
             return sentence("{} has the same angle as {}, which is {}: dropped.", at,
-                            names(e.rival), e.farther ? "nearer" : "farther");
+                            names(e.rival),
+                            e.farther > 0.0   ? "nearer"
+                            : e.farther < 0.0 ? "farther"
+                                              : "as near");
         default:
             return sentence("{} of {}: a candidate.", at, deg(e.endDegrees));
     }
@@ -163,7 +171,9 @@ std::string text(const LimitEvidence& e, const Names& names) {
                             point, deg(e.toDegrees)) +
                    stays;
         case Verdict::Blocked:
-            return point + ": an UNUSED neighbor lies in the triangle's sphere" + stays;
+            return sentence("{}: neighbor {} lies in the triangle's sphere", point,
+                            names(e.blocker)) +
+                   stays;
         default:
             return sentence("{}: the ring is convex there (turn {})", point, e.turn) + stays;
     }
@@ -178,7 +188,7 @@ std::string text(const DropEvidence& e, const Names& names) {
     const std::string_view reason =
         e.verdict == Verdict::BeyondConvex     ? "the ring is convex there"
         : e.verdict == Verdict::BeyondHalfTurn ? "the triangle would span 180 degrees or more"
-        : e.verdict == Verdict::BeyondBlocked  ? "an UNUSED neighbor lies in the triangle's sphere"
+        : e.verdict == Verdict::BeyondBlocked  ? "a neighbor lies in the triangle's sphere"
                                                : "it did not move there";
     return sentence("Candidate {} is next on the ring beyond {}, and {}: removed.", names(e.point),
                     side, reason);
@@ -202,7 +212,7 @@ std::string text(const HoleEvidence& e, const Names& names) {
     return sentence(
         "Hole of {}: point {} is {} from the plane through start and end, the pivot {}: {}.",
         spelled(e.edges), names(e.point), e.side, e.pivotSide,
-        e.verdict == Verdict::Kept ? "same side, kept" : "far side, removed");
+        e.verdict == Verdict::Kept ? "same side, kept" : "not the same side, removed");
 }
 std::string text(const SphereEvidence& e, const Names& names) {
     const std::string circle = sentence("of the pivot, {} and {}", names(e.t), names(e.s));
@@ -226,15 +236,16 @@ std::string text(const SphereEvidence& e, const Names& names) {
         e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
 }
 std::string text(const TwoPointEvidence& e, const Names&) {
-    constexpr double kFullTurn = 360.0 - 1e-9;
-    if (e.degrees >= kFullTurn && e.verdict == Verdict::Discarded)
+    if (e.onePoint)
         return "Only first and last are left, and they are one point: the ring is discarded.";
     const bool over = e.degrees > 180.0;
+    const bool isPrintedHalf = e.degrees > 179.94;  // As 180.0.
     const char* const ending =
         e.verdict == Verdict::Discarded
             ? (over ? "over 180, the ring is discarded" : "not under 180, the ring is discarded")
-            : (over ? "over 180 degrees, but a triangle is made anyway"
-                    : "under 180, one triangle closes the gap");
+            : (over            ? "over 180 degrees, but a triangle is made anyway"
+               : isPrintedHalf ? "not over 180, one triangle closes the gap"
+                               : "under 180, one triangle closes the gap");
     return sentence("Only first and last are left, {} apart: {}.", deg(e.degrees), ending);
 }
 std::string text(const GuardEvidence& e, const Names& names) {
@@ -246,12 +257,18 @@ std::string text(const GuardEvidence& e, const Names& names) {
                                : sentence("candidate {} is dropped.", names(e.dropped)));
 }
 std::string text(const FillEvidence& e, const Names& names) {
-    return sentence("Hole of {}: the ear at {} between {} and {} has the best least angle, {}{}.",
+    return sentence(e.forced ? "Hole of {}: the ear at {} between {} and {} has the fewest faults, "
+                               "and a least angle of {}; none without one is left."
+                             : "Hole of {}: the ear at {} between {} and {} has the best least "
+                               "angle of those without a fault, {}.",
                     e.ringLength, names(e.pivot), names(e.first), names(e.last),
-                    deg(e.leastDegrees), e.forced ? "; no ear without a fault was left" : "");
+                    deg(e.leastDegrees));
 }
 std::string text(const ReinsertEvidence& e, const Names& names) {
-    return sentence("Stranded point {} goes into the triangle it lies over.", names(e.point));
+    if (e.replaced == 0)
+        return sentence("Stranded point {} is put in beside the border.", names(e.point));
+    return sentence("Stranded point {} is put in, in place of {}.", names(e.point),
+                    counted(e.replaced, "triangle"));
 }
 std::string text(const DropPatchEvidence& e, const Names& names) {
     if (e.kept > 0)
@@ -270,12 +287,13 @@ std::string text(const RemeshEvidence& e, const Names& names) {
                     names(e.faulty.a), names(e.faulty.b), names(e.faulty.c));
 }
 std::string text(const RemoveFoldedEvidence& e, const Names& names) {
-    return sentence("Point {} has a faulty triangle: taken out, and the hole is filled.",
-                    names(e.point));
+    return sentence(
+        "Triangle ({}, {}, {}) has a fault: point {} is taken out, and the hole filled.",
+        names(e.faulty.a), names(e.faulty.b), names(e.faulty.c), names(e.point));
 }
 std::string text(const FlipEvidence& e, const Names& names) {
-    return sentence("Edge {} - {} is better as {} - {}: flipped.", names(e.u), names(e.v),
-                    names(e.x), names(e.y));
+    return sentence("Edge {} - {} is better as {} - {}, by {}: flipped.", names(e.u), names(e.v),
+                    names(e.x), names(e.y), e.forAngles ? "its least angle" : "fewer faults there");
 }
 std::string text(const EmitEvidence& e, const Names& names) {
     const Triangle& t = e.corners;
@@ -309,13 +327,16 @@ std::string text(const CloseEvidence& e, const Names& names) {
     return sentence("The ring of {} and {} is one finished edge: closed.", names(e.a), names(e.b));
 }
 std::string text(const AdvanceEvidence& e, const Names& names) {
-    if (e.to == kNone) return "No ring is left.";
+    if (e.to == kNone)
+        return e.shelved == 0
+                   ? "No ring is left."
+                   : sentence("No ring is left but {} on the shelf.", counted(e.shelved, "ring"));
     if (e.whatIf) return sentence("What if: the next pivot is {}.", names(e.to));
     if (e.popped)
         return sentence("The next ring comes off the stack; the next pivot is {}.", names(e.to));
     if (e.circuit == 0) return sentence("The next pivot is {}.", names(e.to));
-    return sentence("No triangle; the next pivot is {} ({} without one).", names(e.to),
-                    counted(e.circuit, "pivot"));
+    return sentence("No triangle; the next pivot is {} ({} of this circuit without one).",
+                    names(e.to), counted(e.circuit, "pivot"));
 }
 std::string text(const ShelveEvidence& e, const Names&) {
     return sentence("A full circuit of {} without a triangle: the ring waits on the shelf.",
@@ -342,7 +363,7 @@ std::string text(const AlertEvidence& e, const Names& names) {
         return "Alert: too many triangles for the number of points; the run is stopped.";
     return sentence(e.kind == AlertKind::Hole
                         ? "Alert: a hole is left open at point {}."
-                        : "Alert: the ring begun at point {} got no triangle.",
+                        : "Alert: the ring of two at point {} got no triangle.",
                     names(e.point));
 }
 

@@ -201,13 +201,14 @@ struct InsertEvidence {
 };
 struct SortEvidence {
     Index point;
-    double cosine;        ///< z . v
-    bool secondHalf;      ///< n . v < 0
-    double degrees;       ///< The angle.
-    double endDegrees;    ///< The limit.
-    Verdict verdict;      ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
-    Index rival;          ///< SameAngle: the point that stays.
-    bool farther = true;  ///< SameAngle: at least as far as the rival.
+    double cosine;      ///< z . v
+    bool secondHalf;    ///< n . v < 0
+    double degrees;     ///< The angle.
+    double endDegrees;  ///< The limit.
+    Verdict verdict;    ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
+    Index rival;        ///< SameAngle: the point that stays.
+    /// SameAngle: the squared distance beyond that of the rival; below 0: the rival is farther.
+    double farther = 0.0;
 };
 /// A test of the ring neighbor beyond start or end (Fig. 4).
 struct LimitEvidence {
@@ -215,7 +216,8 @@ struct LimitEvidence {
     Index from, to;
     double turn;  ///< ((before - s) x (after - s)) . N_s; > 0: concave.
     double fromDegrees, toDegrees;
-    Verdict verdict;  ///< Moved, NotListed, NotConcave, NotAnEdge, Outside, OtherLimit
+    Verdict verdict;        ///< Moved, NotListed, NotConcave, NotAnEdge, Outside, OtherLimit
+    Index blocker = kNone;  ///< Blocked: the first neighbor in the way.
     /// True if start or end is at `to` afterwards.
     bool moves() const { return verdict == Verdict::Moved || verdict == Verdict::WhatIfKept; }
 };
@@ -253,7 +255,8 @@ struct SphereEvidence {
 };
 struct TwoPointEvidence {
     double degrees;
-    Verdict verdict;  ///< Discarded, Hole
+    Verdict verdict;        ///< Discarded, Hole
+    bool onePoint = false;  ///< First and last are the same point.
 };
 /// A rule beyond the paper found something against the fan (docs/robust.md).
 struct GuardEvidence {
@@ -280,6 +283,7 @@ struct DropPatchEvidence {
 /// (RobustRules::reinsert).
 struct ReinsertEvidence {
     Index point;
+    Index replaced;  ///< Number of triangles in whose place it is; 0: beside the border.
 };
 /// A hole of the finished mesh was filled with triangles between its points
 /// (RobustRules::closeHoles).
@@ -287,9 +291,10 @@ struct CloseHoleEvidence {
     Index first, second;  ///< The side of the hole with which its ring begins.
     Index length;         ///< Of the ring, before it was widened.
 };
-/// A point at a faulty triangle was taken out (RobustRules::removeFolded).
+/// A point of a faulty triangle, or of one beside it, was taken out (RobustRules::removeFolded).
 struct RemoveFoldedEvidence {
     Index point;
+    Triangle faulty;
 };
 /// The triangles about a faulty one were replaced by others between the same points
 /// (RobustRules::remesh).
@@ -299,6 +304,7 @@ struct RemeshEvidence {
 /// The edge u v became x y (RobustRules::flip).
 struct FlipEvidence {
     Index u, v, x, y;
+    bool forAngles;  ///< For a larger least angle; else for fewer faults.
 };
 struct EmitEvidence {
     Index triangle;  ///< Position in the list of triangles.
@@ -328,9 +334,10 @@ struct CloseEvidence {
 };
 struct AdvanceEvidence {
     Index to;             ///< kNone: no ring is left.
-    Index circuit;        ///< Pivots since the last triangle.
+    Index circuit;        ///< Pivots of this circuit without a triangle.
     bool popped;          ///< The ring came off the stack.
     bool whatIf = false;  ///< Set by a what-if (what_if.h).
+    Index shelved = 0;    ///< Where no ring is left: those on the shelf.
 };
 /// A ring without a triangle in a full circuit was shelved (RobustRules::shelve).
 struct ShelveEvidence {
@@ -345,7 +352,7 @@ struct TakeUpEvidence {
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {
     Index length;
-    Index interior;     ///< Interior points among them: > 0 means a hole stayed open.
+    Index interior;     ///< Interior points on it: > 0 means a hole stayed open.
     bool seed = false;  ///< A seed: its points are UNUSED again (Readings::keepSeeds).
 };
 struct ComponentEvidence {

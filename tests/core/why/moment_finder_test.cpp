@@ -163,7 +163,7 @@ TEST_CASE("moment finder: a faulty triangle that a flip made has the flip as its
     Followed flipped("flipped_triangles", {1, 2, 3}, {{1, 2, 3}});
     flipped.add("1.sort.1", 1, sorted(2, Verdict::Kept));
     flipped.add("1.emit.1", 1, emitted(0, {1, 2, 5}));
-    flipped.add("2.flip.1", kNone, FlipEvidence{1, 5, 2, 3});
+    flipped.add("2.flip.1", kNone, FlipEvidence{1, 5, 2, 3, true});
     CHECK(flipped.created() == "2.flip.1");
     CHECK(flipped.unavoidable() == "2.flip.1");
 }

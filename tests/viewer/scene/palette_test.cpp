@@ -69,7 +69,7 @@ std::optional<Color> colorOf(Stage stage, const Evidence& evidence) {
 TEST_CASE("An event without an outcome has no color of one") {
     CHECK_FALSE(colorOf(Stage::Emit, EmitEvidence{0, {0, 1, 2}}));
     CHECK_FALSE(colorOf(Stage::Advance, AdvanceEvidence{1, 0, false}));
-    CHECK_FALSE(colorOf(Stage::Flip, FlipEvidence{0, 1, 2, 3}));
+    CHECK_FALSE(colorOf(Stage::Flip, FlipEvidence{0, 1, 2, 3, true}));
     CHECK_FALSE(colorOf(Stage::Pivot, PivotEvidence{0, 1, 2, 3, 180.0}));
 }
 

@@ -59,7 +59,8 @@ void phaseTwoPoint(AnyContext auto& context) {
     note(context, Stage::TwoPoint, [&] {
         return TwoPointEvidence{
             n.lastAngle.degrees(),
-            applyOverride(overlaps ? Verdict::Discarded : Verdict::Hole, forced, !overlaps)};
+            applyOverride(overlaps ? Verdict::Discarded : Verdict::Hole, forced, !overlaps),
+            n.fullTurn};
     });
     if (forced.value_or(!overlaps)) return;
     ++s.counters.discarded;

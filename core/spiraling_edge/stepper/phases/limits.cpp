@@ -17,11 +17,11 @@ Index beyond(const State& s, Side side) {
     return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
 }
 
-/// RobustRules::unblocked: true if a candidate lies in the circumsphere of the triangle that a move
-/// of start or end to `to` would make. UNUSED ones count in the triangle's sector, where they would
-/// be enclosed; USED ones outside it if nearer than `to`, since the new spoke would pass close to
-/// them.
-bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
+/// RobustRules::unblocked: the first candidate that lies in the circumsphere of the triangle that a
+/// move of start or end to `to` would make; kNone if none does. UNUSED ones count in the triangle's
+/// sector, where they would be enclosed; USED ones outside it if nearer than `to`, since the new
+/// spoke would pass close to them.
+Index blockerOf(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
     const bool atStart = side == Side::Start;
@@ -31,12 +31,14 @@ bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, cons
     const double bSq = glm::dot(b, b);
     const double low = atStart ? n.startAngle.key : toAngle.key;
     const double high = atStart ? toAngle.key : n.endAngle.key;
-    return std::any_of(n.candidates.begin(), n.candidates.end(), [&](const Candidate& c) {
-        const bool inSector = c.angle.key > low && c.angle.key < high;
-        const bool inTheWay =
-            s.status[c.point] == kUnused ? inSector : !inSector && c.lengthSq < bSq;
-        return inTheWay && testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
-    });
+    const auto found =
+        std::find_if(n.candidates.begin(), n.candidates.end(), [&](const Candidate& c) {
+            const bool inSector = c.angle.key > low && c.angle.key < high;
+            const bool inTheWay =
+                s.status[c.point] == kUnused ? inSector : !inSector && c.lengthSq < bSq;
+            return inTheWay && testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
+        });
+    return found == n.candidates.end() ? kNone : found->point;
 }
 
 /// Choice, see Readings::belowHalfTurn: true if a move of start or end to this angle would make a
@@ -53,6 +55,7 @@ struct LimitTest {
     Index to = kNone;  ///< Entry.
     Angle angle{};     ///< Angle of `to`, where it was needed.
     double turn = 0.0;
+    Index blocker = kNone;
 };
 
 template <bool kEveryTest>
@@ -84,8 +87,9 @@ LimitTest testLimit(const StepContext& context, Side side) {
         test.verdict = Verdict::NotConcave;
     } else if (context.params.readings.belowHalfTurn && spansHalfTurn(context, side, test.angle)) {
         test.verdict = Verdict::HalfTurn;
-    } else if (context.params.robust.unblocked && isBlocked(context, side, test.angle, position)) {
-        test.verdict = Verdict::Blocked;
+    } else if (context.params.robust.unblocked) {
+        test.blocker = blockerOf(context, side, test.angle, position);
+        if (test.blocker != kNone) test.verdict = Verdict::Blocked;
     }
     return test;
 }
@@ -115,7 +119,8 @@ LimitEvidence explainLimit(const StepContext& context, Side side) {
             test.turn,
             (atStart ? s.pivot.startAngle : s.pivot.endAngle).degrees(),
             test.angle.degrees(),
-            test.verdict};
+            test.verdict,
+            test.blocker};
 }
 
 /// Advances start or end by one entry if §6.1 (Fig. 4) allows it.

@@ -282,6 +282,12 @@ void freeFailedSeed(AnyContext auto& context) {
     note(context, Stage::Done, [&] { return FreeEvidence{2, interior, true}; });
 }
 
+bool isOnRing(const EdgeRings& rings, Index point, Index ring) {
+    Index e = rings.firstEntryOf(point);
+    while (e != kNone && rings.ringOf(e) != ring) e = rings[e].nextOfPoint;
+    return e != kNone;
+}
+
 /// §7: "Then the algorithm marks the boundary points as DONE and frees the edge ring."
 void freeActiveRing(AnyContext auto& context) {
     State& s = context.state;
@@ -290,14 +296,18 @@ void freeActiveRing(AnyContext auto& context) {
     const bool lostSeed = isSeed(s.rings);
     const bool opening = isOpening(context);
     Index interior = 0;
-    Index example = s.rings.point(s.rings.head(ring));
+    Index example = kNone;
+    const Index head = s.rings.point(s.rings.head(ring));
     for (Index i = 0; i < length; ++i) {
         const Index e = s.rings.head(ring);
-        if (!isBoundary(context.points.type[s.rings.point(e)])) {
-            if (interior++ == 0) example = s.rings.point(e);
-        }
+        const Index x = s.rings.point(e);
+        const bool isInterior = !isBoundary(context.points.type[x]);
+        if (isInterior && example == kNone) example = x;
         release(context, e, Stage::Done);
+        // A point may have several entries on it.
+        if (isInterior && !isOnRing(s.rings, x, ring)) ++interior;
     }
+    if (example == kNone) example = head;
     ++s.counters.freedRings;
     note(context, Stage::Done, [&] { return FreeEvidence{length, interior}; });
     if (lostSeed) {
@@ -321,7 +331,8 @@ void popRing(AnyContext auto& context) {
     s.phase = s.pivot.pivot == kNone ? Phase::Seed : Phase::Pivot;
     note(context, Stage::Advance, [&] {
         const bool popped = s.pivot.pivot != kNone;
-        return AdvanceEvidence{popped ? s.rings.point(s.pivot.pivot) : kNone, 0, popped};
+        return AdvanceEvidence{popped ? s.rings.point(s.pivot.pivot) : kNone, 0, popped, false,
+                               popped ? 0 : s.rings.shelved()};
     });
 }
 

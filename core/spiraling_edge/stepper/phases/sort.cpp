@@ -69,7 +69,7 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
         note(context, Stage::Sort, [&] {
             SortEvidence e = sortEvidence(context, all[i].point, all[i].angle, Verdict::SameAngle);
             e.rival = all[kept - 1].point;
-            e.farther = !(all[i].lengthSq < all[kept - 1].lengthSq);
+            e.farther = all[i].lengthSq - all[kept - 1].lengthSq;
             return e;
         });
     }

@@ -112,7 +112,7 @@ std::optional<Evidence> repairNextFault(const PointSet& points, const RobustRule
         for (const Index x : pointsAbout(m, t)) {
             if (!takeOut(points, m, x)) continue;
             ++m.takenOut;
-            return RemoveFoldedEvidence{x};
+            return RemoveFoldedEvidence{x, faulty};
         }
     }
     return std::nullopt;

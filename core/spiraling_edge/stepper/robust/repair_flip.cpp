@@ -303,7 +303,7 @@ std::optional<FlipEvidence> flipNext(const PointSet& points, const RobustThresho
         }
         flipEdge(m, h, q);
         ++m.flipped;
-        return FlipEvidence{q.u, q.v, q.x, q.y};
+        return FlipEvidence{q.u, q.v, q.x, q.y, gain == Gain::Angles};
     }
     m.flipsAhead = {};
     return std::nullopt;

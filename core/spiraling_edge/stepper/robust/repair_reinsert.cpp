@@ -593,10 +593,11 @@ std::optional<ReinsertEvidence> reinsertNext(const PointSet& points, RepairState
         const std::optional<Change> change =
             m.next < count ? PlaceSearch(points, m, x).find() : CheapestSearch(points, m, x).find();
         if (!change) continue;
+        const auto replaced = static_cast<Index>(change->gone().size());
         change->apply(m);
         ++m.reinserted;
         ++m.next;
-        return ReinsertEvidence{x};
+        return ReinsertEvidence{x, replaced};
     }
     return std::nullopt;
 }
