@@ -242,28 +242,6 @@ TEST_CASE("robust: a restored state continues to the same end, including repair"
     }
 }
 
-TEST_CASE("robust: every event has a sentence of its own and an address that is read back") {
-    std::array<std::size_t, kStageCount> seen{};
-    std::size_t empty = 0;
-    for (const PointSet& points : eventful()) {
-        EventLog log;
-        runAll(points, robust(), &log);
-        for (const Event& event : log.events()) {
-            ++seen[static_cast<std::size_t>(event.address.stage)];
-            const std::string sentence = describe(event);
-            empty += sentence.size() < 8 || sentence.back() != '.' ? 1 : 0;
-            empty += addressFromString(toString(event.address)) == event.address ? 0 : 1;
-            if (const auto* guard = std::get_if<GuardEvidence>(&event.evidence)) {
-                empty += verdictText(guard->verdict).empty() ? 1 : 0;
-            }
-        }
-    }
-    CHECK(empty == 0);
-    for (const Stage stage : {Stage::Guard, Stage::Fill, Stage::Reinsert, Stage::Flip}) {
-        CHECK_MESSAGE(seen[static_cast<std::size_t>(stage)] > 0, stageName(stage));
-    }
-}
-
 TEST_CASE("robust: each step after the last pivot has a number and leaves the triangles alone") {
     const PointSet points = prepared(closedFamilies(1.0)[3].sample(1));
     Stepper stepper(points, robust());

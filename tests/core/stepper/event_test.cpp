@@ -61,16 +61,6 @@ TEST_CASE("every verdict and alert has a name of its own") {
     CHECK_FALSE(alertName(AlertKind::TriangleCap).empty());
 }
 
-TEST_CASE("sentences carry the numbers compared") {
-    SphereEvidence inside{3, 4, 5, Vec3(0), 2.0, 1.5, 90.0, Verdict::InsideSphere};
-    const std::string text = describe({{1, Stage::Sphere, 1}, inside});
-    CHECK(text.find("0.5 inside") != std::string::npos);
-    CHECK(text.find("r = 2") != std::string::npos);
-    CHECK(text.find("kept") != std::string::npos);
-    TwoPointEvidence over{200.0, Verdict::Discarded};
-    CHECK(describe({{1, Stage::TwoPoint, 1}, over}).find("200") != std::string::npos);
-}
-
 TEST_CASE("events are numbered from 1 within stage and pivot, in order, each address once") {
     EventLog log;
     const PointSet points = prepared(closedFamilies(0.35)[1].sample(1));

@@ -347,16 +347,6 @@ TEST_CASE("3 the last event of every run sums up its mesh, under the number afte
     }
 }
 
-TEST_CASE("3 the sentence of the end has the numbers of the mesh, and what ended the run") {
-    const auto text = [](const FinishedEvidence& e) {
-        return describe(Event{{1, Stage::Finished, 1}, e});
-    };
-    CHECK(text({20, 1, 0, 2, false}) ==
-          "The run is finished, since every point is DONE: 20 triangles in 1 component, 0 points "
-          "unused, 2 open loops.");
-    CHECK(text({1, 1, 1, 1, true}).starts_with("The run is stopped, since it has too many"));
-}
-
 TEST_CASE("3 a run without a triangle has an end as well") {
     PointFile file;
     file.position = {{0, 0, 0}};
