@@ -30,8 +30,7 @@ std::size_t countOf(Stage stage, const std::vector<Event>& events) {
 std::string absenceText(RunCursor& cursor, const Address& address) {
     const std::string pivot = "pivot " + std::to_string(address.pivot);
     const std::string stage(stageName(address.stage));
-    if (!cursor.goTo({address.pivot, Stage::Pivot, 0}) &&
-        !cursor.goTo({address.pivot, address.stage, 0})) {
+    if (!cursor.goTo({address.pivot, Stage::Pivot, 0})) {
         cursor.goToEnd();
         return "the run ends at pivot " + std::to_string(cursor.pivot().pivot) + ", there is no " +
                pivot;

@@ -9,8 +9,11 @@ std::optional<std::size_t> PivotRecord::find(const Address& address) const {
         return event.address.stage == address.stage &&
                (address.n == 0 || event.address.n == address.n);
     };
-    const auto found = std::find_if(events.begin(), events.end(), matches);
-    if (address.pivot != pivot || found == events.end()) return std::nullopt;
+    if (address.pivot != pivot || events.empty()) return std::nullopt;
+    auto found = std::find_if(events.begin(), events.end(), matches);
+    const bool whole = address.stage == Stage::Pivot && address.n == 0;
+    if (found == events.end() && whole) found = events.begin();
+    if (found == events.end()) return std::nullopt;
     return static_cast<std::size_t>(found - events.begin());
 }
 

@@ -35,7 +35,9 @@ struct PivotRecord {
     std::shared_ptr<const std::vector<Triangle>> unrepaired;
     bool isLast = false;  ///< Known to be the last of the run, whose end may be unknown.
 
-    /// Position of the event with that address, or of the first event of its stage if n is 0.
+    /// Position of the event with that address, or of the first event of its stage if n is 0. A
+    /// number alone, {n}, is where it begins: at its event of stage Pivot, or, where it has none,
+    /// as with fills and steps after the last pivot, at its first event.
     std::optional<std::size_t> find(const Address& address) const;
 };
 

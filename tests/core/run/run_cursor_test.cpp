@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -100,6 +101,29 @@ TEST_CASE("The cursor stays where it is if the run has no such decision") {
     cursor.goToStart();
     CHECK(placeOf(cursor) == "start");
     CHECK(cursor.state().rings.empty());
+}
+
+TEST_CASE("A number alone is where a pivot begins, and a step after the last pivot too") {
+    const PointSet points = test::sceneNamed("long-lists");
+    const Params params = paramsByName("robust").value();
+    const std::vector<Event> events = eventsOf(points, params);
+    RunCursor cursor(points, params);
+    std::size_t late = 0;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const Address& first = events[i].address;
+        if (i > 0 && events[i - 1].address.pivot == first.pivot) continue;
+        REQUIRE_MESSAGE(cursor.goTo({first.pivot}), first.pivot);
+        const auto end =
+            std::find_if(events.begin() + static_cast<std::ptrdiff_t>(i), events.end(),
+                         [&](const Event& event) { return event.address.pivot != first.pivot; });
+        const auto pivot =
+            std::find_if(events.begin() + static_cast<std::ptrdiff_t>(i), end,
+                         [](const Event& event) { return event.address.stage == Stage::Pivot; });
+        late += pivot == end ? 1 : 0;
+        CHECK(placeOf(cursor) == toString(pivot == end ? first : pivot->address));
+    }
+    CHECK(late > 3);
+    CHECK_FALSE(cursor.goTo({events.back().address.pivot + 1}));
 }
 
 TEST_CASE("Running until a condition stops at the first decision that a scan of the run finds") {
