@@ -293,10 +293,11 @@ PointFile figure15Points() {
     return file;
 }
 
-// 0 p, the corner of +x and +y, between 1 on +x and 2 q on -x; 3 r on +y, 5 on +x beyond 1.
+// 0 p, the corner of +x and +y, between 1 on +x and 2 q on -x, which is the first point there
+// below the corner of -x and +y; 3 r on +y between the two corners, 5 on +x beyond 1.
 PointFile figure20Points() {
     PointFile file =
-        drawing({{1, 1, 0}, {1, 0.5, 0}, {0, 0.2, 0}, {0.1, 1, 0}, {0.5, 0, 0}, {1, 0.2, 0}});
+        drawing({{1, 1, 0}, {1, 0.7, 0}, {0, 0.6, 0}, {0.4, 1, 0}, {0.5, 0.2, 0}, {1, 0.45, 0}});
     file.type = {withCornerBit(kPositiveX | kPositiveY),
                  kPositiveX,
                  kNegativeX,
@@ -721,8 +722,8 @@ constexpr std::array kFigures{
            kWithout19},
     Figure{20,
            {"figure-20", "Figure 20: on a corner",
-            "p is the corner itself: r is inserted on the side of q, where the ring passes to "
-            "another wall.",
+            "p is the corner itself. q, next on the ring, lies beside a corner of its own, on the "
+            "wall beyond that of r: r is inserted on the side of q.",
             figure20Points, "1.insert.1", figure20Start},
            kFront,
            kNames20,

@@ -222,11 +222,27 @@ TEST_CASE("7.2 Figure 19: exiting a corner, the third point is inserted after p"
 }
 
 TEST_CASE("7.2 Figure 20: on a corner, on the side that holds the transition") {
-    // 0 is the corner of +x and +y, next = 1 lies on -x; 2 and 3 on the walls beside 0.
-    Rig rig({{1, 1, 0}, {0, 0.2, 0}, {0.5, 1, 0}, {1, 0.5, 0}, {0.5, 0, 0}});
+    // 0 is the corner of +x and +y; next = 1 lies on -x, beside the corner of -x and +y; 2 and 3 on
+    // the walls of 0.
+    Rig rig({{1, 1, 0}, {0, 0.6, 0}, {0.4, 1, 0}, {1, 0.7, 0}, {0.5, 0.2, 0}});
     rig.type(0, kPositiveX | kPositiveY).type(1, kNegativeX).type(2, kPositiveY);
     rig.type(3, kPositiveX).listAll().ring({0, 1, 4, 3}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 2, 1}});
+}
+
+TEST_CASE("7.2 a corner between ring neighbors on its two walls has no transition") {
+    // 0 is the corner of +x and +y, between 1 on +x and 2 on +y; 3 and 4 on those walls are UNUSED.
+    const std::uint8_t corner = withCornerBit(kPositiveX | kPositiveY);
+    for (const std::uint8_t beside : {kPositiveX, kPositiveY}) {
+        CHECK_FALSE(isTransition(corner, beside));
+        CHECK_FALSE(isTransition(beside, corner));
+    }
+    Rig rig({{1, 1, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {1, 0.2, 0}, {0.2, 1, 0}, {0.3, 0.3, 0}});
+    rig.type(0, corner).type(1, kPositiveX).type(3, kPositiveX);
+    rig.type(2, kPositiveY).type(4, kPositiveY).listAll().ring({0, 2, 5, 1}).pivot();
+    CHECK(rig.all<InsertEvidence>().empty());
+    CHECK(rig.all<SkipEvidence>().size() == 1);
+    CHECK(rig.triangles().empty());
 }
 
 TEST_CASE("7.2 the third point is UNUSED, on a wall of p, and its sector stays inside the box") {
