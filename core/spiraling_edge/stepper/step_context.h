@@ -67,6 +67,13 @@ constexpr const PaperRules& paperRules(const Context& context) {
     return kDefaultPaperRules;
 }
 
+/// The normal about which angles at a point grow counterclockwise: turned over where they grow
+/// clockwise (PaperRules::turn).
+Vec3 turnNormal(const AnyContext auto& context, Index p) {
+    const bool clockwise = paperRules(context).turn == TurnRule::Clockwise;
+    return clockwise ? -context.points.normal[p] : context.points.normal[p];
+}
+
 /// Logs an event of `pivot` with the evidence that `make` returns; nothing without a log.
 template <AnyContext Context, typename MakeEvidence>
 void noteAt(Context& context, std::uint32_t pivot, Stage stage, const MakeEvidence& make) {

@@ -219,6 +219,51 @@ TEST_CASE("the other sign of n makes the mirror image: triangles that turn the o
     CHECK(mirrored.mesh.boundaryEdges == 0);
 }
 
+namespace {
+
+/// The points and their walls seen in a mirror at x = 0.
+PointSet mirrored(PointSet points) {
+    for (Vec3& each : points.position) each.x = -each.x;
+    for (Vec3& each : points.normal) each.x = -each.x;
+    constexpr unsigned kBoth = kPositiveX | kNegativeX;
+    for (std::uint8_t& type : points.type) {
+        const bool onOne = (type & kBoth) != 0 && (type & kBoth) != kBoth;
+        if (onOne) type = static_cast<std::uint8_t>(type ^ kBoth);
+    }
+    for (RimGap& gap : points.rim) std::swap(gap.from, gap.to);
+    return points;
+}
+
+bool hasBoundary(const PointSet& points) {
+    return std::any_of(points.type.begin(), points.type.end(), isBoundary);
+}
+
+}  // namespace
+
+TEST_CASE("the mirror image of an input with walls or a rim, clockwise, is the mirror of the run") {
+    std::size_t runs = 0;
+    const auto compare = [&](std::string_view name, const PointSet& points, Params params) {
+        const std::vector<Triangle> usual = runAll(points, params).state.triangles;
+        params.paper.turn = TurnRule::Clockwise;
+        // The mirror turns the corners of a triangle around, and so does the turn of the fan.
+        const bool same = runAll(mirrored(points), params).state.triangles == usual;
+        CHECK_MESSAGE(same, name);
+        ++runs;
+    };
+    for (const std::string set : {"paper", "printed", "corrected"}) {
+        CAPTURE(set);
+        for (const Scene& scene : scenes()) {
+            const PointSet points = prepared(scene.build());
+            if (hasBoundary(points))
+                compare(scene.id, points, withStartOf(scene, *paramsByName(set)));
+        }
+        const PointSet patch = withRim(disc(8.2).file).points;
+        REQUIRE(hasBoundary(patch));
+        compare("a rim", patch, *paramsByName(set));
+    }
+    CHECK(runs > 30);
+}
+
 TEST_CASE("6.1 a tie keeps the nearest, the farthest or both") {
     // From point 0 with point 1 as reference, 3 and 4 lie in one direction.
     const auto sorted = [](TieRule tie) {

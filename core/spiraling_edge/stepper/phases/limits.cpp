@@ -278,10 +278,8 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
         const Index before = rings.prev(e);
         const Index after = rings.next(e);
         const bool free = context.params.readings.freeSector;
-        const Vec3& normal = context.points.normal[candidate.point];
-        const bool clockwise = paper.turn == TurnRule::Clockwise;
         const ReciprocalTest test = testReciprocal(
-            context.points.position[candidate.point], clockwise ? -normal : normal,
+            context.points.position[candidate.point], turnNormal(context, candidate.point),
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
             rings.point(before) == rings.point(after), s.pivot.frame.origin,
             context.params.sameAngle, context.params.robust.tangent);
