@@ -162,7 +162,9 @@ bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
     return endIsElsewhere;
 }
 
-/// §6.5: the part that holds end stays active, the other is pushed.
+/// §6.5: the part that holds end stays active, the other is pushed. Choice: the pushed part goes
+/// on, when it is taken from the stack, at its entry of the point where it was split off; the paper
+/// names no pivot for it.
 void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x, Index y) {
     State& s = context.state;
     ++s.counters.splits;
