@@ -63,24 +63,6 @@ void RingReplay::on(const LimitEvidence& e) {
     limit = start ? rings_.prev(limit) : rings_.next(limit);
 }
 
-bool RingReplay::foundBefore(Index a, Index b) const {
-    const auto rank = [&](Index entry) {
-        const Index ring = rings_.ringOf(entry);
-        return ring == rings_.active() ? 0 : rings_.depthFromTop(ring) + 1;
-    };
-    return rank(a) < rank(b);
-}
-
-/// The first other entry of the same point.
-Index RingReplay::firstInstance(Index entry) const {
-    Index found = kNone;
-    for (Index e = rings_.firstEntryOf(rings_.point(entry)); e != kNone;
-         e = rings_[e].nextOfPoint) {
-        if (e != entry && (found == kNone || foundBefore(e, found))) found = e;
-    }
-    return found;
-}
-
 void RingReplay::on(const ReciprocalEvidence& e) {
     // One test for each entry of the candidate.
     const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
@@ -92,7 +74,7 @@ void RingReplay::on(const ReciprocalEvidence& e) {
     Instance& best = known->second;
     // A what-if takes one of those that do not hold the pivot only if there is no other.
     const bool better =
-        found.whatIf == best.whatIf ? foundBefore(found.entry, best.entry) : best.whatIf;
+        found.whatIf == best.whatIf ? rings_.isFoundBefore(found.entry, best.entry) : best.whatIf;
     if (!fresh && better) best = found;
 }
 
@@ -116,7 +98,8 @@ void RingReplay::on(const RingEvidence& e) {
         inserted_.push_back(rings_.insertAfter(previous, e.point));
         // A point that no sector was found for, or none was looked for, is linked to its first one.
         const bool first = rules_.instance == InstanceRule::First || !instances_.contains(e.point);
-        if (first && e.status > 1) instances_[e.point] = {firstInstance(inserted_.back())};
+        if (first && e.status > 1)
+            instances_[e.point] = {rings_.firstInstance(e.point, inserted_.back())};
         return;
     }
     lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;
@@ -133,7 +116,10 @@ bool RingReplay::nextLink(Index point) {
         x_ = inserted_[linked_];
         if (!rings_.alive(x_)) continue;
         const auto other = instances_.find(rings_.point(x_));
-        if (other == instances_.end() || !rings_.alive(other->second.entry)) continue;
+        const bool seeks = rules_.instance == InstanceRule::First;
+        if (other == instances_.end()) continue;
+        if (seeks) other->second.entry = rings_.firstInstance(rings_.point(x_), x_);
+        if (!rings_.alive(other->second.entry)) continue;
         y_ = other->second.entry;
         ++linked_;
         return rings_.point(x_) == point;

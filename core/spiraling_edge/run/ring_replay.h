@@ -53,8 +53,6 @@ class RingReplay {
 
     void takePivot(Index pivot, Index first, Index last);
     void beginUpdate();
-    bool foundBefore(Index a, Index b) const;
-    Index firstInstance(Index entry) const;
     bool nextLink(Index point);
     void place(const Exchange& made, Index activeLength);
     Index nextEntry() const;

@@ -14,6 +14,31 @@ Index EdgeRings::depthFromTop(Index ring) const {
     return static_cast<Index>(stack_.size()) - 1 - position;
 }
 
+bool EdgeRings::isFoundBefore(Index a, Index b) const {
+    const auto rank = [&](Index entry) {
+        const Index ring = ringOf(entry);
+        return ring == active_ ? 0 : depthFromTop(ring) + 1;
+    };
+    return rank(a) < rank(b);
+}
+
+Index EdgeRings::firstInstance(Index point, Index from) const {
+    const auto isMetBefore = [&](Index a, Index b) {
+        const Index ring = ringOf(a);
+        Index e = from != kNone && ringOf(from) == ring ? from : head(ring);
+        while (e != a && e != b) e = next(e);
+        return e == a;
+    };
+    Index found = kNone;
+    for (Index e = firstEntryOf(point); e != kNone; e = entries_[e].nextOfPoint) {
+        if (e == from) continue;
+        const bool first = found == kNone || isFoundBefore(e, found) ||
+                           (ringOf(e) == ringOf(found) && isMetBefore(e, found));
+        if (first) found = e;
+    }
+    return found;
+}
+
 Index EdgeRings::newRing() {
     auto ring = static_cast<Index>(rings_.size());
     if (freeRings_.empty()) {

@@ -110,6 +110,13 @@ class EdgeRings {
     Index shelved() const { return shelved_; }
     /// Place of a ring on the stack counted from the top (0 = top), kNone if it is not on it.
     Index depthFromTop(Index ring) const;
+    /// True if the search of §6.5 comes to the ring of entry a before that of b: the active ring
+    /// first, then the stack from the top. False if they are on one ring.
+    bool isFoundBefore(Index a, Index b) const;
+    /// §6.5: the first entry of a point but `from` in that search, kNone if there is none. Within a
+    /// ring, Choice: along it, from the entry `from` on if that is on it, else from its head.
+    /// O(ring) where a ring has several entries of the point.
+    Index firstInstance(Index point, Index from) const;
     std::size_t pointCount() const { return headOfPoint_.size(); }
     std::size_t entryCapacity() const { return entries_.size(); }
     std::size_t ringCapacity() const { return rings_.size(); }

@@ -15,8 +15,9 @@ struct ParamSet {
 
 Params printed() {
     Params params;
-    for (const RuleSetting& rule : ruleSwitches()) rule.turnOff(params);
-    params.dropOpposingNormals = false;
+    for (const RuleSetting& rule : ruleSettings()) {
+        if (rule.printed) rule.set(params, *rule.printed);
+    }
     return params;
 }
 

@@ -15,14 +15,14 @@ namespace se {
 
 /// Readings of the paper where it is silent, ambiguous or measurably wrong. Every switch is one
 /// line in the table of ruleSettings(); docs/choices.md gives the reason for each reading. A switch
-/// that is off means: the printed sentence, word for word.
+/// that is off means: the printed sentence, word for word, as in the set `printed`.
 struct Readings {
     /// §6.1, Fig. 6: the reciprocal test takes the sector from e's predecessor counterclockwise to
     /// its successor, the side that is still free. Off: "preceding and succeeding ... (elast and
     /// efirst)" as printed, which is the finished side.
     bool freeSector = true;
     /// §6.1, Fig. 4: start and end advance before other neighbors are tested, until nothing moves.
-    /// Off: in list order of the neighbors, each tested once.
+    /// Off: as the candidates come in list order, each tested once.
     bool limitsFirst = true;
     /// §6.1, Fig. 4: start and end do not advance across 180 degrees or more at the pivot, since
     /// the triangle would be inverted. Off: every angle between the limits is allowed.
@@ -135,7 +135,7 @@ enum class TurnRule : std::uint8_t {
 /// §6.5: the entry of an already USED point that is its "other instance".
 enum class InstanceRule : std::uint8_t {
     Sector,  ///< The first one whose sector holds p.
-    First,   ///< "the first other instance of the point in the edge ring".
+    First,   ///< "the first other instance of the point in the edge ring", as printed.
 };
 /// §6.3: the treatment of a point exactly on the sphere.
 enum class OnSphereRule : std::uint8_t { Removed, Kept };
@@ -161,7 +161,7 @@ struct PaperRules {
     bool limits = true;                             ///< §6.1, Fig. 4: start and end advance,
     bool concave = true;                            ///< ... only where the ring is concave.
     bool convex = true;                             ///< §6.1, Fig. 5: the convexity test,
-    bool convexShared = false;                      ///< ... also on points of several entries.
+    bool convexShared = false;                      ///< ... of each point beyond a convex one.
     bool reciprocal = true;                         ///< §6.1, Fig. 6
     std::uint32_t holeSize = 3;                     ///< §6.2: largest hole known; 0: none.
     bool sphere = true;                             ///< §6.3: the test by the circumsphere.
@@ -245,8 +245,10 @@ struct Params {
 };
 
 /// A named set of params: `paper` (the default: the reading of docs/choices.md), `printed` (the
-/// paper word for word, for teaching), `corrected` or `robust` (with rules beyond the paper). Empty
-/// if there is no such set.
+/// letter: each setting at the value of the sentence that its row of ruleSettings() quotes, for
+/// teaching), `corrected` or `robust` (with rules beyond the paper). Where the paper has no
+/// sentence, `printed` takes the default of Params; its rules need not end, and
+/// maxTrianglesPerPoint ends them. Empty if there is no such set.
 std::optional<Params> paramsByName(std::string_view name);
 /// The names that paramsByName() accepts.
 std::span<const std::string_view> paramSetNames();

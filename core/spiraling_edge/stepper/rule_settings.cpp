@@ -55,38 +55,46 @@ struct Member {
 
 constexpr std::string_view kOnOff[] = {"off", "on"};
 
+/// A sentence of the paper, and the value of a setting by it.
+struct Sentence {
+    std::string_view text;
+    std::optional<double> value;
+
+    constexpr Sentence() = default;
+    template <typename Value>
+    constexpr Sentence(std::string_view words, Value byIt)
+        : text(words), value(static_cast<double>(byIt)) {}
+};
+
 /// A switch, or one of several ways if `options` names them.
 template <auto... path>
 constexpr RuleSetting choice(std::string_view name, std::string_view section,
-                             std::string_view summary, std::string_view paper,
+                             std::string_view summary, const Sentence& paper = {},
                              std::span<const std::string_view> options = kOnOff) {
     using M = Member<path...>;
     constexpr bool kIsSwitch = std::is_same_v<typename M::Type, bool>;
     const double high = static_cast<double>(options.size()) - 1.0;
-    return {name,    section, false,
-            summary, paper,   kIsSwitch ? SettingKind::Switch : SettingKind::Option,
-            0.0,     high,    "",
-            options, M::get,  M::set,
-            false};
+    constexpr SettingKind kKind = kIsSwitch ? SettingKind::Switch : SettingKind::Option;
+    return {name, section, false, summary, paper.text, paper.value, kKind,
+            0.0,  high,    "",    options, M::get,     M::set,      false};
 }
 
 /// A number from `low` to `high`; a whole one if the member is.
 template <auto... path>
 constexpr RuleSetting number(std::string_view name, std::string_view section,
                              std::string_view summary, double low, double high,
-                             std::string_view unit, std::string_view paper = "") {
+                             std::string_view unit, const Sentence& paper = {}) {
     using M = Member<path...>;
     constexpr bool kIsWhole = std::is_integral_v<typename M::Type>;
-    return {
-        name, section, false, summary, paper,  kIsWhole ? SettingKind::Whole : SettingKind::Number,
-        low,  high,    unit,  {},      M::get, M::set,
-        false};
+    constexpr SettingKind kKind = kIsWhole ? SettingKind::Whole : SettingKind::Number;
+    return {name, section, false, summary, paper.text, paper.value, kKind,
+            low,  high,    unit,  {},      M::get,     M::set,      false};
 }
 
 /// An angle from `low` to 180 degrees; held as its cosine.
 template <auto... path>
 constexpr RuleSetting angle(std::string_view name, std::string_view section,
-                            std::string_view summary, double low, std::string_view paper = "") {
+                            std::string_view summary, double low, const Sentence& paper = {}) {
     RuleSetting row = number<path...>(name, section, summary, low, 180.0, "degrees", paper);
     row.get = [](const Params& p) { return degreesOf(Member<path...>::get(p)); };
     row.set = [](Params& p, double value) { Member<path...>::set(p, cosineOfDegrees(value)); };
@@ -105,21 +113,22 @@ constexpr RuleSetting ruleSwitch(RuleSetting row) {
 /// A switch of the paper's own, or one of several ways to read it.
 template <auto member>
 constexpr RuleSetting rule(std::string_view name, std::string_view section,
-                           std::string_view summary, std::string_view paper,
+                           std::string_view summary, const Sentence& paper,
                            std::span<const std::string_view> options = kOnOff) {
     return choice<&Params::paper, member>(name, section, summary, paper, options);
 }
-/// A reading of the paper.
+/// A reading of the paper; off is the sentence.
 template <bool Readings::*member>
 constexpr RuleSetting reading(std::string_view name, std::string_view section,
                               std::string_view summary, std::string_view paper) {
-    return ruleSwitch(choice<&Params::readings, member>(name, section, summary, paper));
+    return ruleSwitch(
+        choice<&Params::readings, member>(name, section, summary, Sentence(paper, false)));
 }
 /// A rule beyond the paper.
 template <bool RobustRules::*member>
 constexpr RuleSetting robust(std::string_view name, std::string_view section,
                              std::string_view summary) {
-    return ruleSwitch(beyondPaper(choice<&Params::robust, member>(name, section, summary, "")));
+    return ruleSwitch(beyondPaper(choice<&Params::robust, member>(name, section, summary)));
 }
 constexpr auto kThresholds = &Params::thresholds;
 
@@ -144,26 +153,34 @@ constexpr std::string_view kSplitWords =
 
 constexpr auto kSettings = std::to_array<RuleSetting>({
     choice<&Params::dropOpposingNormals>(
-        "opposing", "3", "neighbors with an opposing normal are left out of the lists", ""),
+        "opposing", "3", "neighbors with an opposing normal are left out of the lists",
+        {"... this extra information consists of an estimated normal at each point, a list of each "
+         "point's neighbors, ...",
+         false}),
 
     rule<&PaperRules::tie>(
         "tie", "6.1", "which of two neighbors at the same angle stays",
-        "If two neighboring points are found to have the same angle, the point closest to p is "
-        "included in the ring and the other point is eliminated from consideration.",
+        {"If two neighboring points are found to have the same angle, the point closest to p is "
+         "included in the ring and the other point is eliminated from consideration.",
+         TieRule::Nearest},
         kTies),
     number<&Params::sameAngle>("sameangle", "6.1", "angles nearer than this are the same", 0.0,
                                0.01, "1 - cos"),
+    // "The cross product of z and p's normals" leaves the order open; the second sentence does not.
     rule<&PaperRules::turn>(
         "turn", "6.1", "the side to which angles grow: n = normal x z, or z x normal",
-        "... taking the cross product of z and p's normals, producing the normal of the plane "
-        "slicing the ring at 180 degrees.",
+        {"... taking the cross product of z and p's normals, producing the normal of the plane "
+         "slicing the ring at 180 degrees. ... The edges are created in a counterclockwise "
+         "direction with respect to the surface normal.",
+         TurnRule::Counterclockwise},
         kTurns),
     rule<&PaperRules::maxAngle>(
         "maxangle", "6.1", "no neighbor beyond the angle of last",
-        "The algorithm uses the angle between z and the vector between the pivot point and the "
-        "last point as the maximum allowable angle."),
+        {"The algorithm uses the angle between z and the vector between the pivot point and the "
+         "last point as the maximum allowable angle.",
+         true}),
     rule<&PaperRules::limits>("limits", "6.1", "start and end advance along the edge ring",
-                              kLimitsWords),
+                              {kLimitsWords, true}),
     reading<&Readings::limitsFirst>(
         "limitsfirst", "6.1", "start and end advance before other neighbors are looked at",
         "If as the algorithm adds in q, it finds that q is already on the "
@@ -174,20 +191,27 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "ending angle that it established using first and last."),
     rule<&PaperRules::concave>(
         "concave", "6.1", "start and end advance only where the edge ring is concave",
-        "... q is adjacent to the point pointed to by start, and the edge ring is concave at this "
-        "point. The algorithm then advances the start pointer to point to q."),
+        {"... q is adjacent to the point pointed to by start, and the edge ring is concave at this "
+         "point. The algorithm then advances the start pointer to point to q.",
+         true}),
     rule<&PaperRules::convex>(
         "convex", "6.1", "a ring point next to a convex start or end is dropped",
-        "The convexity test eliminates point 2 from the neighbor ring because point 2 is the next "
-        "point on the edge list after the point pointed to by start (point 1) and 1 is convex."),
+        {"The convexity test eliminates point 2 from the neighbor ring because point 2 is the next "
+         "point on the edge list after the point pointed to by start (point 1) and 1 is convex.",
+         true}),
     rule<&PaperRules::convexShared>(
-        "convexshared", "6.1", "the convexity test also drops points with several ring entries",
-        "The convexity test only applies to points in the edge ring that are adjacent to the "
-        "points pointed to by start or end."),
+        "convexshared", "6.1",
+        "the convexity test also drops points with several ring entries, and keeps what lies next "
+        "to "
+        "a concave start or end",
+        {"The convexity test only applies to points in the edge ring that are adjacent to the "
+         "points pointed to by start or end.",
+         true}),
     rule<&PaperRules::reciprocal>(
         "reciprocal", "6.1", "a USED point stays only if p could be in its neighbor ring",
-        "If p could be included in e's hypothetical neighbor ring, then e is included in p's "
-        "neighbor ring."),
+        {"If p could be included in e's hypothetical neighbor ring, then e is included in p's "
+         "neighbor ring.",
+         true}),
     reading<&Readings::freeSector>(
         "freesector", "6.1", "the reciprocal test looks at the free side of the ring",
         "... the angles formed by the preceding and succeeding points on "
@@ -195,30 +219,35 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     number<&Params::paper, &PaperRules::holeSize>(
         "holesize", "6.2", "largest number of edges of a hole that is known; below 3: none", 0.0,
         8.0, "edges",
-        "Note that the algorithm will not recognize a hole formed by more than three points. ... "
-        "Although checks for larger holes could be made, it would be a case of diminishing "
-        "returns."),
+        {"Note that the algorithm will not recognize a hole formed by more than three points. ... "
+         "Although checks for larger holes could be made, it would be a case of diminishing "
+         "returns.",
+         3}),
     reading<&Readings::realHole>(
         "realhole", "6.2", "a hole of three has three mesh edges and under 180 degrees",
         "First the algorithm checks for the special case of filling a hole "
         "formed by p, first, and last."),
     rule<&PaperRules::sphere>(
         "sphere", "6.3", "neighbors outside the circumsphere are removed",
-        "If q falls inside the circumsphere or its removal would create an angle difference "
-        "between s and t of more than 120 degrees, q must be kept. Otherwise, q is removed from "
-        "the neighbor ring."),
+        {"If q falls inside the circumsphere or its removal would create an angle difference "
+         "between s and t of more than 120 degrees, q must be kept. Otherwise, q is removed from "
+         "the neighbor ring.",
+         true}),
     angle<&Params::maxGapCosine>(
         "maxgap", "6.3", "a neighbor is kept if without it the gap would exceed this", 90.0,
-        "... or its removal would create an angle difference between s and t of more than 120 "
-        "degrees, q must be kept."),
+        {"... or its removal would create an angle difference between s and t of more than 120 "
+         "degrees, q must be kept.",
+         120}),
     rule<&PaperRules::onSphere>(
         "onsphere", "6.3", "what becomes of a neighbor exactly on the sphere",
-        "If q falls inside the circumsphere ... q must be kept.", kOnSphere),
+        {"If q falls inside the circumsphere ... q must be kept.", OnSphereRule::Removed},
+        kOnSphere),
     rule<&PaperRules::twoPoint>(
         "twopoint", "6.4", "two-point rings are discarded over 180 degrees, from 180 on, or never",
-        "... if the neighbor ring consists of only two points and the angle they form around the "
-        "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
-        "triangles. In this case, the neighbor ring will be discarded.",
+        {"... if the neighbor ring consists of only two points and the angle they form around the "
+         "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
+         "triangles. In this case, the neighbor ring will be discarded.",
+         TwoPointRule::Over},
         kTwoPoints),
     reading<&Readings::closeTwo>("closetwo", "6.5",
                                  "an edge with triangles on both sides leaves the ring",
@@ -227,23 +256,28 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     rule<&PaperRules::instance>(
         "instance", "6.5",
         "the other instance: the first whose sector holds p, or the first at all",
-        "If a point is encountered that is already USED, the first other instance of the point in "
-        "the edge ring is located.",
+        {"If a point is encountered that is already USED, the first other instance of the point in "
+         "the edge ring is located.",
+         InstanceRule::First},
         kInstances),
+    // Which part stays follows from the sentence of `next`: end is on it.
     rule<&PaperRules::active>("active", "6.5",
                               "which part of a split ring stays active; the other is pushed",
-                              kSplitWords, kActives),
+                              {kSplitWords, ActiveRule::End}, kActives),
     rule<&PaperRules::stack>("stack", "6.5", "which stacked ring is taken up next",
-                             "... the stack of edge rings is searched in top down order so that "
-                             "the most recently split edge ring will be found first.",
+                             {"... the stack of edge rings is searched in top down order so that "
+                              "the most recently split edge ring will be found first.",
+                              StackRule::Last},
                              kStacks),
     rule<&PaperRules::next>("next", "6.5", "where the traversal goes on after triangles",
-                            "Once the edge ring is finished being updated, the new point is the "
-                            "point that had been the end particle in the neighbor ring.",
+                            {"Once the edge ring is finished being updated, the new point is the "
+                             "point that had been the end particle in the neighbor ring.",
+                             NextRule::End},
                             kNexts),
     rule<&PaperRules::walls>(
         "walls", "7", "boundary points are passed over as pivots",
-        "First, we avoid using boundary points as pivot points with only a few exceptions."),
+        {"First, we avoid using boundary points as pivot points with only a few exceptions.",
+         true}),
     reading<&Readings::openSteps>(
         "opensteps", "7", "ring steps that are no mesh edges are known as open",
         "If the algorithm does remove p, the removal would either fragment "
@@ -256,23 +290,30 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "can start a new disconnected surface component."),
     rule<&PaperRules::thirdPoint>(
         "thirdpoint", "7.1", "a third point joins an edge ring of two boundary points",
-        "So prior to calling the neighbor ring routine, the algorithm searches p's neighbors for a "
-        "third point that is UNUSED and has a boundary edge in common with p."),
+        {"So prior to calling the neighbor ring routine, the algorithm searches p's neighbors for "
+         "a third point that is UNUSED and has a boundary edge in common with p.",
+         true}),
     rule<&PaperRules::stayInside>(
         "stayinside", "7.1", "a third point never opens a sector that leads out of the box",
-        "The algorithm needs to insert q after p so that the range of allowable angles will "
-        "include points inside the volume boundary."),
+        {"The third point is inserted before p if one of two conditions exists. Either p lies on a "
+         "minimum surface boundary and the corresponding component of the cross product vector is "
+         "negative, or p lies on a maximum surface boundary and the corresponding component of the "
+         "cross product vector is positive. Otherwise, the third point is inserted after p.",
+         false}),
+    // The sentence leaves open which side; Figures 18 and 19 have r before p where a corner is
+    // ahead, after it where a corner lies back.
     rule<&PaperRules::corners>(
         "corners", "7.2", "a third point joins the ring where it passes from wall to wall",
-        "The algorithm uses the same approach as before, inserting another UNUSED boundary point "
-        "into the edge ring either before or after p."),
+        {"The algorithm uses the same approach as before, inserting another UNUSED boundary point "
+         "into the edge ring either before or after p.",
+         true}),
 
     beyondPaper(number<&Params::maxTrianglesPerPoint>(
         "cap", "8", "the run stops above this many triangles per point", 2.0, 64.0, "per point")),
     beyondPaper(choice<&Params::setNoiseAside>(
-        "noise", "3", "points are set aside where noise is as wide as their spacing", "")),
-    beyondPaper(choice<&Params::setStraysAside>("strays", "4",
-                                                "points far from all others are set aside", "")),
+        "noise", "3", "points are set aside where noise is as wide as their spacing")),
+    beyondPaper(
+        choice<&Params::setStraysAside>("strays", "4", "points far from all others are set aside")),
     robust<&RobustRules::tangent>("tangent", "6.1",
                                   "angles are measured in the tangent plane of the pivot"),
     robust<&RobustRules::unblocked>("unblocked", "6.1",

@@ -2,6 +2,7 @@
 /// files and reports.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ struct RuleSetting {
     std::string_view summary;  ///< One sentence: its effect; of a switch, when on.
     /// The paper's sentence, word for word; empty where it has none.
     std::string_view paper;
+    /// The value by that sentence, which `printed` takes; nothing where there is none.
+    std::optional<double> printed;
     SettingKind kind;
     double low, high;                           ///< Of a number; 0 and 1 of a switch.
     std::string_view unit;                      ///< Of a number; may be empty.
@@ -38,6 +41,8 @@ struct RuleSetting {
 
     /// Of a setting with values 0 and 1.
     bool isOn(const Params& params) const { return get(params) != 0.0; }
+    /// True if the sentence is in force in `params`, not a reading of our own.
+    bool isAsPrinted(const Params& params) const { return printed && get(params) == *printed; }
     void turnOn(Params& params) const { set(params, 1.0); }
     void turnOff(Params& params) const { set(params, 0.0); }
 };

@@ -104,10 +104,6 @@ inline Verdict applyOverride(Verdict verdict, std::optional<bool> forced, bool k
 /// Applies a what-if of the kind Pivot after a pivot.
 void redirect(LoggedContext& context);
 
-/// The first entry of a point in a search of the active ring, then of the stack from the top
-/// (§6.5); kNone if it is on no ring.
-Index firstInstance(const EdgeRings& rings, Index point);
-
 // phases/start.cpp: §4
 void phaseSeed(AnyContext auto& context);
 void phasePivot(AnyContext auto& context);

@@ -131,6 +131,31 @@ TEST_CASE("6.1 the limits do not depend on the order of the list, unless read as
     }
 }
 
+TEST_CASE("6.1 as printed, a point that the same angle has eliminated moves no limit") {
+    // 5, before first on the ring, lies beyond 6 in one direction.
+    const std::vector<Vec3> behind{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-9, 9, 0},
+                                   {9, 9, 0}, {0, 2, 0}, {0, 1, 0}};
+    Rig rig(behind);
+    rig.list(0, {5, 6}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
+    CHECK(rig.startPoint() == 5);
+    Rig asTheyCome(behind, paperBut(&Readings::limitsFirst));
+    asTheyCome.list(0, {5, 6}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
+    CHECK(asTheyCome.startPoint() == 1);
+    CHECK(asTheyCome.candidates() == Points{6});
+}
+
+TEST_CASE("6.1 as printed, start and end move between two entries of one point too") {
+    // 1 is before and after 0 on the ring; 3, before it once more, makes the ring concave there.
+    const std::vector<Vec3> pinched{{0, 0, 0}, {1, 0, 0}, {-9, -9, 0}, {0.5, 1, 0}, {9, -9, 0}};
+    const auto start = [&](const Params& params) {
+        Rig rig(pinched, params);
+        rig.list(0, {1, 3}).ring({0, 1, 2, 4, 3, 1}).runTo(Phase::Convex);
+        return rig.startPoint();
+    };
+    CHECK(start(paper()) == 1);
+    CHECK(start(paperBut(&Readings::closeTwo)) == 3);
+}
+
 TEST_CASE("7, 6.1 a step that is no edge of the mesh moves no limit") {
     Rig rig(bay());
     rig.list(0, {5, 6}).ring(kBayRing).open(5).open(2).runTo(Phase::Convex);
@@ -187,6 +212,33 @@ TEST_CASE("6.1 the convexity test applies only to the points adjacent to start a
              {0.5, -0.5, 0}});
     rig.list(0, {1, 2, 5, 6}).ring({0, 2, 3, 4, 5, 7, 1}).runTo(Phase::Reciprocal);
     CHECK(rig.candidates() == Points{6, 5});
+}
+
+TEST_CASE("6.1 Figure 5 as printed: every point beyond a convex start is dropped, and no other") {
+    Params printed = paper();
+    printed.paper.convexShared = true;
+    // 5 is next to first, which is convex, and has an entry elsewhere whose sector holds p.
+    const std::vector<Vec3> position{Vec3(0),       polar(0),  polar(300),  {9, -9, 0}, {9, 9, 0},
+                                     {-0.2, -1, 0}, polar(90), {-9, -1, 0}, {-9, -3, 0}};
+    const auto afterConvex = [&](const Params& params) {
+        Rig rig(position, params);
+        rig.list(0, {1, 2, 5, 6}).stacked({5, 8, 7}).ring({0, 2, 3, 4, 5, 1});
+        rig.runTo(Phase::Reciprocal);
+        return rig.candidates();
+    };
+    CHECK(afterConvex(paper()) == Points{6, 5});
+    CHECK(afterConvex(printed) == Points{6});
+    // 6 came before start moved to 5, and 5 is concave.
+    const std::vector<Vec3> deep{{0, 0, 0}, {1, 0.1, 0},   {-1, 0.2, 0}, {-9, 9, 0},
+                                 {9, 9, 0}, {1.3, 0.6, 0}, {1.2, 1.2, 0}};
+    const auto afterConcave = [&](Params params) {
+        params.readings.limitsFirst = false;
+        Rig rig(deep, params);
+        rig.rawList(0, {6, 5}).ring({0, 2, 3, 4, 6, 5, 1}).runTo(Phase::Reciprocal);
+        return rig.candidates();
+    };
+    CHECK(afterConcave(paper()).empty());
+    CHECK(afterConcave(printed) == Points{6});
 }
 
 // ---- Figure 6 -----------------------------------------------------------------------------------

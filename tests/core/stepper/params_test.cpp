@@ -21,9 +21,40 @@ TEST_CASE("every named set of params exists, and no other") {
     CHECK_FALSE(paramsByName(""));
 }
 
-TEST_CASE("printed is the paper word for word: every switch off, no filter") {
+TEST_CASE("printed has every setting that quotes the paper at the value of its quotation") {
+    const Params printed = *paramsByName("printed");
+    std::size_t quoted = 0;
+    for (const RuleSetting& rule : ruleSettings()) {
+        CHECK_MESSAGE(rule.printed.has_value() == !rule.paper.empty(), rule.name);
+        if (!rule.printed) {
+            // Without a sentence: as it is by default, and nothing of the rules beyond the paper.
+            CHECK_MESSAGE(rule.get(printed) == rule.get(Params{}), rule.name);
+            continue;
+        }
+        ++quoted;
+        CHECK_MESSAGE(isValue(rule, *rule.printed), rule.name);
+        CHECK_MESSAGE(rule.get(printed) == *rule.printed, rule.name);
+        CHECK_MESSAGE(rule.isAsPrinted(printed), rule.name);
+    }
+    CHECK(quoted == 29);
+}
+
+TEST_CASE("eleven quotations of the paper are not in force by default: those are read otherwise") {
+    std::set<std::string_view> read;
+    for (const RuleSetting& rule : ruleSettings()) {
+        if (rule.printed && !rule.isAsPrinted(Params{})) read.insert(rule.name);
+    }
+    CHECK(read == std::set<std::string_view>{"opposing", "limitsfirst", "halfturn", "convexshared",
+                                             "freesector", "realhole", "closetwo", "instance",
+                                             "opensteps", "keepseeds", "stayinside"});
+}
+
+TEST_CASE("printed takes the letter for the other instance, Figure 5 and the third point's place") {
     const Params printed = *paramsByName("printed");
     for (const RuleSetting& rule : ruleSwitches()) CHECK_FALSE(rule.isOn(printed));
+    CHECK(printed.paper.instance == InstanceRule::First);
+    CHECK(printed.paper.convexShared);
+    CHECK_FALSE(printed.paper.stayInside);
     CHECK_FALSE(printed.dropOpposingNormals);
     CHECK(printed.maxGapCosine == -0.5);
 }

@@ -85,6 +85,58 @@ TEST_CASE("6.5 a point met again in the active ring splits it in two, and one is
     CHECK(rig.stackedRing() == Points{5, 7, 4, 1});
 }
 
+TEST_CASE("6.5 a ring taken from the stack goes on at the point where it was split off") {
+    Rig rig(oppositeEntry());
+    rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).run();
+    for (const AdvanceEvidence& each : rig.all<AdvanceEvidence>()) {
+        if (!each.popped) continue;
+        CHECK(each.to == 5);
+        return;
+    }
+    FAIL("no ring was taken from the stack");
+}
+
+TEST_CASE("6.5 as printed the first other instance along the ring is taken, whatever its sector") {
+    // 5 is on the ring twice: first with p behind it, then with p in its free sector.
+    const std::vector<Vec3> position = [] {
+        std::vector<Vec3> all = oppositeEntry();
+        all.insert(all.end(), {{-3, 1, 0}, {-3, 4, 0}});  // 9, 10
+        return all;
+    }();
+    const auto active = [&](InstanceRule rule) {
+        Params params = paper();
+        params.paper.instance = rule;
+        Rig rig(position, params);
+        rig.list(0, {5}).ring({0, 2, 9, 7, 5, 6, 10, 3, 6, 5, 7, 4, 1}).pivot();
+        return rig.activeRing();
+    };
+    CHECK(active(InstanceRule::Sector) == Points{2, 9, 7, 5, 6, 10, 3, 6, 5});
+    CHECK(active(InstanceRule::First) == Points{2, 9, 7, 5});
+}
+
+TEST_CASE("6.5 as printed the other instance is sought once the points before it are linked") {
+    // 5 joins the stacked ring of the other entry of 8; for 8 that entry is then on the active
+    // ring.
+    Params params = paper();
+    params.paper.instance = InstanceRule::First;
+    params.paper.reciprocal = params.paper.sphere = false;
+    params.readings.closeTwo = false;
+    Rig rig({{0, 0, 0},
+             {1, 0, 0},
+             {-1, 0, 0},
+             {-9, -9, 0},
+             {9, -9, 0},
+             {0.5, 1, 0},
+             {0, 9, 0},
+             {9, 9, 0},
+             {-0.5, 1, 0}},
+            params);
+    rig.list(0, {5, 8}).stacked({5, 6, 8, 7}).stacked({8, 6, 7}).ring({0, 2, 3, 4, 1}).pivot();
+    CHECK(rig.state().counters.joins == 1);
+    CHECK(rig.state().counters.splits == 1);
+    CHECK(rig.stackedRing(1) == Points{8, 6, 7});
+}
+
 TEST_CASE(
     "6.5 of the parts of a split the one with end stays active, or the longer, or the shorter") {
     std::vector<Vec3> position = oppositeEntry();

@@ -74,7 +74,7 @@ TEST_CASE("settings have names of their own, a section, a sentence, and a usual 
             CHECK_MESSAGE(isValue(each, each.get(*paramsByName(set))), each.name);
         }
         const bool isPaper = !each.paper.empty();
-        const bool silent = each.name == "opposing" || each.name == "sameangle";
+        const bool silent = each.name == "sameangle";
         CHECK_MESSAGE(isPaper != (each.beyondPaper || silent), each.name);
     }
     CHECK(names.size() == ruleSettings().size());

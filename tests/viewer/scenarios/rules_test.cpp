@@ -91,6 +91,18 @@ TEST_CASE("The rows have all rules by section, words of name, section and senten
     }
 }
 
+TEST_CASE("The help of a rule says whether the sentence that it quotes is in force") {
+    const auto help = [](const RunSpec& rules, std::string_view name) {
+        return ruleHelp(ruleGroups(rules, name).front().rows.front());
+    };
+    RunSpec printed;
+    printed.rules = "printed";
+    CHECK(help({}, "instance").find("not in force; instance=first is.") != std::string::npos);
+    CHECK(help(printed, "instance").find("is in force.") != std::string::npos);
+    CHECK(help({}, "twopoint").find("is in force.") != std::string::npos);
+    CHECK(help({}, "sameangle").find("in force") == std::string::npos);
+}
+
 TEST_CASE("A rule without effect before the cursor leaves it at the same test") {
     OpenSession open;
     REQUIRE(open.session.moves().goToText("30.sphere.1").ok());

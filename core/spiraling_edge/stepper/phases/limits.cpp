@@ -49,6 +49,28 @@ bool spansHalfTurn(const StepContext& context, Side side, const Angle& to) {
     return span >= kHalfTurnKey - context.params.sameAngle;
 }
 
+/// True if start and end may move along the ring, and ring points beyond them may be dropped: not
+/// on a fresh ring of two. Choice: between two entries of one point in a longer ring they may with
+/// Readings::closeTwo off, by which such a place is one like any other.
+bool hasBeyond(const StepContext& context) {
+    const NeighborRing& n = context.state.pivot;
+    return !n.fullTurn || (n.first != n.last && !context.params.readings.closeTwo);
+}
+
+/// Whether the ring is concave at start or end. Without `kEveryTest` angles grow counterclockwise.
+template <bool kEveryTest>
+ConcaveTest concaveAt(const StepContext& context, Side side) {
+    const State& s = context.state;
+    const bool atStart = side == Side::Start;
+    const Index limit = atStart ? s.pivot.start : s.pivot.end;
+    const Vec3& to = context.positionAt(beyond(s, side));
+    const Vec3& p = s.pivot.frame.origin;
+    ConcaveTest test = testConcave(context.positionAt(limit), context.normalAt(limit),
+                                   atStart ? to : p, atStart ? p : to);
+    if (kEveryTest && context.clockwise()) test.turn = -test.turn;
+    return test;
+}
+
 /// The result of a test of the point beyond start or end.
 struct LimitTest {
     Verdict verdict;
@@ -68,10 +90,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     if (to == (atStart ? n.end : n.start) || to == n.pivot) return {Verdict::OtherLimit, to};
     if (context.openStep(atStart ? to : limit)) return {Verdict::NotAnEdge, to};
     const Vec3& position = context.positionAt(to);
-    const Vec3& p = n.frame.origin;
-    ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
-                                      atStart ? position : p, atStart ? p : position);
-    if (kEveryTest && context.clockwise()) concave.turn = -concave.turn;
+    const ConcaveTest concave = concaveAt<kEveryTest>(context, side);
     // Without a log the paper's rules have their defaults (paperRules()).
     const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
     // The cheap test that fails most often comes first, unless the log needs the others.
@@ -150,10 +169,14 @@ bool moveLimit(Context& context, Side side) {
     return true;
 }
 
-/// Readings::limitsFirst off: each listed neighbor is tested once, in list order.
+/// Readings::limitsFirst off: each candidate is tested once, in list order.
 void moveLimitsAsNeighborsCome(AnyContext auto& context) {
     const State& s = context.state;
+    const std::vector<Candidate>& all = s.pivot.candidates;
     for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
+        const bool added =
+            std::any_of(all.begin(), all.end(), [x](const Candidate& c) { return c.point == x; });
+        if (!added) continue;
         for (const Side side : {Side::Start, Side::End}) {
             if (x == s.rings.point(beyond(s, side)) && moveLimit(context, side)) break;
         }
@@ -206,7 +229,7 @@ void phaseLimits(AnyContext auto& context) {
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
     s.beyondStart = s.beyondEnd = Verdict::BeyondOther;
-    if (n.fullTurn || !paperRules(context).limits) return;
+    if (!hasBeyond(context) || !paperRules(context).limits) return;
     moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
@@ -230,33 +253,27 @@ void phaseLimits(AnyContext auto& context) {
 
 void phaseConvex(AnyContext auto& context) {
     State& s = context.state;
-    const NeighborRing& n = s.pivot;
     s.phase = Phase::Reciprocal;
-    if (n.fullTurn || !paperRules(context).convex) return;
-    const Index beyondStart = beyond(s, Side::Start);
-    const Index beyondEnd = beyond(s, Side::End);
-    // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry.
-    const bool shared = paperRules(context).convexShared;
-    const auto isOnly = [&](Index x, Index entry) {
-        return x == s.rings.point(entry) && (s.status[x] == 1 || shared);
-    };
+    if (!hasBeyond(context) || !paperRules(context).convex) return;
+    // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry,
+    // and one that start or end did not move to is dropped, whatever the reason. As printed, each
+    // is dropped that is beyond a convex start or end, and no other.
+    const bool printed = paperRules(context).convexShared;
+    const bool dropsAtStart = !printed || !concaveAt<true>(context, Side::Start).concave();
+    const bool dropsAtEnd = !printed || !concaveAt<true>(context, Side::End).concave();
+    const Index beyondStart = s.rings.point(beyond(s, Side::Start));
+    const Index beyondEnd = s.rings.point(beyond(s, Side::End));
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
-        if (isOnly(c.point, beyondStart)) return DropTest{s.beyondStart, Side::Start};
-        return DropTest{isOnly(c.point, beyondEnd) ? s.beyondEnd : Verdict::Kept, Side::End};
+        const bool tested = s.status[c.point] == 1 || (printed && s.status[c.point] > 1);
+        if (tested && dropsAtStart && c.point == beyondStart)
+            return DropTest{printed ? Verdict::BeyondConvex : s.beyondStart, Side::Start};
+        if (tested && dropsAtEnd && c.point == beyondEnd)
+            return DropTest{printed ? Verdict::BeyondConvex : s.beyondEnd, Side::End};
+        return DropTest{Verdict::Kept, Side::End};
     });
 }
 
 namespace {
-
-/// True if entry a is found before entry b when the active ring is searched first, then the stack
-/// from the top (§6.5).
-bool foundBefore(const EdgeRings& rings, Index a, Index b) {
-    const auto rank = [&](Index entry) {
-        const Index ring = rings.ringOf(entry);
-        return ring == rings.active() ? 0 : rings.depthFromTop(ring) + 1;
-    };
-    return rank(a) < rank(b);
-}
 
 /// RobustRules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that
 /// its sector lies outside the box.
@@ -297,23 +314,15 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
                                       applyOverride(verdict, forced, holds),
                                       !free};
         });
-        if (holds && (found == kNone || foundBefore(rings, e, found))) found = e;
+        if (holds && (found == kNone || rings.isFoundBefore(e, found))) found = e;
     }
     if (forced == false) return kNone;
     if (found == kNone && forced != true) return kNone;
     const bool first = found == kNone || paper.instance == InstanceRule::First;
-    return first ? firstInstance(rings, candidate.point) : found;
+    return first ? rings.firstInstance(candidate.point, s.pivot.pivot) : found;
 }
 
 }  // namespace
-
-Index firstInstance(const EdgeRings& rings, Index point) {
-    Index found = kNone;
-    for (Index e = rings.firstEntryOf(point); e != kNone; e = rings[e].nextOfPoint) {
-        if (found == kNone || foundBefore(rings, e, found)) found = e;
-    }
-    return found;
-}
 
 void phaseReciprocal(AnyContext auto& context) {
     State& s = context.state;
@@ -321,8 +330,9 @@ void phaseReciprocal(AnyContext auto& context) {
     std::size_t kept = 0;
     for (Candidate& c : all) {
         if (s.status[c.point] > 0) {
-            c.instance = paperRules(context).reciprocal ? findInstance(context, c)
-                                                        : firstInstance(s.rings, c.point);
+            c.instance = paperRules(context).reciprocal
+                             ? findInstance(context, c)
+                             : s.rings.firstInstance(c.point, s.pivot.pivot);
             if (c.instance == kNone) continue;
         }
         all[kept++] = c;

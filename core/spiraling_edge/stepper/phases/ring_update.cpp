@@ -213,7 +213,10 @@ void phaseLink(AnyContext auto& context) {
     bool linked = false;
     for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
         const Index x = s.insertedEntries[i];
-        const Index y = s.instances[i];
+        Index& y = s.instances[i];
+        // "The first other instance" is sought on the rings as the points before it left them.
+        const bool seeks = paperRules(context).instance == InstanceRule::First && y != kNone;
+        if (seeks && s.rings.alive(x)) y = s.rings.firstInstance(s.rings.point(x), x);
         if (!s.rings.alive(x) || !s.rings.alive(y)) continue;
         link(context, x, y);
         linked = true;

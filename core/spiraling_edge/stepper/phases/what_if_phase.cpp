@@ -58,7 +58,7 @@ void redirect(LoggedContext& context) {
     for (const WhatIf& each : context.params.whatIf) {
         if (each.kind != WhatIfKind::Pivot || each.pivot != s.counters.pivots) continue;
         if (each.point >= s.status.size()) continue;
-        const Index entry = firstInstance(s.rings, each.point);
+        const Index entry = s.rings.firstInstance(each.point, kNone);
         if (entry == kNone) continue;
         const Index active = s.rings.active();
         const Index ring = s.rings.ringOf(entry);
