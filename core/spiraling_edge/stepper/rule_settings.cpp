@@ -253,6 +253,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
                                  "an edge with triangles on both sides leaves the ring",
                                  "Each time the edge ring becomes empty, a disconnected surface "
                                  "component has finished triangulation."),
+    // The sentence leaves open where in the ring the search begins: EdgeRings::firstInstance().
     rule<&PaperRules::instance>(
         "instance", "6.5",
         "the other instance: the first whose sector holds p, or the first at all",
