@@ -202,8 +202,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     rule<&PaperRules::convexShared>(
         "convexshared", "6.1",
         "the convexity test also drops points with several ring entries, and keeps what lies next "
-        "to "
-        "a concave start or end",
+        "to a concave start or end",
         {"The convexity test only applies to points in the edge ring that are adjacent to the "
          "points pointed to by start or end.",
          true}),
