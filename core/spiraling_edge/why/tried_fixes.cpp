@@ -100,9 +100,11 @@ class FixTrials {
         bool harms = false;
         const auto compare = [&](std::string_view rules, const MeshVerdict& now,
                                  const MeshVerdict& then) {
-            helps = helps || (hasFewerFaults(now, then) && endOf(now) != endOf(then));
+            const bool fewer = hasFewerFaults(now, then);
+            helps = helps || fewer;
             harms = harms || hasFewerFaults(then, now);
             tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) + " " +
+                          (fewer && now.places > 0 && now.places == then.places ? "fewer " : "") +
                           endOf(now) + " (before " + endOf(then) + ")";
         };
         compare("paper", after.value().paper, before_->paper);
