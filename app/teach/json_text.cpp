@@ -66,7 +66,7 @@ class LimitScan {
         const std::size_t end = std::min(text_.find_first_not_of(kNumberSigns, at_), text_.size());
         const std::string_view digits = text_.substr(at_, end - at_);
         double number = 0.0;
-        if (io::parseDouble(digits, number)) {
+        if (io::parseDouble(digits, number) && std::isfinite(number)) {
             at_ = end;
             return {};
         }

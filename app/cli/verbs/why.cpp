@@ -211,7 +211,7 @@ ExitCode whyVerb(const Arguments& words) {
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
     if (arguments.prove && !arguments.quiet)
-        fmt::print(stderr, "--prove is not needed: --failure CLASS:N proves its cause.\n");
+        printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--more: needs --point, --edge, --triangle or --failure");
     const DecisionQuery query = require(parsed, ExitCode::Usage, "--find: ");

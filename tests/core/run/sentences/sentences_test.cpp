@@ -129,6 +129,9 @@ TEST_CASE("sentences: each follows from points and state, and each verdict occur
         Params guarded;
         guarded.robust.guard = guarded.robust.noPillow = true;
         visit(points, guarded);
+        Params unmoved;
+        unmoved.paper.limits = false;
+        visit(points, unmoved);
     }
     for (const char* name : {"points/nefertiti.ply", "points/fin90.ply", "points/brain_piece.ply",
                              "points/table1_hyperboloid.ply", "cases/tunnel_no_normals.ply",
