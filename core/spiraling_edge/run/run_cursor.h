@@ -42,9 +42,9 @@ class RunCursor {
     bool forward(StepUnit unit = StepUnit::Decision);
     /// Goes to the previous place. False, unmoved, at the start.
     bool back(StepUnit unit = StepUnit::Decision);
-    /// Goes to a decision, or to the first one of its stage if Address::n is 0; a number alone, {n},
-    /// is where it begins (PivotRecord::find()), also of the steps after the last pivot. False,
-    /// unmoved, if the run has no such decision.
+    /// Goes to a decision, or to the first one of its stage if Address::n is 0; a number alone,
+    /// {n}, is where it begins (PivotRecord::find()), also of the steps after the last pivot.
+    /// False, unmoved, if the run has no such decision.
     bool goTo(const Address& address);
     void goToStart();
     /// Goes to the last event of the run.

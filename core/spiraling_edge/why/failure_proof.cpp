@@ -62,8 +62,10 @@ void addRefusals(const MeshFailure& loop, const SweptPivot& pivot, const Reading
 
 Ledger ledgerOf(const RunFailure& failure) {
     const FailureMoments& moments = failure.moments;
-    Ledger ledger{.name = std::string(failure.failure.kind->singular) + " of " +
-                          counted(failure.failure.points.size(), "point"),
+    const std::vector<Index>& of = failure.failure.points;
+    Ledger ledger{.name = std::string(failure.failure.kind->singular) +
+                          (of.size() == 1 ? " " + std::to_string(of.front())
+                                          : " of " + counted(of.size(), "point")),
                   .present = true,
                   .where = "there",
                   .lines = {moments.unavoidable, moments.touched, moments.created}};

@@ -53,7 +53,8 @@ std::string_view provedByName(ProvedBy by);
 
 /// The answer to a query about a subject, a failure or a ring.
 struct Ledger {
-    std::string name;      ///< "point 812", "hole of 4 points", "ring #2 at 137".
+    std::string name;      ///< "point 812", "hole of 4 points", "lost point 7", "ring #2 at
+                           ///< 137".
     bool present = false;  ///< In the mesh at the end of the run; a failure: true.
     std::string_view where = "in the mesh";  ///< "there" of a failure.
     std::vector<LedgerLine> lines = {};      ///< In the order of the run.
