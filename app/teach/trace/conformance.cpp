@@ -130,7 +130,7 @@ std::vector<ConformanceInput> rareInputs() {
          }},
         {"cloud-entries", "A second ring entry whose sector holds the pivot",
          [] {
-             return cloudPoints({2631, 16, 64, 0.0, 1.0, 12});
+             return cloudPoints({1340, 16, 64, 1.0, 1.0, 10});
          }},
         {"cloud-in-line", "The neighbors beside a candidate lie in line with the pivot",
          [] {
