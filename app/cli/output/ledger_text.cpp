@@ -40,7 +40,7 @@ struct MomentRow {
     LedgerLine FailureMoments::*line;
 };
 constexpr MomentRow kMoments[] = {{"created", "created", &FailureMoments::created},
-                                  {"unavoidable", "unavoidable", &FailureMoments::unavoidable},
+                                  {"decided", "decided", &FailureMoments::decided},
                                   {"first touched", "first_touched", &FailureMoments::touched}};
 
 /// "prevents", "stays", or "unknown" if too many failures are left to decide.

@@ -210,7 +210,7 @@ ExitCode whyVerb(const Arguments& words) {
     const auto parsed = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
-    if (arguments.prove && !arguments.quiet)
+    if (arguments.prove && !arguments.quiet && arguments.failures)
         printNote("--prove is not needed: --failure CLASS:N proves its cause.\n");
     if (arguments.more && !arguments.asksSubject() && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--more: needs --point, --edge, --triangle or --failure");

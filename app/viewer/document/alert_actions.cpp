@@ -62,14 +62,14 @@ bool openOnVerdict(CommandContext& context) {
 }  // namespace
 
 std::string_view momentName(AlertMoment moment) {
-    constexpr std::array<std::string_view, 3> kNames{"created", "unavoidable", "first touched"};
+    constexpr std::array<std::string_view, 3> kNames{"created", "decided", "first touched"};
     return kNames[static_cast<std::size_t>(moment)];
 }
 
 const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment) {
     if (moment == AlertMoment::Created) return alert.moments.created;
     const bool touched = moment == AlertMoment::Touched;
-    return touched ? alert.moments.touched : alert.moments.unavoidable;
+    return touched ? alert.moments.touched : alert.moments.decided;
 }
 
 Selection subjectOf(const RunFailure& alert) {
@@ -366,7 +366,7 @@ void AlertsShown::chooseOfGallery() {
     const auto rate = [&](const RunFailure& each) {
         if (each.failure.kind->name != failing->failure) return 0;
         const auto address = addressFromString(failing->address);
-        if (toString(each.moments.unavoidable.event.address) == failing->address) return 3;
+        if (toString(each.moments.decided.event.address) == failing->address) return 3;
         return address && each.moments.created.event.address.pivot == address->pivot ? 2 : 1;
     };
     const auto best = std::max_element(

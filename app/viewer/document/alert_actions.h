@@ -14,10 +14,10 @@
 namespace se::view {
 
 /// The moments of an alert, as the panel lists them.
-enum class AlertMoment : std::uint8_t { Created, Unavoidable, Touched };
+enum class AlertMoment : std::uint8_t { Created, Decided, Touched };
 inline constexpr std::array<AlertMoment, 3> kAlertMoments{
-    AlertMoment::Created, AlertMoment::Unavoidable, AlertMoment::Touched};
-/// "created", "unavoidable", "first touched".
+    AlertMoment::Created, AlertMoment::Decided, AlertMoment::Touched};
+/// "created", "decided", "first touched".
 std::string_view momentName(AlertMoment moment);
 const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment);
 

@@ -116,8 +116,10 @@ void askWhySelected(CommandContext& c) {
     const bool compares = c.ui.layoutPreset == LayoutPreset::Compare;
     // What is selected with a fault stands for it.
     const RunFailure* alert = c.session.alerts().shown();
-    if (alert != nullptr && !compares && subjectOf(*alert) == selected) return askWhy(c, *alert);
-    if (selected.kind != SelectionKind::None) return askWhy(c, selected);
+    const bool nothing = selected.kind == SelectionKind::None;
+    if (alert != nullptr && !compares && (nothing || subjectOf(*alert) == selected))
+        return askWhy(c, *alert);
+    if (!nothing) return askWhy(c, selected);
     if (compares)
         return c.session.messages().say(
             "Select a point, an edge or a triangle to ask both runs about.");

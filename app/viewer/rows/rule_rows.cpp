@@ -85,10 +85,10 @@ std::string ruleHelp(const RuleRow& row) {
     if (!s.paper.empty()) {
         text += "\nSection " + std::string(s.section) + ": \xE2\x80\x9C" + std::string(s.paper) +
                 "\xE2\x80\x9D";
-        const std::string letter =
-            std::string(s.name) + "=" + valueText(s, s.printed.value_or(row.value));
-        text += row.value == s.printed ? "\nThis sentence is in force."
-                                       : "\nThis sentence is not in force; " + letter + " is.";
+        text += row.value == s.printed
+                    ? "\nThis sentence is in force."
+                    : "\nNot in force; --rule " + std::string(s.name) + "=" +
+                          valueText(s, s.printed.value_or(row.value)) + " sets it.";
     } else {
         text += s.beyondPaper ? "\nNot in the paper: docs/robust.md."
                               : "\nNot specified in the paper: docs/choices.md.";

@@ -172,7 +172,7 @@ std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
     if (!origins) return {};
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto origin = origins->find(finders[i].alone());
-        if (found[i] && origin != origins->end()) found[i]->unavoidable = origin->second;
+        if (found[i] && origin != origins->end()) found[i]->decided = origin->second;
     }
     return found;
 }

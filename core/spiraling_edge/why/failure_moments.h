@@ -15,13 +15,13 @@ namespace se {
 struct FailureMoments {
     /// The failure exists: its last triangle is made, or its point or ring is done.
     LedgerLine created;
-    LedgerLine unavoidable;  ///< The decision after which it was certain.
-    LedgerLine touched;      ///< The first event about its points.
+    LedgerLine decided;  ///< The last decision that it depends on, by the rules of momentsOf().
+    LedgerLine touched;  ///< The first event about its points.
 };
 
 /// Finds the moments by running again. `mesh` is the mesh of the run, and `failure` was found in
-/// it. Fails if the failure is not one of this mesh, or if cancelled. The decision that made a
-/// failure unavoidable is:
+/// it. Fails if the failure is not one of this mesh, or if cancelled. The last decision
+/// that a failure depends on is:
 /// - a faulty triangle: the last test in its pivot that took one of its corners, removed a
 ///   candidate between two of them, or made a triangle of the first and last point alone (§6.4);
 /// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of; if

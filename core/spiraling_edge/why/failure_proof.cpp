@@ -23,10 +23,14 @@ Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
         return std::any_of(known.begin(), known.end(),
                            [&](const MeshFailure& other) { return isSame(each, other); });
     };
+    // A wide loop, or a piece, differs by a point or two: that is no other answer.
+    constexpr std::size_t kMostPoints = 8;
+    const bool wide = failure.points.size() > kMostPoints || failure.kind->name == "inward_pieces";
     Effect effect = Effect::Changed;
     for (const MeshFailure& each : left) {
         if (isSame(each, failure)) return Effect::None;
-        if (isStillThere(failure, {each}) && !isKnown(each)) effect = Effect::Replaced;
+        if (isStillThere(failure, {each}) && !isKnown(each))
+            effect = wide ? Effect::None : std::min(effect, Effect::Replaced);
     }
     return effect;
 }
@@ -58,23 +62,33 @@ void addRefusals(const MeshFailure& loop, const SweptPivot& pivot, const Reading
     }
 }
 
+/// "lost point 7", "hole of points 6, 63 and 98", "opening of 64 points".
+std::string nameOf(const MeshFailure& failure) {
+    constexpr std::size_t kMostNamed = 4;
+    const std::vector<Index>& of = failure.points;
+    const std::string name(failure.kind->singular);
+    if (of.size() > kMostNamed) return name + " of " + counted(of.size(), "point");
+    if (of.size() == 1) return name + " " + std::to_string(of.front());
+    std::string text = name + " of points ";
+    for (std::size_t i = 0; i < of.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == of.size() ? " and " : ", ") + std::to_string(of[i]);
+    return text;
+}
+
 }  // namespace
 
 Ledger ledgerOf(const RunFailure& failure) {
     const FailureMoments& moments = failure.moments;
-    const std::vector<Index>& of = failure.failure.points;
-    Ledger ledger{.name = std::string(failure.failure.kind->singular) +
-                          (of.size() == 1 ? " " + std::to_string(of.front())
-                                          : " of " + counted(of.size(), "point")),
+    Ledger ledger{.name = nameOf(failure.failure),
                   .present = true,
-                  .where = "there",
-                  .lines = {moments.unavoidable, moments.touched, moments.created}};
-    ledger.words = describe(moments.unavoidable.event);
+                  .where = failure.failure.kind->find != nullptr ? "in the mesh" : "in the run",
+                  .lines = {moments.decided, moments.touched, moments.created}};
+    ledger.words = describe(moments.decided.event);
     sortLines(ledger);
-    if (editsMesh(moments.unavoidable.event)) ledger.provedBy = ProvedBy::Step;
+    if (editsMesh(moments.decided.event)) ledger.provedBy = ProvedBy::Step;
     ledger.answer = std::string(failure.failure.kind->meaning) +
-                    " Unavoidable after: " + ledger.words + " (" +
-                    toString(moments.unavoidable.event.address) + ")";
+                    " Last decided by: " + ledger.words + " (" +
+                    toString(moments.decided.event.address) + ")";
     return ledger;
 }
 
@@ -91,7 +105,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
         std::uint64_t steps = 0;
         const auto visit = [&](const SweptPivot& pivot) {
             ++steps;
-            if (failure.triangles.empty())
+            if (isLoop(failure) || failure.triangles.empty())
                 addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
         };
         if (!sweep(points, params, visit, partOf(progress, 0.0, kLinesShare)) ||

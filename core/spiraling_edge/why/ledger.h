@@ -53,10 +53,9 @@ std::string_view provedByName(ProvedBy by);
 
 /// The answer to a query about a subject, a failure or a ring.
 struct Ledger {
-    std::string name;      ///< "point 812", "hole of 4 points", "lost point 7", "ring #2 at
-                           ///< 137".
+    std::string name;      ///< "point 812", "hole of points 6, 63 and 98", "ring #2 at 137".
     bool present = false;  ///< In the mesh at the end of the run; a failure: true.
-    std::string_view where = "in the mesh";  ///< "there" of a failure.
+    std::string_view where = "in the mesh";  ///< "in the run" of a ring left over.
     std::vector<LedgerLine> lines = {};      ///< In the order of the run.
     /// Position of the deciding line: the one that made the subject, or the last that prevented it;
     /// where the answer is proved, the decision of its proof.
@@ -64,7 +63,7 @@ struct Ledger {
     std::size_t cause = 0;
     std::string words = {};   ///< One sentence: the cause.
     std::string answer = {};  ///< One or two sentences that end with the address of the cause.
-    /// By why() alone: Step and Preparation.
+    /// why() sets only Step and Preparation, provedWhy() also Inversion.
     ProvedBy provedBy = ProvedBy::Nothing;
     std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
 };

@@ -94,7 +94,7 @@ std::optional<FailureMoments> MomentFinder::found() const {
     if (!created_ || !touched_) return {};
     // A point that was never tested was lost with its last neighbor. Without any decision the
     // creation counts.
-    for (const auto& decision : {unavoidable_, alonePair_, outside_, deserted_}) {
+    for (const auto& decision : {decided_, alonePair_, outside_, deserted_}) {
         if (decision) return FailureMoments{*created_, *decision, *touched_};
     }
     return FailureMoments{*created_, *created_, *touched_};
@@ -113,7 +113,7 @@ void MomentFinder::addForPoint(const SharedLine& shared) {
     const LedgerLine& line = *shared;
     const Index p = testedPoint(line.event);
     if (p == kNone && mine(line.pivot) && line.role == LineRole::Refused)
-        (isFullTurn(line.event) ? alonePair_ : unavoidable_) = shared;
+        (isFullTurn(line.event) ? alonePair_ : decided_) = shared;
     const auto* ring = as<RingEvidence>(line.event);
     if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = shared;
     if (!mine(p)) return;
@@ -123,7 +123,7 @@ void MomentFinder::addForPoint(const SharedLine& shared) {
     if (line.role != LineRole::Refused || wasSettledBefore(line.event) || limit) return;
     const auto* drop = passedBy(line.event);
     const SharedLine move = drop != nullptr ? moveOver(*drop) : nullptr;
-    (liesOutside(line.event) ? outside_ : unavoidable_) = move ? move : shared;
+    (liesOutside(line.event) ? outside_ : decided_) = move ? move : shared;
 }
 
 /// The first move of start or end past the candidate; null if there is none.
@@ -149,7 +149,7 @@ void MomentFinder::addForRing(const SharedLine& shared) {
     if (!mine(line.pivot) || line.role != LineRole::Refused) return;
     // None: the whole fan was refused.
     if (tested == kNone || (!wasSettledBefore(line.event) && mine(tested)))
-        (liesOutside(line.event) ? outside_ : unavoidable_) = shared;
+        (liesOutside(line.event) ? outside_ : decided_) = shared;
 }
 
 /// Compares by number, and by corners where a step after the last pivot has replaced the triangle.
@@ -210,7 +210,7 @@ std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const 
 /// cross the second.
 void MomentFinder::addForTriangle(const SharedLine& line) {
     if (isRepair(line->event)) {
-        created_ = unavoidable_ = line;
+        created_ = decided_ = line;
         alone_ = kNone;
         return;
     }
@@ -222,8 +222,8 @@ void MomentFinder::addForTriangle(const SharedLine& line) {
     // Without a test of that edge it existed before, and was bound to get this triangle.
     if (const auto part = sharedOf(decisionForPart(emit->corners))) part_ = part;
     const SharedLine decision = part_ ? part_ : sharedOf(decisionFor(emit->corners));
-    unavoidable_ = decision ? decision : line;
-    alone_ = fillsHole(unavoidable_->event) ? emit->triangle : kNone;
+    decided_ = decision ? decision : line;
+    alone_ = fillsHole(decided_->event) ? emit->triangle : kNone;
 }
 
 }  // namespace se

@@ -66,7 +66,7 @@ class MomentFinder {
     std::vector<Index> points_;        ///< Of the failure and its triangles, ascending.
     std::vector<Index> watched_;  ///< `points_`; of a point in no triangle also those it lists.
     SharedLine created_;
-    SharedLine unavoidable_;
+    SharedLine decided_;
     SharedLine outside_;  ///< The last refusal of a point outside the sector.
     /// The pivot kept only one candidate, as the candidate's own list does.
     SharedLine alonePair_;

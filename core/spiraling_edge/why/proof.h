@@ -27,7 +27,7 @@ inline constexpr std::uint64_t kLeastProofSteps = 200'000;
 Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Subject& subject,
                          const ProofLimits& limits = {}, const Progress& progress = {});
 
-/// The moments of a failure as a ledger, whose cause is the decision that made it unavoidable. Not
+/// The moments of a failure as a ledger, whose cause is the last decision that it depends on. Not
 /// proved, except by a step after the last pivot.
 Ledger ledgerOf(const RunFailure& failure);
 

@@ -4,6 +4,7 @@
 #include "spiraling_edge/why/prover.h"
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
 #include <utility>
 
@@ -42,10 +43,9 @@ std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decisi
 }
 
 std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger) {
-    constexpr std::size_t kMost = 200;
     std::vector<Invertible> all;
     const LineRole direct = ledger.present ? LineRole::Taken : LineRole::Refused;
-    for (std::size_t i = ledger.lines.size(); i-- > 0 && all.size() < kMost;) {
+    for (std::size_t i = ledger.lines.size(); i-- > 0 && all.size() < kMostInvertible;) {
         const LedgerLine& line = ledger.lines[i];
         if (line.role != direct && line.role != LineRole::Indirect && i != ledger.cause) continue;
         const auto inverse = inverseOf(points, line);
@@ -90,9 +90,12 @@ class Prover {
 
     Result<Proof> run(std::uint64_t steps, const ProofLimits& limits) {
         if (all_.empty()) return Proof{};
+        const bool wasCut = all_.size() >= kMostInvertible;
         if (!lookAtPivots()) return Error{"Cancelled."};
         sortByPromise();
-        return runToEnds(steps, limits);
+        Result<Proof> proof = runToEnds(steps, limits);
+        if (proof && wasCut) proof.value().complete = false;
+        return proof;
     }
 
   private:
@@ -226,7 +229,9 @@ std::string wordsOf(const Ledger& ledger, const Proof& proof) {
 
 /// The end of an answer that is not proved.
 std::string doubtOf(const Proof& proof) {
-    if (proof.tried == 0) return " Not proved: no decision about it can be inverted.";
+    if (proof.tried == 0)
+        return proof.complete ? " Not proved: no decision about it can be inverted."
+                              : " Not proved: the first inversion ran too long.";
     const std::string count = counted(proof.tried, "inversion");
     return " Not proved: " + (proof.complete ? count : "the first " + count) +
            (proof.tried == 1 ? " does" : " do") + " not change it.";

@@ -27,8 +27,12 @@ struct Invertible {
     bool showsAtOnce = false;
 };
 
+/// The number of decisions of an answer that may be inverted.
+inline constexpr std::size_t kMostInvertible = 200;
+
 /// The decisions of a ledger that can be inverted: the cause, those that took a subject that is
-/// present or refused one that is absent, and the indirect ones; the latest first, 200 at most.
+/// present or refused one that is absent, and the indirect ones; the latest first,
+/// kMostInvertible at most.
 std::vector<Invertible> invertibleOf(const PointSet& points, const Ledger& ledger);
 
 /// The effect of an inversion on an answer.

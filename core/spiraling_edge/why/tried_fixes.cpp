@@ -101,10 +101,14 @@ class FixTrials {
         const auto compare = [&](std::string_view rules, const MeshVerdict& now,
                                  const MeshVerdict& then) {
             const bool fewer = hasFewerFaults(now, then);
+            const bool more = hasFewerFaults(then, now);
             helps = helps || fewer;
-            harms = harms || hasFewerFaults(then, now);
-            tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) + " " +
-                          (fewer && now.places > 0 && now.places == then.places ? "fewer " : "") +
+            harms = harms || more;
+            const bool asMany = now.places > 0 && now.places == then.places;
+            tried.text += (tried.text.empty() ? "by " : ", by ") + std::string(rules) +
+                          (asMany && fewer  ? " fewer "
+                           : asMany && more ? " more "
+                                            : " ") +
                           endOf(now) + " (before " + endOf(then) + ")";
         };
         compare("paper", after.value().paper, before_->paper);

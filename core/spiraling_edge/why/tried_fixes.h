@@ -13,8 +13,8 @@ inline constexpr std::size_t kManyForFixes = 20'000;
 /// Tries the commands of all findings, each command once, and sets Finding::tried. Points that are
 /// repaired or dropped are a new file, as the command writes it; so is each side judged by its own
 /// points. The runs are by `paper`, as run makes them, and by `robust`; the command with --best is
-/// tryChanges(). A fix helps if by one of them the mesh has faults at fewer places. Fails if
-/// cancelled. Deterministic.
+/// tryChanges(). A fix helps if by one of them the mesh has fewer faults, and by none more. Fails
+/// if cancelled. Deterministic.
 Status tryFixes(const PointFile& file, Diagnosis& diagnosis, const Progress& progress = {});
 
 }  // namespace se

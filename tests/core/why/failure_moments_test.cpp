@@ -34,7 +34,7 @@ bool leadsTo(const FailureScene& each) {
         if (failure.kind->name != each.failure) continue;
         const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
         const std::uint32_t pivot = addressFromString(each.address)->pivot;
-        const auto& at = moments.unavoidable.event.address;
+        const auto& at = moments.decided.event.address;
         if (toString(at) == each.address || at.pivot == pivot ||
             moments.created.event.address.pivot == pivot)
             return true;
@@ -51,7 +51,7 @@ TEST_CASE("moments: in the gallery they lead to the planted cause") {
     }
 }
 
-TEST_CASE("moments: touched first, then unavoidable, then created") {
+TEST_CASE("moments: touched first, then decided, then created") {
     for (const char* set : {"paper", "robust"}) {
         const Params params = *paramsByName(set);
         for (const FailureScene& each : failureScenes()) {
@@ -65,8 +65,8 @@ TEST_CASE("moments: touched first, then unavoidable, then created") {
                 CAPTURE(describe(failure));
                 const FailureMoments moments = momentsIn(points, params, failure, run.state.mesh());
                 const auto pivot = [](const LedgerLine& line) { return line.event.address.pivot; };
-                CHECK(pivot(moments.touched) <= pivot(moments.unavoidable));
-                CHECK(pivot(moments.unavoidable) <= pivot(moments.created));
+                CHECK(pivot(moments.touched) <= pivot(moments.decided));
+                CHECK(pivot(moments.decided) <= pivot(moments.created));
             }
         }
     }
@@ -81,8 +81,8 @@ TEST_CASE("moments: the hole of four was made by the point that was kept behind 
         if (failure.kind->name != each.failure || failure.triangles.back() != 196) continue;
         const FailureMoments moments = momentsIn(points, paper(), failure, run.state.mesh());
         CHECK(toString(moments.created.event.address) == "54.emit.1");
-        CHECK(toString(moments.unavoidable.event.address) == each.address);
-        CHECK(testedPoint(moments.unavoidable.event) == 63);
+        CHECK(toString(moments.decided.event.address) == each.address);
+        CHECK(testedPoint(moments.decided.event) == 63);
     }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("moments: all failures at once have the moments that each has alone") 
                 const FailureMoments alone =
                     momentsIn(points, paper(), inMesh[next], run.state.mesh());
                 CHECK(same(each.moments.created, alone.created));
-                CHECK(same(each.moments.unavoidable, alone.unavoidable));
+                CHECK(same(each.moments.decided, alone.decided));
                 CHECK(same(each.moments.touched, alone.touched));
             }
             ++next;
@@ -194,7 +194,7 @@ TEST_CASE("moments: a point that no test ever saw was lost with the last of its 
         return each.failure.points == std::vector<Index>{lone};
     });
     REQUIRE(lost != all.value().end());
-    const auto* ring = std::get_if<RingEvidence>(&lost->moments.unavoidable.event.evidence);
+    const auto* ring = std::get_if<RingEvidence>(&lost->moments.decided.event.evidence);
     REQUIRE(ring != nullptr);
     CHECK(ring->status < 0);
     CHECK(std::find(mine.begin(), mine.end(), ring->point) != mine.end());
@@ -213,7 +213,7 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
                 continue;
             CAPTURE(describe(failure.failure));
             CHECK_FALSE(
-                std::holds_alternative<EmitEvidence>(failure.moments.unavoidable.event.evidence));
+                std::holds_alternative<EmitEvidence>(failure.moments.decided.event.evidence));
         }
     }
 }
@@ -293,8 +293,8 @@ TEST_CASE("moments: a run that was counted while it was made has the failures of
         REQUIRE(made.failures.size() == again.failures.size());
         for (std::size_t i = 0; i < made.failures.size(); ++i) {
             CHECK(made.failures[i].failure.points == again.failures[i].failure.points);
-            CHECK((made.failures[i].moments.unavoidable.event.address ==
-                   again.failures[i].moments.unavoidable.event.address));
+            CHECK((made.failures[i].moments.decided.event.address ==
+                   again.failures[i].moments.decided.event.address));
         }
         const RunFailureSearch atEnd = failuresAtEnd(points, counts, mesh);
         CHECK(atEnd.failures.empty());

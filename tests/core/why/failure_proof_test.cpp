@@ -95,7 +95,7 @@ TEST_CASE("failure proof: a fault that a step after the last pivot made is prove
             const Ledger ledger = proved(points, robust(), found, failure);
             // A lost point may have been made, and removed by such a step.
             if (failure.failure.triangles.empty()) continue;
-            const bool made = editsMesh(failure.moments.unavoidable.event);
+            const bool made = editsMesh(failure.moments.decided.event);
             CHECK((ledger.provedBy == ProvedBy::Step) == made);
             steps += made ? 1 : 0;
         }
@@ -119,8 +119,8 @@ TEST_CASE("inverse: the hole of four takes the point beyond it at every test") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     for (const RunFailure& each : failuresIn(points, paper()).failures) {
         if (each.failure.kind->name != "intersecting_triangles") continue;
-        CHECK(toString(each.moments.unavoidable.event.address) == "54.sphere.1");
-        const auto inverse = inverseOf(points, each.moments.unavoidable);
+        CHECK(toString(each.moments.decided.event.address) == "54.sphere.1");
+        const auto inverse = inverseOf(points, each.moments.decided);
         REQUIRE(inverse.has_value());
         CHECK(lineOf(*inverse) == "54.sphere drop 63");
     }

@@ -177,7 +177,7 @@ TEST_CASE("ledger: a point that no later fan could hold fell at its own test") {
     CHECK(causeOf(points, Subject::edge(0, 7)) == "1.sort.8");
     const RunFailure failure = failureAt(points, "lost_points", {7});
     CHECK(toString(failure.moments.touched.event.address) == "1.sort.7");
-    CHECK(toString(failure.moments.unavoidable.event.address) == "1.sort.8");
+    CHECK(toString(failure.moments.decided.event.address) == "1.sort.8");
     CHECK(failure.moments.created.event.address.stage == Stage::Strand);
 }
 
@@ -395,7 +395,7 @@ TEST_CASE("ledger: a third point of a wall fell with the fan that it was inserte
     CHECK(causeOf(points, Subject::point(2)) == "1.twopoint.1");
     // Start and end looked at each other's point: that refuses nothing.
     const RunFailure failure = failureAt(points, "isolated_points", {2});
-    CHECK_FALSE(std::holds_alternative<LimitEvidence>(failure.moments.unavoidable.event.evidence));
+    CHECK_FALSE(std::holds_alternative<LimitEvidence>(failure.moments.decided.event.evidence));
 }
 
 TEST_CASE("moments: a point that start or end moved past fell with the first move that passed it") {
@@ -412,7 +412,7 @@ TEST_CASE("moments: a point that start or end moved past fell with the first mov
         REQUIRE(all.ok());
         for (const RunFailure& each : all.value()) {
             if (each.failure.kind->name != "lost_points") continue;
-            const Event& cause = each.moments.unavoidable.event;
+            const Event& cause = each.moments.decided.event;
             const auto* dropped = std::get_if<DropEvidence>(&cause.evidence);
             CHECK_FALSE((dropped != nullptr && dropped->verdict == Verdict::Outside));
             const auto* move = std::get_if<LimitEvidence>(&cause.evidence);

@@ -53,7 +53,7 @@ class Followed {
     }
 
     std::string created() const { return toString(moments().created.event.address); }
-    std::string unavoidable() const { return toString(moments().unavoidable.event.address); }
+    std::string decided() const { return toString(moments().decided.event.address); }
     Index alone() const { return finder_->alone(); }
 
   private:
@@ -97,7 +97,7 @@ TEST_CASE("moment finder: a point was lost at its last test, not where it was fo
     lost.add("1.sort.2", 0, sorted(4, Verdict::SameAngle));
     lost.add("2.strand.1", kNone, stranded(4));
     lost.add("3.sort.1", 5, sorted(4, Verdict::AlreadyDone));
-    CHECK(lost.unavoidable() == "1.sort.2");
+    CHECK(lost.decided() == "1.sort.2");
     CHECK(lost.created() == "2.strand.1");
 }
 
@@ -106,20 +106,20 @@ TEST_CASE("moment finder: a full turn of the point itself counts only where no t
     refused.add("1.sort.1", 0, sorted(4, Verdict::SameAngle));
     refused.add("2.twopoint.1", 4, fanOfTwo(360.0, Verdict::Discarded));
     refused.add("3.done.1", 5, offRing(4));
-    CHECK(refused.unavoidable() == "1.sort.1");
+    CHECK(refused.decided() == "1.sort.1");
 
     Followed alone("lost_points", {4});
     alone.add("2.seed.1", kNone, SeedEvidence{4, 5, 1.0});
     alone.add("2.twopoint.1", 4, fanOfTwo(360.0, Verdict::Discarded));
     alone.add("3.done.1", 5, offRing(4));
-    CHECK(alone.unavoidable() == "2.twopoint.1");
+    CHECK(alone.decided() == "2.twopoint.1");
 
     // A fan of its own over 180 degrees is a refusal like any other.
     Followed wide("lost_points", {4});
     wide.add("1.sort.1", 0, sorted(4, Verdict::SameAngle));
     wide.add("2.twopoint.1", 4, fanOfTwo(200.0, Verdict::Discarded));
     wide.add("3.done.1", 5, offRing(4));
-    CHECK(wide.unavoidable() == "2.twopoint.1");
+    CHECK(wide.decided() == "2.twopoint.1");
 }
 
 TEST_CASE("moment finder: a point that no test saw was lost with the last neighbor before it") {
@@ -127,7 +127,7 @@ TEST_CASE("moment finder: a point that no test saw was lost with the last neighb
     lost.add("1.ring.1", 0, offRing(5));
     lost.add("2.strand.1", kNone, stranded(4));
     lost.add("3.ring.1", 0, offRing(6));
-    CHECK(lost.unavoidable() == "1.ring.1");
+    CHECK(lost.decided() == "1.ring.1");
     CHECK(lost.created() == "2.strand.1");
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("moment finder: a ring was lost at the last fan refused on it before i
     ring.addFreed("3.done.4", 2, FreeEvidence{3, 3});
     // One of its points has another entry, on a ring that is still there.
     ring.add("4.twopoint.1", 3, fanOfTwo(200.0, Verdict::Discarded));
-    CHECK(ring.unavoidable() == "3.twopoint.1");
+    CHECK(ring.decided() == "3.twopoint.1");
     CHECK(ring.created() == "3.done.4");
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("moment finder: a hole exists once the last of its points is DONE") {
     hole.add("3.done.3", 4, offRing(1));
     hole.add("3.done.4", 4, offRing(3));
     CHECK(hole.created() == "3.done.4");
-    CHECK(hole.unavoidable() == "2.twopoint.1");
+    CHECK(hole.decided() == "2.twopoint.1");
 }
 
 // ---- triangles ----------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ TEST_CASE("moment finder: a faulty triangle that a flip made has the flip as its
     flipped.add("1.emit.1", 1, emitted(0, {1, 2, 5}));
     flipped.add("2.flip.1", kNone, FlipEvidence{1, 5, 2, 3, true});
     CHECK(flipped.created() == "2.flip.1");
-    CHECK(flipped.unavoidable() == "2.flip.1");
+    CHECK(flipped.decided() == "2.flip.1");
 }
 
 TEST_CASE("moment finder: a triangle comes from tests of its own pivot alone") {
@@ -174,7 +174,7 @@ TEST_CASE("moment finder: a triangle comes from tests of its own pivot alone") {
     filled.add("2.twopoint.1", 1, fanOfTwo(100.0, Verdict::Hole));
     filled.add("2.emit.1", 1, emitted(0, {1, 2, 3}));
     CHECK(filled.created() == "2.emit.1");
-    CHECK(filled.unavoidable() == "2.twopoint.1");
+    CHECK(filled.decided() == "2.twopoint.1");
     CHECK(filled.alone() == 0);
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("moment finder: the third triangle at an edge comes from the test of t
     edge.add("3.sort.2", 1, sorted(5, Verdict::Kept));
     edge.add("3.emit.1", 1, emitted(2, {1, 2, 5}));
     CHECK(edge.created() == "3.emit.1");
-    CHECK(edge.unavoidable() == "3.sort.1");
+    CHECK(edge.decided() == "3.sort.1");
 }
 
 TEST_CASE("moment finder: an edge is inconsistent with the second triangle in one direction") {

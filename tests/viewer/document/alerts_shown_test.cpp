@@ -603,7 +603,7 @@ TEST_CASE("Why of the fault that is shown is its own story, not that of a point 
         };
         if (isLostPoint(failure.failure)) continue;
         CHECK(at(failure.moments.touched));
-        CHECK(at(failure.moments.unavoidable));
+        CHECK(at(failure.moments.decided));
         CHECK(at(failure.moments.created));
     }
 }

@@ -34,7 +34,7 @@ TEST_CASE("Alerts: clicks lead to the moments of one, and F8 frames its place") 
     app.reach("region column", "alert created");
     CHECK(app.address().starts_with("54.emit."));
     CHECK_FALSE(app.session.noticedHere().empty());
-    app.reach("region column", "alert unavoidable");
+    app.reach("region column", "alert decided");
     CHECK(app.address() == "54.sphere.1");
     app.reach("region column", "alert first touched");
     CHECK(app.session.record().pivot < 80);

@@ -97,7 +97,8 @@ TEST_CASE("The help of a rule says whether the sentence that it quotes is in for
     };
     RunSpec printed;
     printed.rules = "printed";
-    CHECK(help({}, "instance").find("not in force; instance=first is.") != std::string::npos);
+    CHECK(help({}, "instance").find("Not in force; --rule instance=first sets it.") !=
+          std::string::npos);
     CHECK(help(printed, "instance").find("is in force.") != std::string::npos);
     CHECK(help({}, "twopoint").find("is in force.") != std::string::npos);
     CHECK(help({}, "sameangle").find("in force") == std::string::npos);

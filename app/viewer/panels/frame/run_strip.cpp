@@ -261,7 +261,7 @@ void drawNoticed(RunStrip& strip) {
     const RunFailure* alert = session.alerts().shown();
     if (alert == nullptr) return;
     const FailureMoments& moments = alert->moments;
-    for (const LedgerLine* line : {&moments.created, &moments.unavoidable, &moments.touched}) {
+    for (const LedgerLine* line : {&moments.created, &moments.decided, &moments.touched}) {
         const float x = std::round(strip.xOf(line->event.address.pivot));
         if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
         const bool created = line == &moments.created;
