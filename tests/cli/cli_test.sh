@@ -1471,7 +1471,7 @@ why_finds_decisions() {
     expect 0 why scene:torus --find "stage=sphere kept" --json
     [ "$(number total out)" -gt 100 ] || fail "too few: $(head -3 out)"
     expect 0 why scene:four-edge-hole --failure intersecting_triangles
-    says out "unavoidable      54.sphere.1 "
+    says out "decided          54.sphere.1 "
     says out "would not be with this decision inverted: "
     says out 'Inverted: --what-if "54.sphere drop 63"'
     expect 0 why scene:four-edge-hole --failure lost_points --json

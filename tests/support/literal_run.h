@@ -1,5 +1,5 @@
 /// The paper's algorithm once more, from its sentences alone: plain loops, no code of the library
-/// beyond points, types, normals and neighbor lists. What the set `printed` is compared with.
+/// beyond points, types, normals and neighbor lists. The reference for the set `printed`.
 #pragma once
 
 #include <cstddef>

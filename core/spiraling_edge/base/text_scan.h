@@ -186,12 +186,12 @@ inline bool parseInteger(std::string_view field, std::int64_t& value) {
 
 namespace se {
 
-/// All of `text` as one number; empty if it is none, or beyond the range of `Number`.
+/// All of `text` as one finite number; empty if it is none, or beyond the range of `Number`.
 template <typename Number>
 std::optional<Number> numberIn(std::string_view text) {
     Number number{};
     if constexpr (std::is_floating_point_v<Number>) {
-        if (!io::parseDouble(text, number)) return std::nullopt;
+        if (!io::parseDouble(text, number) || !std::isfinite(number)) return std::nullopt;
     } else {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;

@@ -64,7 +64,7 @@ Steps gridOf(const ExaminedFile& examined, double least) {
 }
 
 /// True if the points fill a grid of these steps: no two in one cell, and the nearest in the next.
-/// What was rounded in one axis alone is not in steps along the others.
+/// Points rounded in one axis alone have no steps along the others.
 bool isRegular(const ExaminedFile& examined, const Steps& steps) {
     constexpr double kNext = 1.5;
     const auto cellOf = [&](Index p) {

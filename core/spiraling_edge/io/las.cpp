@@ -60,7 +60,7 @@ class LasReader : FirstProblem {
         keep("classification", ScalarType::UInt8, layout().classAt);
         maskClasses();
         keepColors();
-        file_.notes.emplace_back("left out: returns, scan angles and what else records hold");
+        file_.notes.emplace_back("left out: returns, scan angles and the other fields of a record");
         return std::move(file_);
     }
 

@@ -49,7 +49,7 @@ class PtxReader : LineByLine {
             if (!readHeader() || !readRows()) return problem_;
             ++scans_;
         }
-        if (scans_ == 1) file_.viewpoint = scanner_;
+        if (scans_ == 1 && isFinite(scanner_)) file_.viewpoint = scanner_;
         file_.notes.push_back(std::to_string(scans_) + (scans_ == 1 ? " scan" : " scans") +
                               "; places without a return (0 0 0) are not numbers here");
         if (!file_.position.empty()) addColumns();

@@ -66,6 +66,7 @@ std::optional<Vec3> shiftIn(std::string_view header) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!parseDouble(fields.next(), shift[axis])) return {};
     }
+    if (!isFinite(shift)) return {};
     return shift;
 }
 
