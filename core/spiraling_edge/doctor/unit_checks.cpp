@@ -75,7 +75,7 @@ std::pair<double, double> metersPerDegree(double latitude) {
 }
 
 /// x and y as degrees, if they can be, in each of both orders: longitude first.
-std::vector<UnitScale> degreesOf(const InputFacts& facts) {
+std::vector<UnitScale> degreeScalesOf(const InputFacts& facts) {
     std::vector<UnitScale> orders;
     const auto isWithin = [&](int axis, double most) {
         return facts.low[axis] >= -most && facts.high[axis] <= most;
@@ -125,7 +125,8 @@ std::optional<UnitScale> scaleOf(const ExaminedFile& examined) {
     const InputFacts& facts = examined.intake.judge->facts;
     const Vec3 extent = facts.extent();
     const int longest = extent.x > std::max(extent.y, extent.z) ? 0 : extent.y > extent.z ? 1 : 2;
-    std::vector<UnitScale> degrees = longest == 2 ? degreesOf(facts) : std::vector<UnitScale>{};
+    std::vector<UnitScale> degrees =
+        longest == 2 ? degreeScalesOf(facts) : std::vector<UnitScale>{};
     std::erase_if(degrees, [&](UnitScale& each) { return !judge(each); });
     UnitScale thousandth = thousandthOf(longest);
     const bool thousandthFits = judge(thousandth);

@@ -20,7 +20,7 @@ double sizeOf(const WatchedRun& run, Index) {
     return static_cast<double>((run.state.*list).size());
 }
 template <std::uint32_t Counters::*counter>
-double counted(const WatchedRun& run, Index) {
+double counterOf(const WatchedRun& run, Index) {
     return run.state.counters.*counter;
 }
 
@@ -53,19 +53,19 @@ constexpr WatchTerm kWatchTerms[] = {
     {"circuit", "Pivots since the last triangle.",
      [](const WatchedRun& run, Index) { return static_cast<double>(run.state.circuit); }},
     {"alerts", "Rings with points in them, or seeds, that were given up.", sizeOf<&State::alerts>},
-    {"skipped", "Boundary points passed over.", counted<&Counters::skipped>},
-    {"seeds", "Rings that were begun.", counted<&Counters::seeds>},
-    {"inserted", "Third boundary points that led to triangles.", counted<&Counters::inserted>},
-    {"discarded", "Two-point rings over 180 degrees.", counted<&Counters::discarded>},
-    {"refused_fans", "Fans that a rule beyond the paper refused.", counted<&Counters::refused>},
-    {"stranded", "Stranded points.", counted<&Counters::stranded>},
-    {"splits", "Splits.", counted<&Counters::splits>},
-    {"joins", "Joins.", counted<&Counters::joins>},
-    {"closed", "Rings that were closed.", counted<&Counters::closedRings>},
-    {"freed", "Rings that were freed.", counted<&Counters::freedRings>},
+    {"skipped", "Boundary points passed over.", counterOf<&Counters::skipped>},
+    {"seeds", "Rings that were begun.", counterOf<&Counters::seeds>},
+    {"inserted", "Third boundary points that led to triangles.", counterOf<&Counters::inserted>},
+    {"discarded", "Two-point rings over 180 degrees.", counterOf<&Counters::discarded>},
+    {"refused_fans", "Fans that a rule beyond the paper refused.", counterOf<&Counters::refused>},
+    {"stranded", "Stranded points.", counterOf<&Counters::stranded>},
+    {"splits", "Splits.", counterOf<&Counters::splits>},
+    {"joins", "Joins.", counterOf<&Counters::joins>},
+    {"closed", "Rings that were closed.", counterOf<&Counters::closedRings>},
+    {"freed", "Rings that were freed.", counterOf<&Counters::freedRings>},
     {"failed_seeds", "Seeds without a triangle whose points are UNUSED again.",
-     counted<&Counters::failedSeeds>},
-    {"holes", "Freed rings with interior points.", counted<&Counters::holes>},
+     counterOf<&Counters::failedSeeds>},
+    {"holes", "Freed rings with interior points.", counterOf<&Counters::holes>},
 };
 
 std::string allForms() {

@@ -58,7 +58,7 @@ void addRefusals(const MeshFailure& loop, const SweptPivot& pivot, const Reading
         if (!isAgainst(outcomeOf(event)) || (tested != kNone && !mine(tested))) continue;
         LedgerLine line = lineOf(event, context);
         line.role = LineRole::Indirect;
-        lines.push_back(std::move(line));
+        lines.push_back(line);
     }
 }
 
