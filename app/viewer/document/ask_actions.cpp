@@ -64,6 +64,7 @@ void askWhy(CommandContext& c, const RingAddress& ring) {
 }
 
 void askWhy(CommandContext& c, const RunFailure& failure) {
+    c.session.select(subjectOf(failure));
     showLedger(c);
     askInBackground(c, failure);
 }

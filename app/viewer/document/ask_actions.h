@@ -20,7 +20,7 @@ namespace se::view {
 void askWhy(CommandContext& context, const Selection& what);
 /// Queries why a ring is there.
 void askWhy(CommandContext& context, const RingAddress& ring);
-/// Queries why a failure is there.
+/// Selects what stands for a failure and queries why it is there.
 void askWhy(CommandContext& context, const RunFailure& failure);
 /// The same query, unless it is the last one; the panel Ledger is not shown.
 void askInBackground(CommandContext& context, const RunFailure& failure);
