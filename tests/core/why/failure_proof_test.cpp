@@ -92,7 +92,8 @@ TEST_CASE("failure proof: a fault that a step after the last pivot made is prove
         const PointSet points = prepared(each.scene.build());
         const RunFailureSearch found = failuresIn(points, robust());
         for (const RunFailure& failure : sampleOf(found, 2)) {
-            const Ledger ledger = proved(points, robust(), found, failure);
+            const ProofLimits few{2, 0.5};
+            const Ledger ledger = provedWhy(points, robust(), failure, found.all, few).value();
             // A lost point may have been made, and removed by such a step.
             if (failure.failure.triangles.empty()) continue;
             const bool made = editsMesh(failure.moments.decided.event);
