@@ -99,7 +99,7 @@ void Questions::askAgain() {
 }
 
 bool Questions::isAbout(const MeshFailure& failure) const {
-    return failure_ && failure_->kind == failure.kind && failure_->points == failure.points &&
+    return failure_ && isSame(*failure_, failure) &&
            (ledger_.busy() || ledger_.answer() != nullptr);
 }
 

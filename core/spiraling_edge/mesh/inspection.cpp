@@ -597,6 +597,10 @@ bool isLoop(const MeshFailure& failure) {
     return failure.kind->find == loopsOf<false> || failure.kind->find == loopsOf<true>;
 }
 
+bool isSame(const MeshFailure& a, const MeshFailure& b) {
+    return a.kind == b.kind && a.points == b.points;
+}
+
 bool isLostPoint(const MeshFailure& failure) {
     return failure.kind->find != nullptr && failure.triangles.empty() && failure.points.size() == 1;
 }

@@ -106,6 +106,8 @@ MeshInspection inspectLocally(const PointSet& points, std::span<const Triangle> 
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);
 /// True for a boundary loop, be it a hole or an opening.
 bool isLoop(const MeshFailure& failure);
+/// True for failures of one class with the same points.
+bool isSame(const MeshFailure& a, const MeshFailure& b);
 /// True for one point in no triangle.
 bool isLostPoint(const MeshFailure& failure);
 /// Of a loop, LoopShape::width().

@@ -12,11 +12,7 @@
 namespace se {
 namespace {
 
-bool isSame(const MeshFailure& a, const MeshFailure& b) {
-    return a.kind == b.kind && a.points == b.points;
-}
-
-/// What the failure becomes: None while it is there, Replaced by a new one in its place.
+/// The effect on a failure: None while it is there, Replaced by a new one in its place.
 Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
                 const std::vector<MeshFailure>& left) {
     const auto isKnown = [&](const MeshFailure& each) {
@@ -35,7 +31,7 @@ Effect effectOn(const MeshFailure& failure, std::span<const MeshFailure> known,
     return effect;
 }
 
-/// What the failure becomes in the mesh of a run. Undecided counts as unchanged.
+/// The effect on it in the mesh of a run. Undecided counts as unchanged.
 Effect effectAtEnd(const PointSet& points, const MeshFailure& failure,
                    std::span<const MeshFailure> known, const State& end,
                    const LeftOverRings& rings) {
@@ -98,7 +94,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
     const MeshFailure& failure = asked.failure;
     if (isLostPoint(failure))
         return provedWhy(points, params, Subject::point(failure.points.front()), limits, progress);
-    constexpr double kLinesShare = 0.3;
+    constexpr double kLinesShare = 0.6;
     Ledger ledger = ledgerOf(asked);
     Proof proof;
     if (ledger.provedBy == ProvedBy::Nothing) {
@@ -108,18 +104,16 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
             if (isLoop(failure) || failure.triangles.empty())
                 addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
         };
-        if (!sweep(points, params, visit, partOf(progress, 0.0, kLinesShare)) ||
-            !addMakings(points, params, asked.corners, ledger,
-                        partOf(progress, kLinesShare, 2.0 * kLinesShare)))
+        if (!addMakings(points, params, asked.corners, visit, ledger,
+                        partOf(progress, 0.0, kLinesShare)))
             return Error{"Cancelled."};
-        sortLines(ledger);
         LeftOverRings rings;
         const bool ofRun = failure.kind->find == nullptr;
         const ProofAim aim{{}, ofRun ? &rings : nullptr, [&](const State& end) {
                                return effectAtEnd(points, failure, known, end, rings);
                            }};
         Result<Proof> found = prove(points, params, ledger, aim, invertibleOf(points, ledger),
-                                    steps, limits, partOf(progress, 2.0 * kLinesShare, 1.0));
+                                    steps, limits, partOf(progress, kLinesShare, 1.0));
         if (!found) return found.error();
         proof = std::move(found.value());
     }

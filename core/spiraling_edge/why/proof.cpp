@@ -103,7 +103,7 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     if (ledger.provedBy == ProvedBy::Nothing) {
         std::vector<Triangle> rivals;
         if (!ledger.present) rivals = rivalsOf(points, params, subject, end->triangles);
-        if (!addMakings(points, params, rivals, ledger,
+        if (!addMakings(points, params, rivals, {}, ledger,
                         partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
             return Error{"Cancelled."};
         ProofAim aim;

@@ -267,8 +267,8 @@ void settle(Ledger& ledger, const Proof& proof) {
 }
 
 bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
-                Ledger& ledger, const Progress& progress) {
-    if (made.empty()) return true;
+                const PivotVisitor& also, Ledger& ledger, const Progress& progress) {
+    if (made.empty() && !also) return true;
     std::vector<Question<Ledger>> asked;
     asked.reserve(made.size());
     for (const Triangle& t : made)
@@ -277,6 +277,7 @@ bool addMakings(const PointSet& points, const Params& params, std::span<const Tr
         points, params,
         [&](const SweptPivot& pivot) {
             for (const Question<Ledger>& each : asked) each.visit(pivot);
+            if (also) also(pivot);
         },
         progress);
     if (!end) return false;

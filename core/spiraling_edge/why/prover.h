@@ -72,9 +72,10 @@ Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& 
 void settle(Ledger& ledger, const Proof& proof);
 
 /// Adds to a ledger, as indirect lines in their order, the tests that made these triangles: those
-/// that took their corners or made way for them. A run. False if cancelled.
+/// that took their corners or made way for them. `also`, which may be empty, gets the pivots of
+/// that run as well. A run, or none without triangles and `also`. False if cancelled.
 bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,
-                Ledger& ledger, const Progress& progress);
+                const PivotVisitor& also, Ledger& ledger, const Progress& progress);
 
 /// Puts the lines of a ledger into the order of their addresses, each once; the cause stays.
 void sortLines(Ledger& ledger);

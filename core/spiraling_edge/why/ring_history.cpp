@@ -94,7 +94,7 @@ class RingFinder {
         }
         RingHistory history{{.name = nameOf(ring_), .present = true, .lines = lines_}, *length_};
         history.cause = lines_.size() - 1;
-        std::string name = nameOf(ring_);
+        std::string name = history.name;
         name[0] = static_cast<char>(name[0] - 'a' + 'A');
         const Event& cause = lines_.back().event;
         history.answer = name + " has " + std::to_string(*length_) + " points. " + describe(cause) +
