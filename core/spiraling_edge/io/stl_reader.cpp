@@ -85,6 +85,7 @@ Result<PointFile> readBinary(std::string_view bytes, const std::string& name) {
     }
     const std::optional<Vec3> shift = shiftIn(bytes.substr(0, 80));
     Soup soup;
+    bool hasAttributes = false;  // Of two bytes, in which some programs write a color.
     for (std::size_t t = 0; t < count; ++t) {
         const char* at = bytes.data() + kHeader + t * kTriangle;
         std::array<Vec3, 4> vectors{};
@@ -96,10 +97,12 @@ Result<PointFile> readBinary(std::string_view bytes, const std::string& name) {
             for (std::size_t corner = 1; corner < 4; ++corner) vectors[corner] += *shift;
         }
         soup.add({vectors[1], vectors[2], vectors[3]}, vectors[0]);
+        hasAttributes = hasAttributes || at[0] != 0 || at[1] != 0;
     }
     if (soup.empty()) return Error{name + ": holds no triangles"};
     PointFile file = soup.take(shift ? ScalarType::Double : ScalarType::Float);
     if (shift) file.notes.emplace_back("the shift that the header names is added");
+    if (hasAttributes) file.notes.emplace_back("left out: colors or other attributes of triangles");
     return file;
 }
 

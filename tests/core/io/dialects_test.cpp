@@ -278,6 +278,12 @@ TEST_CASE("STL: corners at one place are one point, in text and binary") {
     REQUIRE(read.ok());
     CHECK(read.value().faces == std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}});
     CHECK(glm::distance(read.value().position[3], cube.position[3]) < 1e-6);
+
+    const std::string leftOut = "left out: colors or other attributes of triangles";
+    std::string bytes = bytesOf(folder / "far.stl");
+    CHECK_FALSE(contains(mustRead(bytes).notes.back(), leftOut));
+    bytes.back() = '\x80';  // Of the attribute of the last triangle.
+    CHECK(mustRead(bytes).notes.back() == leftOut);
 }
 
 TEST_CASE("LAS: positions by scale and offset, intensity, class and color") {
