@@ -1,7 +1,6 @@
 #include "forms.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -225,9 +224,7 @@ Result<RunSpec> PrepareForm::spec(RunSpec base) const {
     for (const auto& [field, text] : values()) {
         const Status set = setField(*field, base, text);
         if (set) continue;
-        std::string name(field->key);
-        name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-        return Error{name + ": " + set.error().message + "."};
+        return Error{capitalized(std::string(field->key)) + ": " + set.error().message + "."};
     }
     if (walls == WallChoice::From::Box) {
         const Result<WallBox> six = boxFromFields(box);

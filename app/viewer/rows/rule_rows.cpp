@@ -5,6 +5,7 @@
 
 #include "run/strings.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 
 namespace se::view {
 
@@ -72,10 +73,7 @@ std::size_t differingCount(const RunSpec& rules) {
 }
 
 std::string ruleSentence(const RuleRow& row) {
-    std::string text(row.setting->summary);
-    if (!text.empty())
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text + ".";
+    return capitalized(std::string(row.setting->summary)) + ".";
 }
 
 std::string ruleHelp(const RuleRow& row) {

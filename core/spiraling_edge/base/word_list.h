@@ -20,6 +20,13 @@ std::string nearestName(const Rows& rows, std::string_view word) {
     return std::string(nearestWord(names, word));
 }
 
+/// The words as the beginning of a sentence: with a capital letter first.
+inline std::string capitalized(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// "PLY, OBJ or OFF" of three words and "or"; with commas alone if `conjunction` is empty.
 template <typename Words>
 std::string wordList(const Words& words, std::string_view conjunction) {

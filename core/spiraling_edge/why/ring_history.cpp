@@ -7,6 +7,7 @@
 #include <map>
 
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/ring_lanes.h"
 #include "spiraling_edge/run/sweep.h"
@@ -94,11 +95,9 @@ class RingFinder {
         }
         RingHistory history{{.name = nameOf(ring_), .present = true, .lines = lines_}, *length_};
         history.cause = lines_.size() - 1;
-        std::string name = history.name;
-        name[0] = static_cast<char>(name[0] - 'a' + 'A');
         const Event& cause = lines_.back().event;
-        history.answer = name + " has " + std::to_string(*length_) + " points. " + describe(cause) +
-                         " (" + toString(cause.address) + ")";
+        history.answer = capitalized(history.name) + " has " + std::to_string(*length_) +
+                         " points. " + describe(cause) + " (" + toString(cause.address) + ")";
         return history;
     }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/prepare/piece.h"
 #include "spiraling_edge/why/trial.h"
 

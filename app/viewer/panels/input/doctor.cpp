@@ -14,17 +14,11 @@
 #include "scene/framing.h"
 #include "session/session.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/word_list.h"
 
 namespace se::view {
 
 namespace {
-
-/// A text that begins a line, with its capital and its period.
-std::string sentenceOf(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-        text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text + ".";
-}
 
 Color severityColor(const PanelContext& context, Severity severity) {
     if (severity == Severity::Error) return context.palette.rejected;
@@ -160,7 +154,7 @@ void drawFacts(const PanelContext& context) {
     rows.insert(rows.end(), file.notes.begin(), file.notes.end());
     for (const std::string& row : rows) {
         if (row.empty()) continue;
-        dimText(sentenceOf(row));
+        dimText(capitalized(row) + ".");
         nameItem(context, "fact " + row);
     }
 }
@@ -187,7 +181,7 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
              : !finding.points.empty() ? "Mark these points in the view, and frame them"
              : !finding.lines.empty()  ? "Show it in the view, by lines at some of the points"
                                        : "About the file as a whole");
-    wrappedText(sentenceOf(finding.text));
+    wrappedText(capitalized(finding.text) + ".");
     if (shown) {
         const std::string marked = markedText(session, finding);
         if (!marked.empty()) dimText(marked);
