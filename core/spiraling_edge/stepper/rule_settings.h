@@ -41,8 +41,6 @@ struct RuleSetting {
 
     /// Of a setting with values 0 and 1.
     bool isOn(const Params& params) const { return get(params) != 0.0; }
-    /// True if the sentence is in force in `params`, not a reading of our own.
-    bool isAsPrinted(const Params& params) const { return printed && get(params) == *printed; }
     void turnOn(Params& params) const { set(params, 1.0); }
     void turnOff(Params& params) const { set(params, 0.0); }
 };
