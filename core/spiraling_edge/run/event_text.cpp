@@ -120,8 +120,8 @@ std::string text(const InsertEvidence& e, const Names& names) {
                                         e.verdict == Verdict::Before ? "before" : "after");
     if (rim || e.corner) return result + ".";
     const bool isBySide = pointsOut(e.cross, e.faces) == (e.verdict == Verdict::Before);
-    return sentence("{}; normal x vector = ({}, {}, {}) on wall {}{}.", result, e.cross.x,
-                    e.cross.y, e.cross.z, faceNames(e.faces),
+    return sentence("{}; cross product = ({}, {}, {}) on wall {}{}.", result, e.cross.x, e.cross.y,
+                    e.cross.z, faceNames(e.faces),
                     isBySide ? "" : ", but on the other side the sector would leave the box");
 }
 std::string text(const SortEvidence& e, const Names& names) {

@@ -194,8 +194,10 @@ struct SkipEvidence {
 /// §7.1 and §7.2: the inserted point, its place and the numbers that decided.
 struct InsertEvidence {
     Index pivot, other, third;
-    bool corner;         ///< 7.2; else 7.1.
-    Vec3 cross;          ///< 7.1: normal of p cross the vector to the second point.
+    bool corner;  ///< 7.2; else 7.1.
+    /// 7.1: of the normal of p and the vector to the second point, in the order of
+    /// PaperRules::turn.
+    Vec3 cross;
     std::uint8_t faces;  ///< Type bits of p.
     Verdict verdict;     ///< Before, After, OtherSideOpen or NoThirdPoint.
 };

@@ -673,9 +673,9 @@ constexpr auto kPivotForms = std::to_array<SentenceForm>({
          const Index other = c.point(1) == c.w.last ? c.w.first : c.w.last;
          c.need(!shareFace(c.w.points.type[c.w.p], c.w.points.type[other]), "other side open");
      }},
-    {kInsert, kNoVerdict, "On the ring of two boundary points {} and {}, point {} joins the ring {} the pivot; normal x vector = ({}, {}, {}) on wall {}, but on the other side the sector would leave the box.",
+    {kInsert, kNoVerdict, "On the ring of two boundary points {} and {}, point {} joins the ring {} the pivot; cross product = ({}, {}, {}) on wall {}, but on the other side the sector would leave the box.",
      [](C& c) { insertAtWall(c, false); }},
-    {kInsert, kNoVerdict, "On the ring of two boundary points {} and {}, point {} joins the ring {} the pivot; normal x vector = ({}, {}, {}) on wall {}.",
+    {kInsert, kNoVerdict, "On the ring of two boundary points {} and {}, point {} joins the ring {} the pivot; cross product = ({}, {}, {}) on wall {}.",
      [](C& c) { insertAtWall(c, true); }},
     {kInsert, kNoVerdict, "On the ring of two boundary points {} and {}, point {}, the next on the rim, joins the ring {} the pivot.",
      [](C& c) { onRingOfTwo(c); joins(c, 2, 3); onRim(c, 2); }},
