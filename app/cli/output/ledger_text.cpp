@@ -81,6 +81,11 @@ Answer answerOf(const Ledger& ledger) {
         answer.json["what_if"] = Json::array({lineOf(*ledger.inverse)});
     }
     answer.json["proved_by"] = provedByName(ledger.provedBy);
+    if (ledger.preventedBy != nullptr) {
+        const std::string rule = std::string(ledger.preventedBy->name) + "=on";
+        answer.text += (ledger.inverse ? "" : "\n") + fmt::format("Rule:     --rule {}\n", rule);
+        answer.json["rule"] = rule;
+    }
     return answer;
 }
 

@@ -96,28 +96,24 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Run
         return provedWhy(points, params, Subject::point(failure.points.front()), limits, progress);
     constexpr double kLinesShare = 0.6;
     Ledger ledger = ledgerOf(asked);
-    Proof proof;
-    if (ledger.provedBy == ProvedBy::Nothing) {
-        std::uint64_t steps = 0;
-        const auto visit = [&](const SweptPivot& pivot) {
-            ++steps;
-            if (isLoop(failure) || failure.triangles.empty())
-                addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
-        };
-        if (!addMakings(points, params, asked.corners, visit, ledger,
-                        partOf(progress, 0.0, kLinesShare)))
-            return Error{"Cancelled."};
-        LeftOverRings rings;
-        const bool ofRun = failure.kind->find == nullptr;
-        const ProofAim aim{{}, ofRun ? &rings : nullptr, [&](const State& end) {
-                               return effectAtEnd(points, failure, known, end, rings);
-                           }};
-        Result<Proof> found = prove(points, params, ledger, aim, invertibleOf(points, ledger),
-                                    steps, limits, partOf(progress, kLinesShare, 1.0));
-        if (!found) return found.error();
-        proof = std::move(found.value());
-    }
-    settle(ledger, proof);
+    RunLength length;
+    const auto visit = [&](const SweptPivot& pivot) {
+        length.add(pivot);
+        if (isLoop(failure) || failure.triangles.empty())
+            addRefusals(failure, pivot, {points, params, pivot.point}, ledger.lines);
+    };
+    if (ledger.provedBy == ProvedBy::Nothing &&
+        !addMakings(points, params, asked.corners, visit, ledger,
+                    partOf(progress, 0.0, kLinesShare)))
+        return Error{"Cancelled."};
+    LeftOverRings rings;
+    const bool ofRun = failure.kind->find == nullptr;
+    const ProofAim aim{{}, ofRun ? &rings : nullptr, [&](const State& end) {
+                           return effectAtEnd(points, failure, known, end, rings);
+                       }};
+    const Status done = conclude(points, params, aim, invertibleOf(points, ledger), length, limits,
+                                 ledger, partOf(progress, kLinesShare, 1.0));
+    if (!done.ok()) return done.error();
     return ledger;
 }
 

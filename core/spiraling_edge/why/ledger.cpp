@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/prepare/neighbor_search.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/run/sweep.h"
@@ -341,9 +342,7 @@ class LedgerBuilder {
         const auto& lines = ledger_.lines;
         const bool made = std::any_of(lines.begin(), lines.end(), isMade);
         if (!lines.empty() && (made || !isInMesh(end.mesh(), subject_))) return {};
-        std::string name = nameOf(subject_);
-        name[0] = static_cast<char>(name[0] - 'a' + 'A');
-        return Error{name +
+        return Error{capitalized(nameOf(subject_)) +
                      (isInMesh(params_.start.triangles, subject_)
                           ? " is in the mesh that the run begins with: no decision made it."
                           : " is in no decision of the run, which begins with a given mesh.")};
@@ -355,10 +354,7 @@ class LedgerBuilder {
         ledger_.cause = cause.line;
         ledger_.words = cause.words;
         ledger_.provedBy = cause.provedBy;
-        ledger_.answer =
-            ledger_.name + (ledger_.present ? " is in the mesh. " : " is not in the mesh. ") +
-            cause.words + " (" + toString(ledger_.lines[cause.line].event.address) + ")";
-        ledger_.answer[0] = static_cast<char>(ledger_.answer[0] - 'a' + 'A');
+        ledger_.answer = answerText(ledger_);
         return ledger_;
     }
 
@@ -525,6 +521,13 @@ Result<Question<Ledger>> whyQuestion(const PointSet& points, const Params& param
                                 if (auto error = builder->withoutDecision(end)) return *error;
                                 return builder->finish(end);
                             }};
+}
+
+std::string answerText(const Ledger& ledger, std::string_view between) {
+    std::string text = ledger.name + (ledger.present ? " is " : " is not ");
+    text.append(ledger.where).append(between).append(ledger.words);
+    const Address& cause = ledger.lines[ledger.cause].event.address;
+    return capitalized(text + " (" + toString(cause) + ")");
 }
 
 Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,

@@ -11,6 +11,7 @@
 
 #include "spiraling_edge/run/reading.h"
 #include "spiraling_edge/run/sweep.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se {
 
@@ -66,7 +67,14 @@ struct Ledger {
     /// why() sets only Step and Preparation, provedWhy() also Inversion.
     ProvedBy provedBy = ProvedBy::Nothing;
     std::optional<WhatIf> inverse = {};  ///< The what-if under which the answer is another.
+    /// The rule that prevents a failure, or brings an absent point in, when it is on
+    /// (prevention.h); null: none was found, or none was looked for.
+    const RuleSetting* preventedBy = nullptr;
 };
+
+/// The answer of a ledger in words: "Point 812 is not in the mesh", what is said between, and its
+/// cause with its address.
+std::string answerText(const Ledger& ledger, std::string_view between = ". ");
 
 /// The question why the subject is in the mesh of a run, or why it is not. Fails if its points are
 /// not all different and below points.size(). O(run); 43,000 points take a few tenths of a second.

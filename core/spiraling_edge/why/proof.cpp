@@ -89,9 +89,9 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     constexpr double kLedgerShare = 0.3;
     const Result<Question<Ledger>> question = whyQuestion(points, params, subject);
     if (!question) return question.error();
-    std::uint64_t steps = 0;
+    RunLength length;
     const auto visit = [&](const SweptPivot& pivot) {
-        ++steps;
+        length.add(pivot);
         question.value().visit(pivot);
     };
     const auto end = sweep(points, params, visit, partOf(progress, 0.0, kLedgerShare));
@@ -99,31 +99,25 @@ Result<Ledger> provedWhy(const PointSet& points, const Params& params, const Sub
     Result<Ledger> asked = question.value().answer(*end);
     if (!asked) return asked;
     Ledger& ledger = asked.value();
-    Proof proof;
-    if (ledger.provedBy == ProvedBy::Nothing) {
-        std::vector<Triangle> rivals;
-        if (!ledger.present) rivals = rivalsOf(points, params, subject, end->triangles);
-        if (!addMakings(points, params, rivals, {}, ledger,
-                        partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
-            return Error{"Cancelled."};
-        ProofAim aim;
-        std::vector<Invertible> all = invertibleOf(points, ledger);
-        if (!ledger.present) {
-            addLists(points, subject, ledger.cause, all);
-            aim.showsAtOnce = [&](std::span<const Triangle> made) {
-                return isInMesh(made, subject);
-            };
-        }
-        aim.effect = [&](const State& state) {
-            return isInMesh(state.mesh(), subject) == ledger.present ? Effect::None
-                                                                     : Effect::Changed;
-        };
-        Result<Proof> found = prove(points, params, ledger, aim, std::move(all), steps, limits,
-                                    partOf(progress, 2.0 * kLedgerShare, 1.0));
-        if (!found) return found.error();
-        proof = std::move(found.value());
+    std::vector<Triangle> rivals;
+    if (!ledger.present && ledger.provedBy == ProvedBy::Nothing)
+        rivals = rivalsOf(points, params, subject, end->triangles);
+    if (!addMakings(points, params, rivals, {}, ledger,
+                    partOf(progress, kLedgerShare, 2.0 * kLedgerShare)))
+        return Error{"Cancelled."};
+    ProofAim aim;
+    std::vector<Invertible> all = invertibleOf(points, ledger);
+    if (!ledger.present) {
+        addLists(points, subject, ledger.cause, all);
+        aim.showsAtOnce = [&](std::span<const Triangle> made) { return isInMesh(made, subject); };
     }
-    settle(ledger, proof);
+    aim.effect = [&](const State& state) {
+        return isInMesh(state.mesh(), subject) == ledger.present ? Effect::None : Effect::Changed;
+    };
+    aim.isFault = !ledger.present;
+    const Status done = conclude(points, params, aim, std::move(all), length, limits, ledger,
+                                 partOf(progress, 2.0 * kLedgerShare, 1.0));
+    if (!done.ok()) return done.error();
     return asked;
 }
 

@@ -4,7 +4,6 @@
 #include "spiraling_edge/why/prover.h"
 
 #include <algorithm>
-#include <cctype>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/run/event_text.h"
 #include "spiraling_edge/stepper/stepper.h"
+#include "spiraling_edge/why/prevention.h"
 #include "spiraling_edge/why/what_if_check.h"
 
 namespace se {
@@ -77,6 +77,12 @@ void addMaking(const Ledger& made, Ledger& ledger) {
     }
 }
 
+/// The steps that inversions of a run of `steps` may take.
+std::uint64_t stepsOf(const ProofLimits& limits, std::uint64_t steps) {
+    return std::max(kLeastProofSteps,
+                    static_cast<std::uint64_t>(limits.runs * static_cast<double>(steps)));
+}
+
 class Prover {
   public:
     Prover(const PointSet& points, const Params& params, const Ledger& ledger, const ProofAim& aim,
@@ -85,11 +91,11 @@ class Prover {
           params_(params),
           ledger_(ledger),
           aim_(aim),
-          progress_(progress),
+          goesOn_([this, &progress] { return !progress || progress(share_); }),
           all_(std::move(all)) {}
 
     Result<Proof> run(std::uint64_t steps, const ProofLimits& limits) {
-        if (all_.empty()) return Proof{};
+        if (all_.empty()) return Proof{.left = stepsOf(limits, steps)};
         const bool wasCut = all_.size() >= kMostInvertible;
         if (!lookAtPivots()) return Error{"Cancelled."};
         sortByPromise();
@@ -105,15 +111,6 @@ class Prover {
         return forked;
     }
 
-    /// Makes steps until `done`, at most `left` of them, which it lowers. False if cancelled.
-    template <typename Done>
-    bool advance(Stepper& stepper, std::uint64_t& left, const Done& done) const {
-        while (!done() && left > 0 && stepper.stepPivot()) {
-            if (--left % kPivotsPerReport == 0 && progress_ && !progress_(share_)) return false;
-        }
-        return true;
-    }
-
     /// Leaves out inversions that are refused, and marks those that show at their pivot. False if
     /// cancelled.
     bool lookAtPivots() {
@@ -126,7 +123,7 @@ class Prover {
         for (Invertible& each : all_) {
             const std::uint32_t pivot = each.inverse.pivot;
             const auto isThere = [&] { return stepper.state().counters.pivots + 1 >= pivot; };
-            if (!advance(stepper, left, isThere) || (progress_ && !progress_(share_))) return false;
+            if (!advanceUntil(stepper, left, goesOn_, isThere) || !goesOn_()) return false;
             const Params forked = with(each.inverse);
             if (!checkLastWhatIf(points_, forked, stepper.state())) continue;
             if (aim_.showsAtOnce) {
@@ -157,32 +154,10 @@ class Prover {
         });
     }
 
-    /// Runs an inversion to its end, within `left` steps, which it lowers. Nothing if cancelled.
-    std::optional<Effect> effectOf(const WhatIf& inverse, std::uint64_t& left, bool& ended) const {
-        Stepper fork(points_, with(inverse));
-        EventLog log;
-        if (aim_.rings != nullptr) {
-            *aim_.rings = {};
-            fork.setLog(&log);
-        }
-        const auto visit = [&] {
-            if (aim_.rings == nullptr) return false;
-            aim_.rings->add(points_, log.events());
-            log.clear();
-            return false;
-        };
-        if (!advance(fork, left, visit)) return {};
-        ended = fork.state().finished();
-        if (!ended) return Effect::None;
-        visit();
-        return aim_.effect(fork.state());
-    }
-
     Result<Proof> runToEnds(std::uint64_t steps, const ProofLimits& limits) {
         constexpr double kLookShare = 0.3;
         Proof proof;
-        std::uint64_t left = std::max(
-            kLeastProofSteps, static_cast<std::uint64_t>(limits.runs * static_cast<double>(steps)));
+        std::uint64_t left = stepsOf(limits, steps);
         for (const Invertible& each : all_) {
             share_ = kLookShare + (1.0 - kLookShare) * static_cast<double>(proof.tried) /
                                       static_cast<double>(limits.inversions);
@@ -190,11 +165,11 @@ class Prover {
                 proof.complete = false;
                 break;
             }
-            if (progress_ && !progress_(share_)) return Error{"Cancelled."};
-            bool ended = false;
-            const std::optional<Effect> effect = effectOf(each.inverse, left, ended);
+            if (!goesOn_()) return Error{"Cancelled."};
+            Stepper fork(points_, with(each.inverse));
+            const auto effect = effectOfRun(fork, points_, aim_, left, goesOn_);
             if (!effect) return Error{"Cancelled."};
-            if (!ended) {
+            if (!fork.state().finished()) {
                 proof.complete = false;
                 break;
             }
@@ -204,6 +179,7 @@ class Prover {
             proof.effect = *effect;
             if (*effect == Effect::Changed) break;
         }
+        proof.left = left;
         return proof;
     }
 
@@ -211,7 +187,7 @@ class Prover {
     const Params& params_;
     const Ledger& ledger_;
     const ProofAim& aim_;
-    const Progress& progress_;
+    const GoesOn goesOn_;
     std::vector<Invertible> all_;
     double share_ = 0.0;  ///< Of the work, for the progress.
 };
@@ -237,7 +213,53 @@ std::string doubtOf(const Proof& proof) {
            (proof.tried == 1 ? " does" : " do") + " not change it.";
 }
 
+/// Makes the cause that of the proof, and the answer the sentence about it.
+void settle(Ledger& ledger, const Proof& proof) {
+    std::string between = ". ";
+    if (proof.found) {
+        const std::size_t line = proof.found->line;
+        if (line != ledger.cause) ledger.words = describe(ledger.lines[line].event);
+        ledger.cause = line;
+        ledger.provedBy = ProvedBy::Inversion;
+        ledger.inverse = proof.found->inverse;
+        between = wordsOf(ledger, proof);
+    } else if (ledger.provedBy == ProvedBy::Step) {
+        between = std::string(", since a step after the last pivot ") +
+                  (ledger.present ? "made" : "removed") + " it: ";
+    }
+    ledger.answer = answerText(ledger, between);
+    if (ledger.provedBy == ProvedBy::Nothing) ledger.answer += doubtOf(proof);
+}
+
 }  // namespace
+
+bool advanceUntil(Stepper& stepper, std::uint64_t& left, const GoesOn& goesOn,
+                  const std::function<bool()>& done) {
+    while (!done() && left > 0 && stepper.stepPivot()) {
+        if (--left % kPivotsPerReport == 0 && !goesOn()) return false;
+    }
+    return true;
+}
+
+std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const ProofAim& aim,
+                                  std::uint64_t& left, const GoesOn& goesOn) {
+    EventLog log;
+    if (aim.rings != nullptr) {
+        *aim.rings = {};
+        fork.setLog(&log);
+    }
+    const auto visit = [&] {
+        if (aim.rings == nullptr) return false;
+        aim.rings->add(points, log.events());
+        log.clear();
+        return false;
+    };
+    const bool goneOn = advanceUntil(fork, left, goesOn, visit);
+    if (goneOn) visit();
+    fork.setLog(nullptr);
+    if (!goneOn) return {};
+    return fork.state().finished() ? aim.effect(fork.state()) : Effect::None;
+}
 
 Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
                     const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
@@ -245,25 +267,22 @@ Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& 
     return Prover(points, params, ledger, aim, std::move(all), progress).run(steps, limits);
 }
 
-void settle(Ledger& ledger, const Proof& proof) {
-    ledger.answer = ledger.name + (ledger.present ? " is " : " is not ");
-    ledger.answer += ledger.where;
-    if (proof.found) {
-        const std::size_t line = proof.found->line;
-        if (line != ledger.cause) ledger.words = describe(ledger.lines[line].event);
-        ledger.cause = line;
-        ledger.provedBy = ProvedBy::Inversion;
-        ledger.inverse = proof.found->inverse;
-        ledger.answer += wordsOf(ledger, proof);
-    } else if (ledger.provedBy == ProvedBy::Step) {
-        ledger.answer += std::string(", since a step after the last pivot ") +
-                         (ledger.present ? "made" : "removed") + " it: ";
-    } else {
-        ledger.answer += ". ";
+Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
+                std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
+                Ledger& ledger, const Progress& progress) {
+    constexpr double kProofShare = 0.7;
+    if (ledger.provedBy != ProvedBy::Nothing) {
+        settle(ledger, {});
+        return success();
     }
-    ledger.answer += ledger.words + " (" + toString(ledger.lines[ledger.cause].event.address) + ")";
-    if (ledger.provedBy == ProvedBy::Nothing) ledger.answer += doubtOf(proof);
-    ledger.answer[0] = static_cast<char>(std::toupper(ledger.answer[0]));
+    const Result<Proof> proof = prove(points, params, ledger, aim, std::move(all), length.steps,
+                                      limits, partOf(progress, 0.0, kProofShare));
+    if (!proof) return proof.error();
+    settle(ledger, proof.value());
+    if (!aim.isFault) return success();
+    const bool done = addPrevention(points, params, length.pivots, aim, proof.value().left, ledger,
+                                    partOf(progress, kProofShare, 1.0));
+    return done ? success() : Status(Error{"Cancelled."});
 }
 
 bool addMakings(const PointSet& points, const Params& params, std::span<const Triangle> made,

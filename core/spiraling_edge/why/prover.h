@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "spiraling_edge/stepper/stepper.h"
 #include "spiraling_edge/why/inspected_run.h"
 #include "spiraling_edge/why/proof.h"
 
@@ -49,27 +50,59 @@ struct ProofAim {
     /// Gets the rings that the run with an inversion leaves over; null: they are not needed.
     LeftOverRings* rings = nullptr;
     std::function<Effect(const State& end)> effect;
+    /// A rule that changes the answer is looked for as well: it is about something that is wrong.
+    bool isFault = true;
 };
 
 /// The result of a search for a proof.
 struct Proof {
-    std::optional<Invertible> found;
+    std::optional<Invertible> found = {};
     Effect effect = Effect::None;  ///< Of `found`.
     std::size_t tried = 0;         ///< Inversions that were run, this one among them.
     bool complete = true;          ///< Not one was left out for the limits.
+    std::uint64_t left = 0;        ///< Steps of the limits that were not made.
+};
+
+/// False where a search is to end.
+using GoesOn = std::function<bool()>;
+
+/// Makes steps until `done`, or the run is finished, at most `left` of them, which it lowers. False
+/// if cancelled.
+bool advanceUntil(Stepper& stepper, std::uint64_t& left, const GoesOn& goesOn,
+                  const std::function<bool()>& done);
+
+/// Runs a fork of the run to its end, within `left` steps, which it lowers. Its effect on the
+/// answer, None where the steps do not last: State::finished() is false then. Nothing if cancelled.
+std::optional<Effect> effectOfRun(Stepper& fork, const PointSet& points, const ProofAim& aim,
+                                  std::uint64_t& left, const GoesOn& goesOn);
+
+/// The length of a run.
+struct RunLength {
+    std::uint64_t steps = 0;   ///< Its pivots and the steps after the last one.
+    std::uint32_t pivots = 0;  ///< Counters::pivots at its end.
+
+    /// Takes the next pivot of the run.
+    void add(const SweptPivot& pivot) {
+        ++steps;
+        pivots = pivot.after.counters.pivots;
+    }
 };
 
 /// Runs the inversions of `all` to their ends: those that show at once first, then that of the
 /// cause, of a present subject those of the pivot of the cause, then the later ones; up to the
 /// first that changes the answer. Where none does, the first that replaces a failure is taken.
-/// `steps`: of the run, its pivots and the steps after the last one. Fails if cancelled.
+/// Fails if cancelled.
 Result<Proof> prove(const PointSet& points, const Params& params, const Ledger& ledger,
                     const ProofAim& aim, std::vector<Invertible> all, std::uint64_t steps,
                     const ProofLimits& limits, const Progress& progress);
 
-/// Makes the cause of a ledger that of its proof, and its answer the sentence about it. Requires
-/// Ledger::words of the cause so far, and Ledger::provedBy of a proof that needs no inversion.
-void settle(Ledger& ledger, const Proof& proof);
+/// Proves a ledger by the inversions of `all`, unless Ledger::provedBy says that it needs none:
+/// makes its cause that of the proof, and its answer the sentences about it, of a fault with the
+/// rule that prevents it (prevention.h). Requires Ledger::words of the cause so
+/// far. Fails if cancelled.
+Status conclude(const PointSet& points, const Params& params, const ProofAim& aim,
+                std::vector<Invertible> all, const RunLength& length, const ProofLimits& limits,
+                Ledger& ledger, const Progress& progress);
 
 /// Adds to a ledger, as indirect lines in their order, the tests that made these triangles: those
 /// that took their corners or made way for them. `also`, which may be empty, gets the pivots of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "spiraling_edge/base/counted.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/why/prover.h"
 #include "spiraling_edge/why/remedy.h"
@@ -49,6 +50,14 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
     CAPTURE(ledger.answer);
     REQUIRE(ledger.cause < ledger.lines.size());
     CHECK(ledger.inverse.has_value() == (ledger.provedBy == ProvedBy::Inversion));
+    if (ledger.preventedBy != nullptr) {
+        Params with = params;
+        ledger.preventedBy->turnOn(with);
+        const RunFailureSearch after = failuresIn(points, with);
+        CHECK_FALSE(has(after.all, failure.failure));
+        const std::string faults = counted(faultCount(after.verdict.totals), "fault");
+        CHECK(ledger.answer.ends_with("and leaves " + faults + "."));
+    }
     if (!ledger.inverse || isLostPoint(failure.failure)) return ledger;
     Params inverted = params;
     inverted.whatIf.push_back(*ledger.inverse);
@@ -69,6 +78,7 @@ TEST_CASE("failure proof: nine of ten faults are gone with their decision invert
     std::size_t all = 0;
     std::size_t gone = 0;
     std::size_t replaced = 0;
+    std::size_t prevented = 0;
     for (const FailureScene& each : failureScenes()) {
         CAPTURE(each.scene.id);
         const PointSet points = prepared(each.scene.build());
@@ -77,13 +87,16 @@ TEST_CASE("failure proof: nine of ten faults are gone with their decision invert
             const Ledger ledger = proved(points, paper(), found, failure);
             if (!failure.failure.kind->fault) continue;
             ++all;
+            prevented += ledger.preventedBy != nullptr ? 1 : 0;
             if (ledger.provedBy == ProvedBy::Nothing) continue;
             const bool another = ledger.answer.find("another would") != std::string::npos;
             ++(another ? replaced : gone);
         }
     }
-    MESSAGE(gone, " gone, ", replaced, " replaced by another, of ", all, " faults");
+    MESSAGE(gone, " gone, ", replaced, " replaced by another, ", prevented,
+            " prevented by a rule, of ", all, " faults");
     CHECK(10 * (gone + replaced) >= 9 * all);
+    CHECK(10 * prevented >= 9 * all);
 }
 
 TEST_CASE("failure proof: a fault that a step after the last pivot made is proved by the step") {

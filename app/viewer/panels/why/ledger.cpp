@@ -71,6 +71,11 @@ void drawAnswer(const PanelContext& context, const Ledger& ledger) {
             return context.document().rerun(
                 withWhatIf(context.session().input().rules(), *ledger.inverse));
     }
+    if (const RuleSetting* rule = ledger.preventedBy) {
+        if (smallButton(context, "Switch on " + std::string(rule->name), "ledger rule",
+                        std::string(rule->summary)))
+            return switchOn(context.commands, Remedy{rule, {}, true});
+    }
     const Address& cause = ledger.lines[ledger.cause].event.address;
     if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameRequest::Focus);
     if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));
