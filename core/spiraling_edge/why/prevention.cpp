@@ -1,5 +1,6 @@
-/// A rule is run from the start only if it decides otherwise at one of the pivots in question, or
-/// edits the mesh after the last one: that is found by single steps from the states of one run.
+/// Each rule is run from the start. Those come first that decide otherwise at one of the pivots in
+/// question, or edit the mesh after the last one: that is found by steps from the states of one
+/// run.
 #include "spiraling_edge/why/prevention.h"
 
 #include <algorithm>
@@ -7,13 +8,11 @@
 #include <vector>
 
 #include "spiraling_edge/base/counted.h"
+#include "spiraling_edge/mesh/mesh_verdict.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {
-
-/// The number of rules that are run whole.
-constexpr std::size_t kMostRuns = 8;
 
 /// A rule that is off, and the params with it.
 struct Candidate {
@@ -56,8 +55,8 @@ class PreventionSearch {
     bool empty() const { return candidates_.empty(); }
     /// The rule that changes the answer; null if none was found.
     const RuleSetting* found() const { return found_; }
-    /// The faults that the mesh has with it.
-    std::size_t faults() const { return faults_; }
+    /// The verdict on the mesh with it.
+    const MeshVerdict& verdict() const { return verdict_; }
     /// False if some rule was left out for the limit.
     bool complete() const { return complete_; }
 
@@ -65,23 +64,20 @@ class PreventionSearch {
     /// cancelled.
     bool run(const std::vector<std::uint32_t>& places) {
         if (!compareAt(places)) return false;
-        if (differing_.size() > kMostRuns) {
-            differing_.resize(kMostRuns);
-            complete_ = false;
-        }
-        for (const Candidate* each : differing_) {
+        std::stable_partition(candidates_.begin(), candidates_.end(),
+                              [](const Candidate& each) { return each.differs; });
+        for (const Candidate& each : candidates_) {
             if (left_ == 0) break;
-            Stepper whole(points_, each->params);
+            Stepper whole(points_, each.params);
             const auto effect = effectOfRun(whole, points_, aim_, left_, goesOn_);
             if (!effect) return false;
             if (*effect != Effect::Changed) continue;
-            const std::size_t faults =
-                faultCount(inspectWithTotals(points_, whole.state().mesh()).totals);
-            if (found_ != nullptr && faults >= faults_) continue;
-            found_ = each->rule;
-            faults_ = faults;
+            const MeshVerdict verdict = judgeMesh(points_, whole.state().mesh()).verdict;
+            if (found_ != nullptr && !hasFewerFaults(verdict, verdict_)) continue;
+            found_ = each.rule;
+            verdict_ = verdict;
         }
-        complete_ = complete_ && left_ > 0;
+        complete_ = left_ > 0;
         return true;
     }
 
@@ -112,7 +108,6 @@ class PreventionSearch {
             if (isLast && !advanceUntil(fork, left_, goesOn_, never)) return false;
             each.differs = isLast ? fork.state().mesh() != plain.state().mesh()
                                   : stateHash(fork.state()) != expected;
-            if (each.differs) differing_.push_back(&each);
         }
         return true;
     }
@@ -123,9 +118,8 @@ class PreventionSearch {
     std::uint64_t left_;
     const GoesOn goesOn_;
     std::vector<Candidate> candidates_;
-    std::vector<const Candidate*> differing_;
     const RuleSetting* found_ = nullptr;
-    std::size_t faults_ = 0;
+    MeshVerdict verdict_;
     bool complete_ = true;
 };
 
@@ -153,10 +147,13 @@ bool addPrevention(const PointSet& points, const Params& params, std::uint32_t l
     ledger.preventedBy = search.found();
     const std::string does = ledger.present ? " prevents it" : " brings it in";
     if (ledger.preventedBy != nullptr) {
-        ledger.answer += " The rule " + std::string(ledger.preventedBy->name) + does +
-                         ", and leaves " + counted(search.faults(), "fault") + ".";
+        const MeshVerdict& with = search.verdict();
+        ledger.answer +=
+            " The rule " + std::string(ledger.preventedBy->name) + does +
+            (with.isSound() ? ", and leaves a sound mesh."
+                            : ", and leaves faults at " + counted(with.places, "place") + ".");
     } else if (search.complete()) {
-        ledger.answer += " No single rule of robust that decides otherwise there" + does + ".";
+        ledger.answer += " No single rule of robust" + does + ".";
     }
     return true;
 }

@@ -55,8 +55,10 @@ Ledger proved(const PointSet& points, const Params& params, const RunFailureSear
         ledger.preventedBy->turnOn(with);
         const RunFailureSearch after = failuresIn(points, with);
         CHECK_FALSE(has(after.all, failure.failure));
-        const std::string faults = counted(faultCount(after.verdict.totals), "fault");
-        CHECK(ledger.answer.ends_with("and leaves " + faults + "."));
+        const MeshVerdict& verdict = after.verdict;
+        CHECK(ledger.answer.ends_with(verdict.isSound()
+                                          ? "and leaves a sound mesh."
+                                          : "faults at " + counted(verdict.places, "place") + "."));
     }
     if (!ledger.inverse || isLostPoint(failure.failure)) return ledger;
     Params inverted = params;
