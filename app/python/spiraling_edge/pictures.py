@@ -1,0 +1,186 @@
+"""Pictures for notebooks: the tangent plane of a pivot as SVG, a mesh as PNG."""
+from __future__ import annotations
+
+import struct
+import textwrap
+import zlib
+from html import escape
+from typing import Sequence
+
+import numpy as np
+
+# Colors on white, each with a shape of its own, as in the viewer.
+COLORS = {"pivot": "#000000", "used": "#2A7FC0", "first": "#00694D", "last": "#8E2C8A", "test": "#B07800",
+          "rejected": "#A83A00", "unused": "#6B7280", "done": "#8E949C"}
+LEGEND = [("first", "first"), ("last", "last"), ("used", "candidate, ring"), ("rejected", "rejected"),
+          ("unused", "UNUSED"), ("done", "DONE")]
+
+
+def _mark(kind: str, x: float, y: float) -> str:
+    color = COLORS[kind]
+    if kind in ("first", "last"):
+        way = 7 if kind == "first" else -7
+        return f'<path d="M{x - way:.1f} {y - 7:.1f}L{x + way:.1f} {y:.1f}L{x - way:.1f} {y + 7:.1f}Z" fill="{color}"/>'
+    if kind == "rejected":
+        return f'<path d="M{x - 5:.1f} {y - 5:.1f}l10 10m0 -10l-10 10" stroke="{color}" stroke-width="2.5"/>'
+    if kind == "unused":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#fff" stroke="{color}" stroke-width="1.5"/>'
+    return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{3 if kind == "done" else 6}" fill="{color}"/>'
+
+
+def _kinds(state) -> dict:
+    """The look of each point that is drawn, the most important last."""
+    offset, ids = state.prepared.neighbors
+    near = ids[offset[state.pivot]:offset[state.pivot + 1]].tolist()
+    status = state.status
+    kinds = {p: "done" if status[p] < 0 else "used" if status[p] > 0 else "unused" for p in near}
+    kinds.update((p, "used") for p in state.fan.points.tolist())
+    kinds.update((each.point, "used" if each.kept else "rejected") for each in state.candidates)
+    kinds.update((p, look) for p, look in ((state.start, "first"), (state.end, "last"), (state.first, "first"),
+                                           (state.last, "last")) if p is not None)
+    kinds.pop(state.pivot, None)
+    return kinds
+
+
+def _circle(state, at) -> str:
+    """The circle through p, s and t (6.3), as it is seen in the plane."""
+    numbers = state.event.evidence
+    p, s, t = (state.prepared.position[i] for i in (state.pivot, numbers["s"], numbers["t"]))
+    normal = np.cross(t - p, s - p)
+    if numbers["radius"] <= 0.0 or not normal.any():
+        return ""
+    center = np.array(numbers["center"])
+    right = (p - center) / np.linalg.norm(p - center)
+    up = np.cross(normal / np.linalg.norm(normal), right)
+    turn = np.linspace(0.0, 2.0 * np.pi, 65)[:, None]
+    rim = center + numbers["radius"] * (np.cos(turn) * right + np.sin(turn) * up)
+    return f'<path d="M{"L".join(at(rim))}" fill="none" stroke="{COLORS["test"]}" stroke-width="1.5"/>'
+
+
+def _drawing(state, size: int) -> list:
+    kinds = _kinds(state)
+    plane = dict(zip(kinds, state.in_plane(list(kinds))))
+    plane[state.pivot] = np.zeros(2)
+    reach = max([float(np.abs(place).max()) for place in plane.values()] + [1e-300])
+    middle, scale = size / 2, 0.40 * size / reach
+    pixel = {p: (middle + scale * x, middle - scale * y) for p, (x, y) in plane.items()}
+
+    def path(points: Sequence[int]) -> str:
+        return "L".join("%.1f %.1f" % pixel[p] for p in points)
+
+    def at(positions: np.ndarray) -> list:
+        frame = state.in_plane([state.first, state.pivot])  # first is to the right
+        origin, normal = state.prepared.position[state.pivot], state.prepared.normals[state.pivot]
+        right = state.prepared.position[state.first] - origin
+        right = (right - normal * (right @ normal)) / (frame[0, 0] or 1.0)
+        offset = positions - origin
+        flat = np.stack([offset @ right, offset @ np.cross(normal, right)], axis=1)
+        return ["%.1f %.1f" % (middle + scale * x, middle - scale * y) for x, y in flat]
+
+    parts = []
+    for corners in state.new_triangles.tolist():
+        if all(p in pixel for p in corners):
+            parts.append(f'<path d="M{path(corners)}Z" fill="#F6DFA8" stroke="{COLORS["test"]}"/>')
+    fan = [p for p in state.fan.points.tolist() if p in pixel]
+    spokes = "".join(f"M{path([state.pivot, p])}" for p in fan)
+    parts.append(f'<path d="{spokes}M{path(fan)}" fill="none" stroke="{COLORS["used"]}" stroke-dasharray="4 4"/>'
+                 if fan else "")
+    for ring in state.rings[:1]:
+        points = ring.points.tolist()
+        steps = "".join(f"M{path(step)}" for step in zip(points, points[1:] + points[:1])
+                        if step[0] in pixel and step[1] in pixel)
+        parts.append(f'<path d="{steps}" stroke="{COLORS["used"]}" stroke-width="3.5" marker-mid="url(#a)"/>')
+    if state.event.stage == "sphere":
+        parts.append(_circle(state, at))
+    for p, kind in kinds.items():
+        x, y = pixel[p]
+        if p == state.under_test:
+            parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="12" fill="none" stroke="{COLORS["test"]}" '
+                         'stroke-width="3"/>')
+        parts.append(_mark(kind, x, y))
+        if kind not in ("unused", "done") or p == state.under_test:
+            away = np.array([x - middle, y - middle]) / (np.hypot(x - middle, y - middle) or 1.0)
+            parts.append(f'<text x="{x + 22 * away[0]:.1f}" y="{y + 18 * away[1] + 4:.1f}" text-anchor="middle">'
+                         f'{p}</text>')
+    parts.append(f'<circle cx="{middle}" cy="{middle}" r="8" fill="{COLORS["pivot"]}"/>'
+                 f'<circle cx="{middle}" cy="{middle}" r="4" fill="#fff"/>'
+                 f'<text x="{middle}" y="{middle + 24}" text-anchor="middle" font-weight="bold">p = {state.pivot}</text>')
+    return parts
+
+
+def state_svg(state, size: int) -> str:
+    """The pivot's tangent plane, seen from the tip of its normal, first to the right (6.1), with the sentence."""
+    parts, top = [], 0
+    if state.pivot is not None and state.first is not None and state.event:
+        parts = _drawing(state, size)
+        for i, (kind, name) in enumerate(LEGEND):
+            x, y = 20 + (i % 3) * size / 3, size + 16 + 22 * (i // 3)
+            parts.append(_mark(kind, x, y) + f'<text x="{x + 14}" y="{y + 5}">{name}</text>')
+        top = size + 44
+    section = f", section {state.event.section}" if state.event and state.event.section else ""
+    title = f"{state.address}{section}" if state.event else "The start of the run"
+    words = textwrap.wrap(state.event.sentence if state.event else f"{len(state.status)} points", size // 7)
+    parts.append(f'<text x="12" y="{top + 24}" font-weight="bold">{escape(title)}</text>')
+    parts += [f'<text x="12" y="{top + 46 + 19 * i}">{escape(line)}</text>' for i, line in enumerate(words)]
+    height = top + 46 + 19 * len(words)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{size}" height="{height}" '
+            f'viewBox="0 0 {size} {height}" font-family="Inter, DejaVu Sans, sans-serif" font-size="13" '
+            f'stroke-linejoin="round"><rect width="{size}" height="{height}" fill="#fff"/>' + "".join(parts) + "</svg>")
+
+
+def _fragments(xyz: np.ndarray, size: int):
+    """Pixel, depth, triangle and distance from the nearest edge in pixels, of all places that triangles (t, 3, 3)
+    cover: by groups of about the same extent."""
+    low = np.floor(xyz[:, :, :2].min(axis=1)).astype(int)
+    extent = (np.ceil(xyz[:, :, :2].max(axis=1)).astype(int) - low).max(axis=1) + 1
+    a, b, c = xyz[:, 0, :2], xyz[:, 1, :2], xyz[:, 2, :2]
+    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+    sides = np.stack([np.linalg.norm(c - b, axis=1), np.linalg.norm(a - c, axis=1), np.linalg.norm(b - a, axis=1)], 1)
+    for bits in range(1, 13):
+        group = np.nonzero((extent <= 1 << bits) & (extent > (1 << bits) // 2 if bits > 1 else extent <= 2)
+                           & (np.abs(area) > 1e-9))[0]
+        step = max(1, (1 << 20) >> (2 * bits))
+        for chunk in (group[i:i + step] for i in range(0, len(group), step)):
+            grid = np.stack(np.meshgrid(*[np.arange(1 << bits)] * 2), -1).reshape(1, -1, 2)
+            place = low[chunk, None] + grid
+            d = place + 0.5 - a[chunk, None]
+            u, v = (b - a)[chunk, None], (c - a)[chunk, None]
+            w1 = (d[..., 0] * v[..., 1] - d[..., 1] * v[..., 0]) / area[chunk, None]
+            w2 = (u[..., 0] * d[..., 1] - u[..., 1] * d[..., 0]) / area[chunk, None]
+            weights = np.stack([1.0 - w1 - w2, w1, w2], -1)
+            inside = (weights >= 0).all(-1) & (place >= 0).all(-1) & (place < size).all(-1)
+            row, _ = np.nonzero(inside)
+            hit = weights[inside]
+            edge = (hit * np.abs(area[chunk])[row, None] / np.maximum(sides[chunk][row], 1e-9)).min(1)
+            yield place[inside] @ [1, size], (hit * xyz[chunk][row, :, 2]).sum(1), chunk[row], edge
+
+
+def mesh_png(position: np.ndarray, triangles: np.ndarray, size: int, view: Sequence[float]) -> bytes:
+    """A picture of a mesh without perspective, seen from the direction `view`, z up: shaded, back sides orange."""
+    wide, to_eye = 2 * size, np.asarray(view, float) / np.linalg.norm(view)
+    right = np.cross([0.0, 0.0, 1.0] if abs(to_eye[2]) < 0.999 else [0.0, 1.0, 0.0], to_eye)
+    right /= np.linalg.norm(right)
+    axes = np.stack([right, np.cross(right, to_eye), to_eye])
+    picture = np.full((wide * wide, 3), 255.0)
+    if len(triangles):
+        xyz = position[triangles] @ axes.T
+        low, high = xyz.reshape(-1, 3).min(0), xyz.reshape(-1, 3).max(0)
+        xyz = (xyz - (low + high) / 2) * 0.94 * wide / max(float((high - low)[:2].max()), 1e-300)
+        xyz[..., :2] += wide / 2
+        normal = np.cross(xyz[:, 1] - xyz[:, 0], xyz[:, 2] - xyz[:, 0])
+        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+        front = normal[:, 2] < 0  # y is down here
+        light = 0.35 + 0.65 * np.abs(normal @ np.array([0.36, 0.48, 0.8]) / 1.0)
+        color = np.where(front[:, None], [178.0, 205.0, 232.0], [230.0, 140.0, 60.0]) * light[:, None]
+        pixel, depth, hit, edge = (np.concatenate(each) for each in zip(*_fragments(xyz, wide)))
+        order = np.argsort(depth, kind="stable")  # the nearest is written last
+        line = (edge < 1.0) & (len(triangles) < 6000)
+        picture[pixel[order]] = (color[hit] * np.where(line, 0.55, 1.0)[:, None])[order]
+    small = picture.reshape(size, 2, size, 2, 3).mean(axis=(1, 3)).clip(0, 255).astype(np.uint8)
+    rows = np.concatenate([np.zeros((size, 1), np.uint8), small.reshape(size, -1)], axis=1).tobytes()
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")

@@ -1,0 +1,195 @@
+"""Meshes, their verdicts, and what arrays may be."""
+import gc
+import gzip
+import re
+import threading
+
+import numpy as np
+import pytest
+
+import spiraling_edge as se
+
+
+@pytest.mark.parametrize("words, options", [
+    ([], {}),
+    (["-k", "16", "--rule", "flip=off"], {"neighbors": 16, "rule": {"flip": False}}),
+    (["--crop", "0,-2,-2,2,2,2", "--thin", "0.08"], {"crop": (0, -2, -2, 2, 2, 2), "thin": 0.08}),
+    (["--derive-normals", "--symmetric"], {"normals": "derived", "symmetric": True}),
+    (["--rule", "holewidth=0.5"], {"rule": {"holewidth": 0.5}}),
+])
+@pytest.mark.parametrize("rules", ["robust", "paper"])
+def test_a_written_mesh_has_the_bytes_of_the_command_line(tmp_path, program, scan, words, options, rules):
+    program("run", scan, "-q", "--rules", rules, *words, "-o", tmp_path / "theirs.ply")
+    se.reconstruct(scan, rules=rules, **options).write(tmp_path / "ours.ply")
+    assert (tmp_path / "ours.ply").read_bytes() == (tmp_path / "theirs.ply").read_bytes()
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj", "off", "stl", "glb"])
+def test_every_format_has_the_bytes_of_the_command_line(tmp_path, program, extension):
+    program("run", "scene:torus", "-q", "--rules", "robust", "--used-points", "-o", tmp_path / f"theirs.{extension}")
+    se.reconstruct("scene:torus").write(tmp_path / f"ours.{extension}", used_points=True)
+    assert (tmp_path / f"ours.{extension}").read_bytes() == (tmp_path / f"theirs.{extension}").read_bytes()
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_positions_alone_give_the_mesh_of_a_file_with_them(tmp_path, program, torus, dtype):
+    xyz = torus.position.astype(dtype)
+    kind = "float" if dtype is np.float32 else "double"
+    header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(xyz)}\n"
+    header += "".join(f"property {kind} {axis}\n" for axis in "xyz") + "end_header\n"
+    (tmp_path / "xyz.ply").write_bytes(header.encode() + xyz.tobytes())
+    program("run", tmp_path / "xyz.ply", "-q", "--rules", "robust", "-o", tmp_path / "theirs.ply")
+    se.reconstruct(xyz, normals=None).write(tmp_path / "ours.ply")
+    assert (tmp_path / "ours.ply").read_bytes() == (tmp_path / "theirs.ply").read_bytes()
+
+
+def test_best_has_the_bytes_of_the_command_line(tmp_path, program):
+    scene = "scene:two-sheets" if "two-sheets" in se.scenes() else "scene:stranded-point"
+    program("run", scene, "-q", "--best", "-o", tmp_path / "theirs.ply")
+    mesh = se.best(scene, rules="paper")
+    mesh.write(tmp_path / "ours.ply")
+    assert (tmp_path / "ours.ply").read_bytes() == (tmp_path / "theirs.ply").read_bytes()
+    assert mesh.trials[0].change == "no change" and len(mesh.trials) > 1
+
+
+def test_a_verdict_is_that_of_check(tmp_path, answer, scan):
+    mesh = se.reconstruct(scan, rules="paper", rule={"convex": False})
+    mesh.write(tmp_path / "mesh.ply")
+    theirs = answer("check", tmp_path / "mesh.ply", "--points", scan, "--rules", "paper", "--rule", "convex=off")
+    assert not mesh.verdict.sound and mesh.verdict.headline == theirs["verdict"]["headline"]
+    assert len(mesh.verdict.failures) == len(theirs["failures"])
+    assert mesh.verdict.counts["holes"] == theirs["holes"]
+    again = se.check(tmp_path / "mesh.ply", points=scan, rules="paper", rule={"convex": False})
+    assert again.headline == mesh.verdict.headline
+
+
+def test_arrays_of_a_mesh_are_views_that_keep_its_memory(torus):
+    mesh = se.reconstruct(torus)
+    position, triangles = mesh.position, mesh.triangles
+    assert np.shares_memory(position, mesh.prepared.position)
+    assert not position.flags.writeable and not triangles.flags.writeable
+    expected = triangles.copy()
+    del mesh
+    gc.collect()
+    assert np.array_equal(triangles, expected) and np.array_equal(position, torus.position)
+    assert triangles.dtype == np.uint32 and triangles.shape == (len(triangles), 3)
+
+
+@pytest.mark.parametrize("convert", [
+    lambda xyz: xyz.astype(np.float32), np.asfortranarray, lambda xyz: np.repeat(xyz, 2, axis=0)[::2],
+    lambda xyz: np.hstack([xyz, xyz])[:, :3], lambda xyz: xyz.astype(">f8"), lambda xyz: xyz.tolist()])
+def test_numbers_in_any_layout_give_the_same_mesh(torus, convert):
+    xyz = torus.position.astype(np.float32).astype(np.float64)
+    assert np.array_equal(se.reconstruct(convert(xyz)).triangles, se.reconstruct(xyz).triangles)
+
+
+def test_whole_numbers_are_points():
+    x, y = np.meshgrid(np.arange(6), np.arange(6))
+    grid = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
+    mesh = se.reconstruct(grid, normals=np.tile([0, 0, 1], (36, 1)))
+    assert len(mesh.triangles) == 50
+
+
+@pytest.mark.parametrize("points, sentence", [
+    (np.zeros((4, 2)), r"points: expected an array of shape (n, 3), not (4, 2)"),
+    (np.zeros(3), r"points: expected an array of shape (n, 3), not (3,)"),
+    (np.zeros((4, 3), complex), "points: expected numbers, not complex128"),
+    (np.zeros((4, 3), bool), "points: expected numbers, not bool"),
+    ([["a", "b", "c"]], "points: expected numbers, not <U1"),
+    (np.zeros((0, 3)), "There are no points to triangulate."),
+])
+def test_other_arrays_are_refused_with_a_sentence(points, sentence):
+    with pytest.raises(ValueError, match=re.escape(sentence)):
+        se.reconstruct(points)
+
+
+@pytest.mark.parametrize("options, sentence", [
+    ({"normals": np.zeros((3, 3))}, "normals: expected shape (1000, 3), not (3, 3)"),
+    ({"normals": "outward"}, 'normals outward: expected "derived" or "oriented"'),
+    ({"rules": "best"}, "rules best: "),
+    ({"radius": -1}, "radius -1: expected a number > 0"),
+    ({"radius": 1.0, "neighbors": 8}, "not together with"),
+    ({"rule": {"maxgap": "wide"}}, "maxgap"),
+    ({"colour": 1}, "colour: no such option of a run"),
+    ({"what_if": "137.sphere keep 100000"}, "Point 100000 does not exist."),
+])
+def test_wrong_options_are_refused_with_a_sentence(torus, options, sentence):
+    points = torus.position if isinstance(options.get("normals"), np.ndarray) else torus
+    with pytest.raises(ValueError, match=re.escape(sentence)):
+        se.reconstruct(points, **options)
+
+
+def test_prepared_points_take_other_rules_alone(torus):
+    prepared = se.prepare(torus, rules="paper", neighbors=10)
+    assert np.array_equal(se.reconstruct(prepared, rules="paper").triangles,
+                          se.reconstruct(torus, rules="paper", neighbors=10).triangles)
+    with pytest.raises(ValueError, match="neighbors: these points are prepared already"):
+        se.reconstruct(prepared, neighbors=8)
+
+
+def test_points_that_are_not_finite_are_set_aside_and_keep_their_row(torus):
+    xyz = torus.position.copy()
+    xyz[[3, 7]] = np.nan, np.inf
+    mesh = se.reconstruct(xyz, normals=torus.normals)
+    assert mesh.prepared.report["not_finite"] == 2 and len(mesh.position) == len(xyz)
+    assert not np.isin([3, 7], mesh.triangles).any() and np.isnan(mesh.position[3]).all()
+
+
+def test_errors_of_files_are_input_errors(tmp_path, scan):
+    for name in ("missing.ply", "broken.ply"):
+        (tmp_path / "broken.ply").write_text("ply\nformat ascii 1.0\nend_header\n")
+        with pytest.raises(se.InputError, match=name):
+            se.read(tmp_path / name)
+    with pytest.raises(se.InputError, match="no such scene"):
+        se.reconstruct("scene:none")
+    with pytest.raises(ValueError, match="only .ply"):
+        se.reconstruct(scan).write(tmp_path / "mesh.doc")
+    with pytest.raises(OSError):
+        se.reconstruct(scan).write(tmp_path / "no" / "mesh.ply")
+
+
+def test_files_packed_by_gzip_are_read(tmp_path, scan):
+    packed = tmp_path / "scan.ply.gz"
+    packed.write_bytes(gzip.compress(scan.read_bytes()))
+    assert np.array_equal(se.read(packed).position, se.read(scan).position)
+
+
+def test_a_mesh_of_arrays_is_checked():
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
+    closed = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    assert se.check(corners, closed).sound
+    twice = se.check(corners, closed + [[0, 1, 3]])
+    assert not twice.sound and twice.counts["non_manifold_edges"] == 3
+    with pytest.raises(ValueError, match="a corner is no row of the points"):
+        se.check(corners, [[0, 1, 4]])
+
+
+def test_progress_is_a_share_and_false_cancels(torus):
+    shares = []
+    se.reconstruct(torus, progress=shares.append)
+    assert shares and all(0.0 <= share <= 1.0 for share in shares)
+    with pytest.raises(se.Cancelled):
+        se.reconstruct(torus, progress=lambda share: False)
+    with pytest.raises(ZeroDivisionError):
+        se.best(torus, progress=lambda share: 1 / 0)
+
+
+def test_an_interrupt_ends_a_call(torus):
+    import _thread
+    with pytest.raises(KeyboardInterrupt):
+        se.reconstruct(torus, progress=lambda share: _thread.interrupt_main())
+
+
+def test_threads_make_equal_meshes_at_once(torus):
+    meshes = []
+    threads = [threading.Thread(target=lambda: meshes.append(se.reconstruct(torus))) for _ in range(3)]
+    for each in threads:
+        each.start()
+    for each in threads:
+        each.join()
+    assert len(meshes) == 3 and all(np.array_equal(m.triangles, meshes[0].triangles) for m in meshes)
+
+
+def test_a_mesh_shows_itself_as_a_picture(torus):
+    png = se.reconstruct(torus).png(size=100)
+    assert png.startswith(b"\x89PNG") and png[16:24] == bytes([0, 0, 0, 100] * 2)
