@@ -14,7 +14,7 @@ EXAMPLES = ROOT / "app" / "python" / "examples"
 
 def snippets(page):
     """The blocks of Python of a page, without those marked as not run."""
-    blocks = re.findall(r"(<!-- not run: .*? -->\n)?```python\n(.*?)```", page.read_text(), re.S)
+    blocks = re.findall(r"(<!-- not run: [^\n]* -->\n)?```python\n(.*?)```", page.read_text(), re.S)
     return [code for mark, code in blocks if not mark]
 
 

@@ -4,6 +4,7 @@
     draw_pivot.py [SCAN or scene:NAME] [ADDRESS] [PICTURE]
 """
 import sys
+import textwrap
 
 import matplotlib
 
@@ -43,13 +44,14 @@ plot([state.first], ">", color="#00694D", ms=11, label="first")
 plot([state.last], "<", color="#8E2C8A", ms=11, label="last")
 plot([state.pivot], "o", color="black", ms=11, mfc="white", mew=4, label="pivot")
 for p in shown:
-    axes.annotate(str(p), state.in_plane([p])[0], xytext=(6, 6), textcoords="offset points")
+    axes.annotate(str(p), state.in_plane([p])[0], xytext=(6, 6), textcoords="offset points",
+                  bbox={"fc": "white", "ec": "none", "pad": 1})
 if state.under_test is not None:
     plot([state.under_test], "o", mfc="none", mec="#B07800", ms=20, mew=2, label="under test")
 axes.set_aspect("equal")
 axes.margins(0.12)
-axes.set_title(f"{state.address}, section {state.event.section}\n{state.event.sentence}", wrap=True, fontsize=10)
+axes.set_title(f"{state.address}, section {state.event.section}\n" + textwrap.fill(state.event.sentence, 80), fontsize=10)
 axes.set_xlabel("tangent plane of the pivot, first to the right; in the unit of the points")
-figure.legend(loc="outside lower center", ncols=4)
+axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=4, markerscale=0.7)
 figure.savefig(picture, dpi=120)
 print(f"{picture}: {state.event.sentence}")

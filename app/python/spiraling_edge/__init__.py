@@ -197,14 +197,15 @@ class State:
     def address(self) -> Optional[str]:
         return self.event.address if self.event else None
 
-    def in_plane(self, points: Sequence[int]) -> np.ndarray:
-        """(m, 2): points in the tangent plane of the pivot, seen from the tip of its normal; first to the right (6.1).
-        Requires a pivot."""
-        origin, normal = self.prepared.position[self.pivot], self.prepared.normals[self.pivot]
-        right = self.prepared.position[self.first] - origin
+    def in_plane(self, points: Any) -> np.ndarray:
+        """(m, 2): points by number, or positions (m, 3), in the tangent plane of the pivot, seen from the tip of its
+        normal; first to the right (6.1). Requires a pivot."""
+        position, normal = self.prepared.position, self.prepared.normals[self.pivot]
+        right = position[self.first] - position[self.pivot]
         right = right - normal * (right @ normal)
         right = right / (np.linalg.norm(right) or 1.0)
-        offset = self.prepared.position[np.asarray(points, np.intp)] - origin
+        places = np.asarray(points)
+        offset = (places if places.ndim == 2 else position[places.astype(np.intp)]) - position[self.pivot]
         return np.stack([offset @ right, offset @ np.cross(normal, right)], axis=1)
 
     def svg(self, size: int = 480) -> str:
@@ -478,8 +479,8 @@ class Run:
 
 
 class Stepper:
-    """The algorithm, phase by phase. observer(event): called for each decision after its phase; True stops the run
-    there, and the next call goes on. Arrays are copies."""
+    """The algorithm, phase by phase. observer(event): called for each decision after its phase; a true value stops
+    the run there, and the next call goes on. Arrays are copies."""
 
     def __init__(self, points: Source, normals: Any = None, rules: str = "paper",
                  observer: Optional[Callable[[Event], Any]] = None, **options: Any) -> None:
@@ -509,7 +510,7 @@ class Stepper:
 
     @property
     def pivots(self) -> int:
-        """Number of pivots that are complete."""
+        """Number of pivots begun; between two pivots all of them are complete."""
         return self._core.pivots()
 
     @property

@@ -12,6 +12,8 @@ import numpy as np
 # Colors on white, each with a shape of its own, as in the viewer.
 COLORS = {"pivot": "#000000", "used": "#2A7FC0", "first": "#00694D", "last": "#8E2C8A", "test": "#B07800",
           "rejected": "#A83A00", "unused": "#6B7280", "done": "#8E949C"}
+OF_FANS = ("sort", "limits", "convex", "reciprocal", "hole", "sphere", "twopoint", "guard", "emit")
+HALO = 'text-anchor="middle" paint-order="stroke" stroke="#fff" stroke-width="3"'
 LEGEND = [("first", "first"), ("last", "last"), ("used", "candidate, ring"), ("rejected", "rejected"),
           ("unused", "UNUSED"), ("done", "DONE")]
 
@@ -69,19 +71,13 @@ def _drawing(state, size: int) -> list:
         return "L".join("%.1f %.1f" % pixel[p] for p in points)
 
     def at(positions: np.ndarray) -> list:
-        frame = state.in_plane([state.first, state.pivot])  # first is to the right
-        origin, normal = state.prepared.position[state.pivot], state.prepared.normals[state.pivot]
-        right = state.prepared.position[state.first] - origin
-        right = (right - normal * (right @ normal)) / (frame[0, 0] or 1.0)
-        offset = positions - origin
-        flat = np.stack([offset @ right, offset @ np.cross(normal, right)], axis=1)
-        return ["%.1f %.1f" % (middle + scale * x, middle - scale * y) for x, y in flat]
+        return ["%.1f %.1f" % (middle + scale * x, middle - scale * y) for x, y in state.in_plane(positions)]
 
     parts = []
     for corners in state.new_triangles.tolist():
         if all(p in pixel for p in corners):
             parts.append(f'<path d="M{path(corners)}Z" fill="#F6DFA8" stroke="{COLORS["test"]}"/>')
-    fan = [p for p in state.fan.points.tolist() if p in pixel]
+    fan = state.fan.points.tolist() if state.event.stage in OF_FANS else []
     spokes = "".join(f"M{path([state.pivot, p])}" for p in fan)
     parts.append(f'<path d="{spokes}M{path(fan)}" fill="none" stroke="{COLORS["used"]}" stroke-dasharray="4 4"/>'
                  if fan else "")
@@ -89,7 +85,7 @@ def _drawing(state, size: int) -> list:
         points = ring.points.tolist()
         steps = "".join(f"M{path(step)}" for step in zip(points, points[1:] + points[:1])
                         if step[0] in pixel and step[1] in pixel)
-        parts.append(f'<path d="{steps}" stroke="{COLORS["used"]}" stroke-width="3.5" marker-mid="url(#a)"/>')
+        parts.append(f'<path d="{steps}" stroke="{COLORS["used"]}" stroke-width="3.5"/>')
     if state.event.stage == "sphere":
         parts.append(_circle(state, at))
     for p, kind in kinds.items():
@@ -100,11 +96,10 @@ def _drawing(state, size: int) -> list:
         parts.append(_mark(kind, x, y))
         if kind not in ("unused", "done") or p == state.under_test:
             away = np.array([x - middle, y - middle]) / (np.hypot(x - middle, y - middle) or 1.0)
-            parts.append(f'<text x="{x + 22 * away[0]:.1f}" y="{y + 18 * away[1] + 4:.1f}" text-anchor="middle">'
-                         f'{p}</text>')
+            parts.append(f'<text x="{x + 22 * away[0]:.1f}" y="{y + 18 * away[1] + 4:.1f}" {HALO}>{p}</text>')
     parts.append(f'<circle cx="{middle}" cy="{middle}" r="8" fill="{COLORS["pivot"]}"/>'
                  f'<circle cx="{middle}" cy="{middle}" r="4" fill="#fff"/>'
-                 f'<text x="{middle}" y="{middle + 24}" text-anchor="middle" font-weight="bold">p = {state.pivot}</text>')
+                 f'<text x="{middle}" y="{middle + 24}" {HALO} font-weight="bold">p = {state.pivot}</text>')
     return parts
 
 
@@ -169,8 +164,9 @@ def mesh_png(position: np.ndarray, triangles: np.ndarray, size: int, view: Seque
         xyz[..., :2] += wide / 2
         normal = np.cross(xyz[:, 1] - xyz[:, 0], xyz[:, 2] - xyz[:, 0])
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-        front = normal[:, 2] < 0  # y is down here
-        light = 0.35 + 0.65 * np.abs(normal @ np.array([0.36, 0.48, 0.8]) / 1.0)
+        front = normal[:, 2] < 0  # since y is down
+        normal[front] *= -1.0
+        light = 0.3 + 0.7 * np.maximum(0.0, normal @ [-0.36, -0.48, 0.8])
         color = np.where(front[:, None], [178.0, 205.0, 232.0], [230.0, 140.0, 60.0]) * light[:, None]
         pixel, depth, hit, edge = (np.concatenate(each) for each in zip(*_fragments(xyz, wide)))
         order = np.argsort(depth, kind="stable")  # the nearest is written last
